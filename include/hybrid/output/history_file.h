@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hybrid::output
+{
+  /**
+   * The histories of a run in one HDF5 file (run.h5; its data sets are described in run_file.md).
+   *
+   * A series is a chunked, extendible data set of doubles with one row per call of append(): shape
+   * (n) for one column, (n, columns) otherwise. append() copies into a buffer that was allocated by
+   * add_series(); HDF5 is called once per full buffer and by flush().
+   *
+   * Whatever kills the process, the file opens with a plain reader and holds everything up to the
+   * last flush(): between two flushes HDF5 may not write metadata (evictions are disabled), so the
+   * file on disk always describes the state of a flush. Readers may open the file during the run:
+   * the writer holds no lock. The bytes depend on the values and on the calls only, not on the time
+   * of day.
+   *
+   * One thread of one process (rank 0) uses the file.
+   */
+  class HistoryFile
+  {
+  public:
+    enum class Mode
+    {
+      create, ///< a new file; an existing one is replaced
+      resume ///< an existing file; its series go on where they ended, or where truncate() cuts them
+    };
+
+    /// @throws InputError if the file cannot be created or opened.
+    explicit HistoryFile(const std::string &file_name, Mode mode = Mode::create);
+
+    HistoryFile(const HistoryFile &)            = delete;
+    HistoryFile &operator=(const HistoryFile &) = delete;
+
+    /// Writes what is buffered and closes the file.
+    ~HistoryFile();
+
+    /**
+     * Create a series, or find it again in a resumed file. Missing groups of @p path are made.
+     * @param path such as "monitors/S1/velocity"
+     * @param unit such as "m/s"; "1" for counts and ratios
+     * @param columns values per row, > 0
+     * @return the number of the series, for append().
+     */
+    int add_series(const std::string &path,
+                   const std::string &unit,
+                   std::size_t        columns,
+                   const std::string &description);
+
+    /// Add one row, @p values[0 ... columns).
+    void append(int series, const double *values);
+
+    /// Rows of a series so far, buffered ones included.
+    std::size_t rows(int series) const;
+
+    /// Forget the rows from @p rows on (resuming from a checkpoint that is older than the file).
+    void truncate(int series, std::size_t rows);
+
+    /// Write a static array, shape (rows) for one column, (rows, columns) otherwise; replaces an
+    /// old one.
+    void write_table(const std::string &path,
+                     const std::string &unit,
+                     const double      *values,
+                     std::size_t        rows,
+                     std::size_t        columns,
+                     const std::string &description = "");
+
+    /// Text attribute of a data set or group; @p path "/" is the file. Groups are made if missing.
+    void set_attribute(const std::string &path, const std::string &name, const std::string &text);
+
+    /// Numeric attribute of a data set or group, an array of doubles.
+    void set_attribute(const std::string         &path,
+                       const std::string         &name,
+                       const std::vector<double> &values);
+
+    /// Bring everything to the file: it can be read up to here from now on.
+    void flush();
+
+  private:
+    struct Series
+    {
+      std::string         path;
+      std::int64_t        dataset  = -1; ///< HDF5 identifier
+      std::size_t         columns  = 1;
+      std::size_t         capacity = 0; ///< rows that the buffer holds
+      std::size_t         written  = 0; ///< rows in the data set
+      std::size_t         buffered = 0; ///< rows in the buffer
+      std::vector<double> buffer;
+    };
+
+    void write_buffer(Series &series);
+
+    std::int64_t
+    create_series(const Series &series, const std::string &unit, const std::string &description);
+
+    /// Open an existing series and set its number of rows. @throws InputError if its shape differs.
+    void open_series(Series &series);
+
+    bool exists(const std::string &path) const;
+
+    std::string         file_name;
+    std::int64_t        file = -1; ///< HDF5 identifier
+    std::vector<Series> all_series;
+  };
+} // namespace hybrid::output

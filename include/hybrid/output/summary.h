@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <limits>
+#include <map>
+#include <string>
+
+namespace hybrid::output
+{
+  /// What one monitor saw, as [x, y]. Displacement is relative to the base monitor if there is one.
+  struct MonitorSummary
+  {
+    using Pair                      = std::array<double, 2>;
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+    Pair peak_displacement = {
+      {unknown, unknown}}; ///< signed value of largest magnitude [m], filtered
+    Pair peak_velocity      = {{unknown, unknown}}; ///< the same [m/s]
+    Pair peak_acceleration  = {{unknown, unknown}}; ///< the same [m/s2]
+    Pair final_displacement = {{unknown, unknown}}; ///< at the end, not filtered [m]
+    Pair amplification      = {{unknown, unknown}}; ///< |peak acceleration| / outcrop peak [-]
+    Pair amplification_until_first_failure = {
+      {unknown, unknown}}; ///< the same up to the first failed joint
+  };
+
+
+  /**
+   * The figures of a run, written to summary.json (names and units there as in the members'
+   * comments). Values that are NaN or infinite become null.
+   */
+  struct Summary
+  {
+    /// Joints that failed, by how.
+    struct FailedJoints
+    {
+      long tensile = 0;
+      long shear   = 0;
+    };
+
+    std::string  title;
+    bool         finished           = false;
+    long         steps              = 0;  ///< accepted
+    double       simulated_time     = 0.; ///< [s]
+    double       wall_time          = 0.; ///< [s]
+    long         blocks             = 0;
+    long         continuum_unknowns = 0;
+    long         interface_unknowns = 0;
+    double       energy_residual    = 0.; ///< |sum of all terms| / largest exchanged energy [-]
+    FailedJoints joints;                  ///< in the dynamic stage: earthquake damage
+    FailedJoints static_joints;           ///< while the body settled under gravity
+    double       first_failure_time = MonitorSummary::unknown; ///< of the dynamic stage [s]
+    long         cuts               = 0;                       ///< steps rolled back and halved
+    long         iterations         = 0;                       ///< open-close iterations, all steps
+    double       filter_frequency   = 0.; ///< low-pass behind peaks and amplification [Hz]; 0: none
+    std::array<double, 2> outcrop_peak_acceleration = {
+      {MonitorSummary::unknown,
+       MonitorSummary::unknown}}; ///< amplification refers to it [m/s2], filtered
+
+    std::map<std::string, MonitorSummary> monitors; ///< by name
+    std::map<std::string, double>         timings;  ///< wall time per effect [s]
+    std::map<std::string, double>         energy;   ///< terms at the end [J/m]
+  };
+
+  /// The text of summary.json.
+  std::string to_json(const Summary &summary);
+
+  /// Replace @p file_name by the summary (atomically: a reader never sees half a file).
+  void write_summary(const Summary &summary, const std::string &file_name);
+} // namespace hybrid::output
