@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace hybrid::scene
+{
+  /// One row of a text file of columns.
+  struct TableRow
+  {
+    int                      line; ///< line number in the file, from 1
+    std::vector<std::string> fields;
+  };
+
+
+  /**
+   * Rows of a text file: fields separated by commas or semicolons, or else by blanks.
+   * # starts a comment; empty lines are skipped.
+   * @throws InputError if the file cannot be read.
+   */
+  std::vector<TableRow> read_text_table(const std::string &file);
+
+
+  /// The fields of one line, separated and commented as above.
+  std::vector<std::string> split_fields(const std::string &line);
+
+
+  /// @return true and the value if all of @p text is one finite number ("." is the decimal mark in
+  /// every locale).
+  bool parse_number(const std::string &text, double &value);
+
+
+  /// The number in @p text. @throws InputError with file and line, saying @p what was expected.
+  double
+  to_number(const std::string &text, const std::string &what, const std::string &file, int line);
+} // namespace hybrid::scene

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/edge_chain.h>
+#include <hybrid/scene/input_error.h>
+#include <hybrid/scene/polygon_reader.h>
+#include <hybrid/scene/section_mesh_reader.h>
+#include <hybrid/scene/text_table.h>
+
+#include <gmsh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    using Numbers = std::vector<std::pair<std::string, double>>;
+
+    const char *const allowed_groups =
+      "surfaces bedrock, bedrock_<suffix>, sliding_mass, sliding_mass_<suffix>; "
+      "curves sliding_surface, bedding_<n>, base, left, right, ground, mass_surface";
+
+
+    /// gmsh, started for one file: quiet, on one thread, without configuration files.
+    class GmshSession
+    {
+    public:
+      GmshSession()
+      {
+        gmsh::initialize(0, nullptr, false);
+        gmsh::option::setNumber("General.Terminal", 0);
+        gmsh::option::setNumber("General.NumThreads", 1);
+        gmsh::logger::start();
+      }
+
+      ~GmshSession()
+      {
+        gmsh::finalize();
+      }
+
+      GmshSession(const GmshSession &)            = delete;
+      GmshSession &operator=(const GmshSession &) = delete;
+
+      /// Run @p action; whatever gmsh objects to becomes an InputError about @p file.
+      template <typename Action>
+      void run(const std::string &file, const Action &action)
+      {
+        try
+          {
+            action();
+          }
+        catch (const std::string &message)
+          {
+            throw InputError(file, 0, "gmsh: " + message + ".");
+          }
+        catch (const std::exception &exception)
+          {
+            throw InputError(file, 0, std::string("gmsh: ") + exception.what() + ".");
+          }
+        catch (...)
+          {
+            std::string message;
+            gmsh::logger::getLastError(message);
+            throw InputError(file, 0, "gmsh: " + message + ".");
+          }
+        std::string message;
+        gmsh::logger::getLastError(message);
+        if (!message.empty())
+          throw InputError(file, 0, "gmsh: " + message + ".");
+      }
+    };
+
+
+    /// The number after "key": in the JSON text of a ONELAB parameter, or @p otherwise.
+    double json_number(const std::string &json, const std::string &key, const double otherwise)
+    {
+      const auto position = json.find("\"" + key + "\":");
+      double     value    = otherwise;
+      if (position != std::string::npos)
+        {
+          const auto begin = json.find_first_not_of(" ", position + key.size() + 3);
+          const auto end   = json.find_first_of(",}\n", begin);
+          if (begin == std::string::npos || !parse_number(json.substr(begin, end - begin), value))
+            return otherwise;
+        }
+      return value;
+    }
+
+
+    /// Refuse numbers that the geometry does not define, or outside the range it states.
+    void check_numbers(const std::string &file, const Numbers &numbers)
+    {
+      GmshSession              session;
+      std::vector<std::string> names;
+      session.run(file, [&]() {
+        gmsh::open(file);
+        gmsh::onelab::getNames(names);
+      });
+
+      std::string known;
+      for (const std::string &name : names)
+        if (name.rfind("Gmsh/", 0) != 0 && name.rfind("ONELAB/", 0) != 0)
+          known += (known.empty() ? "" : ", ") + name;
+
+      for (const auto &[name, value] : numbers)
+        {
+          if (std::find(names.begin(), names.end(), name) == names.end())
+            throw InputError(file,
+                             0,
+                             "there is no number '" + name + "'; the file defines " +
+                               (known.empty() ? "none" : known) + ".");
+          std::string json;
+          gmsh::onelab::get(json, name);
+          const double lowest  = json_number(json, "min", -1e300);
+          const double highest = json_number(json, "max", 1e300);
+          if (!(value >= lowest && value <= highest))
+            {
+              std::ostringstream sentence;
+              sentence << "the number '" << name << "' is " << value << "; it must be at least "
+                       << lowest;
+              if (highest < 1e100)
+                sentence << " and at most " << highest;
+              throw InputError(file, 0, sentence.str() + ".");
+            }
+        }
+    }
+
+
+    bool is_region(const std::string &name, const std::string &stem)
+    {
+      return name == stem || (name.rfind(stem + "_", 0) == 0 && name.size() > stem.size() + 1);
+    }
+
+
+    bool is_line(const std::string &name)
+    {
+      for (const char *const line :
+           {"sliding_surface", "base", "left", "right", "ground", "mass_surface"})
+        if (name == line)
+          return true;
+      return name.rfind("bedding_", 0) == 0 && name.size() > 8 &&
+             name.find_first_not_of("0123456789", 8) == std::string::npos;
+    }
+
+
+    /// Copies gmsh's current mesh into a SectionMesh.
+    class Converter
+    {
+    public:
+      explicit Converter(const std::string &file_name)
+        : file(file_name)
+      {}
+
+      SectionMesh convert()
+      {
+        read_nodes();
+        gmsh::vectorpair groups;
+        gmsh::model::getPhysicalGroups(groups);
+        for (const auto &[dim, tag] : groups)
+          read_group(dim, tag);
+        number_used_nodes();
+        for (auto &[name, edges] : mesh.lines)
+          edges = chain_edges(edges, mesh.nodes, name);
+        return std::move(mesh);
+      }
+
+    private:
+      const std::string file;
+      SectionMesh       mesh;
+
+      std::map<std::size_t, int>
+        index_of_tag; ///< gmsh's node tag -> index into coordinates, in the order of tags
+      std::vector<Vec2>                  coordinates; ///< all nodes of gmsh's mesh [m]
+      std::map<std::size_t, std::string> group_of_element;
+
+
+      void read_nodes()
+      {
+        std::vector<std::size_t> tags;
+        std::vector<double>      x, parametric;
+        gmsh::model::mesh::getNodes(tags, x, parametric);
+        std::map<std::size_t, std::size_t> position;
+        for (std::size_t i = 0; i < tags.size(); ++i)
+          position[tags[i]] = i;
+
+        double size = 0.;
+        for (const double value : x)
+          size = std::max(size, std::abs(value));
+        for (const auto &[tag, i] : position)
+          {
+            if (std::abs(x[3 * i + 2]) > 1e-9 * size)
+              {
+                std::ostringstream sentence;
+                sentence << "the node at (" << x[3 * i] << ", " << x[3 * i + 1] << ", "
+                         << x[3 * i + 2] << ") m is outside the plane z = 0 of the section.";
+                throw InputError(file, 0, sentence.str());
+              }
+            index_of_tag[tag] = coordinates.size();
+            coordinates.emplace_back(x[3 * i], x[3 * i + 1]);
+          }
+      }
+
+
+      void read_group(const int dim, const int tag)
+      {
+        std::string name;
+        gmsh::model::getPhysicalName(dim, tag, name);
+        const bool is_bedrock = dim == 2 && is_region(name, "bedrock");
+        const bool is_mass    = dim == 2 && is_region(name, "sliding_mass");
+        if (!is_bedrock && !is_mass && !(dim == 1 && is_line(name)))
+          throw InputError(file,
+                           0,
+                           "the physical group " +
+                             (name.empty() ? std::to_string(tag) : "'" + name + "'") +
+                             " of dimension " + std::to_string(dim) +
+                             " is not known; allowed are " + allowed_groups + ".");
+        if (is_bedrock)
+          mesh.bedrock_region_names.push_back(name);
+        else if (is_mass)
+          mesh.block_region_names.push_back(name);
+
+        std::vector<int> entities;
+        gmsh::model::getEntitiesForPhysicalGroup(dim, tag, entities);
+        for (const int entity : entities)
+          {
+            std::vector<int>                      types;
+            std::vector<std::vector<std::size_t>> elements, element_nodes;
+            gmsh::model::mesh::getElements(types, elements, element_nodes, dim, entity);
+            for (std::size_t t = 0; t < types.size(); ++t)
+              read_elements(name, types[t], elements[t], element_nodes[t]);
+          }
+      }
+
+
+      void read_elements(const std::string              &name,
+                         const int                       type,
+                         const std::vector<std::size_t> &elements,
+                         const std::vector<std::size_t> &tags)
+      {
+        // gmsh's element types: 1 two-node line, 2 triangle, 3 quadrangle
+        if (type < 1 || type > 3)
+          throw InputError(file,
+                           0,
+                           "the group " + name + " has elements of gmsh's type " +
+                             std::to_string(type) +
+                             "; only first-order lines, triangles and quadrangles are allowed.");
+        const int n = type + 1;
+        for (std::size_t e = 0; e < elements.size(); ++e)
+          {
+            std::vector<int> nodes(n);
+            for (int i = 0; i < n; ++i)
+              nodes[i] = index_of_tag.at(tags[e * n + i]);
+            const auto [group, is_new] = group_of_element.emplace(elements[e], name);
+            if (!is_new)
+              throw InputError(file,
+                               0,
+                               "the element " + at(nodes) + " is in two physical groups, " +
+                                 group->second + " and " + name + ".");
+            add_element(name, nodes);
+          }
+      }
+
+
+      void add_element(const std::string &name, std::vector<int> nodes)
+      {
+        if (nodes.size() == 2)
+          {
+            mesh.lines[name].push_back({nodes[0], nodes[1]});
+            return;
+          }
+
+        double area = 0.;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          area += cross(coordinates[nodes[i]] - coordinates[nodes[0]],
+                        coordinates[nodes[(i + 1) % nodes.size()]] - coordinates[nodes[0]]);
+        if (area < 0.)
+          std::reverse(nodes.begin() + 1, nodes.end());
+
+        if (!is_region(name, "bedrock"))
+          {
+            mesh.blocks.push_back(nodes);
+            mesh.block_region.push_back(mesh.block_region_names.size() - 1);
+            return;
+          }
+        if (nodes.size() != 4)
+          throw InputError(file,
+                           0,
+                           "the group " + name + " has a triangle " + at(nodes) +
+                             "; the bedrock must be quadrilaterals only (Recombine Surface, "
+                             "Mesh.RecombinationAlgorithm = 3).");
+        mesh.bedrock_cells.push_back({nodes[0], nodes[1], nodes[2], nodes[3]});
+        mesh.bedrock_region.push_back(mesh.bedrock_region_names.size() - 1);
+      }
+
+
+      /// "at (x, y) m", the centre of some nodes.
+      std::string at(const std::vector<int> &nodes) const
+      {
+        Vec2 centre = Vec2::Zero();
+        for (const int node : nodes)
+          centre += coordinates[node] / double(nodes.size());
+        std::ostringstream text;
+        text << "at (" << centre.x() << ", " << centre.y() << ") m";
+        return text.str();
+      }
+
+
+      template <typename Function>
+      void for_each_node(const Function &function)
+      {
+        for (auto &cell : mesh.bedrock_cells)
+          std::for_each(cell.begin(), cell.end(), function);
+        for (auto &block : mesh.blocks)
+          std::for_each(block.begin(), block.end(), function);
+        for (auto &[name, edges] : mesh.lines)
+          for (auto &edge : edges)
+            std::for_each(edge.begin(), edge.end(), function);
+      }
+
+
+      void number_used_nodes()
+      {
+        std::vector<int> number(coordinates.size(), -1);
+        for_each_node([&](const int &node) { number[node] = 0; });
+        for (std::size_t i = 0; i < coordinates.size(); ++i)
+          if (number[i] == 0)
+            {
+              number[i] = mesh.nodes.size();
+              mesh.nodes.push_back(coordinates[i]);
+            }
+        for_each_node([&](int &node) { node = number[node]; });
+      }
+    };
+
+
+    SectionMesh read_gmsh_file(const std::string &file, const Numbers &numbers)
+    {
+      if (!std::filesystem::is_regular_file(file))
+        throw InputError(file, 0, "there is no such mesh file.");
+      const std::string extension = std::filesystem::path(file).extension().string();
+      if (extension != ".geo" && extension != ".msh")
+        throw InputError(file, 0, "a mesh file must end in .geo or .msh.");
+      if (extension == ".msh" && !numbers.empty())
+        throw InputError(file,
+                         0,
+                         "the number '" + numbers.front().first +
+                           "' cannot be set: only a .geo file has numbers.");
+
+      if (!numbers.empty())
+        check_numbers(file, numbers);
+
+      GmshSession session;
+      session.run(file, [&]() {
+        for (const auto &[name, value] : numbers)
+          gmsh::onelab::setNumber(name, {value});
+        gmsh::open(file);
+        if (extension == ".geo")
+          gmsh::model::mesh::generate(2);
+      });
+      return Converter(file).convert();
+    }
+  } // namespace
+
+
+  SectionMesh read_section_mesh(const MeshParameters &parameters)
+  {
+    SectionMesh mesh;
+    if (!parameters.file.empty())
+      mesh = read_gmsh_file(parameters.file, parameters.numbers);
+    if (!parameters.polygons_file.empty())
+      read_polygons(parameters.polygons_file, mesh);
+    if (!parameters.surface_file.empty())
+      read_surface(parameters.surface_file, mesh);
+    return mesh;
+  }
+} // namespace hybrid::scene
