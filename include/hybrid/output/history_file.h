@@ -33,7 +33,7 @@ namespace hybrid::output
     };
 
     /// @throws InputError if the file cannot be created or opened.
-    explicit HistoryFile(const std::string &file_name, Mode mode = Mode::create);
+    explicit HistoryFile(const std::string &name, Mode mode = Mode::create);
 
     HistoryFile(const HistoryFile &)            = delete;
     HistoryFile &operator=(const HistoryFile &) = delete;

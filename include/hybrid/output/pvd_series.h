@@ -17,8 +17,8 @@ namespace hybrid::output
   class PvdSeries
   {
   public:
-    /// @param directory output directory of the run; "vtu" is made in it.
-    PvdSeries(std::string directory, std::string name);
+    /// @param output_directory of the run; "vtu" is made in it. @param part such as "blocks".
+    PvdSeries(std::string output_directory, std::string part);
 
     /// Write a picture at simulated time @p time [s] and list it.
     void add(double time, const VtuWriter &picture);

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/history_file.h>
+#include <hybrid/scene/input_error.h>
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <cassert>
+#include <stdexcept>
+
+namespace hybrid::output
+{
+  static_assert(sizeof(hid_t) == sizeof(std::int64_t),
+                "the header stores HDF5 identifiers as int64_t");
+
+  namespace
+  {
+    /// Size of a chunk and of a buffer [B]: 512 rows of two columns.
+    constexpr std::size_t chunk_bytes = 8192;
+
+    /// An HDF5 identifier that is closed at the end of its scope.
+    class Handle
+    {
+    public:
+      Handle(const hid_t identifier, herr_t (*close)(hid_t), const std::string &what)
+        : id(identifier)
+        , close_function(close)
+      {
+        if (id < 0)
+          throw std::runtime_error("HDF5 failed to " + what + ".");
+      }
+
+      ~Handle()
+      {
+        close_function(id);
+      }
+
+      Handle(const Handle &)            = delete;
+      Handle &operator=(const Handle &) = delete;
+
+      operator hid_t() const
+      {
+        return id;
+      }
+
+    private:
+      hid_t id;
+      herr_t (*close_function)(hid_t);
+    };
+
+
+    void check(const herr_t status, const std::string &what)
+    {
+      if (status < 0)
+        throw std::runtime_error("HDF5 failed to " + what + ".");
+    }
+
+
+    hid_t make_dataspace(const std::size_t rows, const std::size_t columns, const bool extendible)
+    {
+      const hsize_t size[]    = {rows, columns};
+      const hsize_t maximum[] = {extendible ? H5S_UNLIMITED : rows, columns};
+      return H5Screate_simple(columns == 1 ? 1 : 2, size, maximum);
+    }
+
+
+    /// Link creation properties that make missing groups on the way.
+    hid_t make_link_properties()
+    {
+      const hid_t properties = H5Pcreate(H5P_LINK_CREATE);
+      H5Pset_create_intermediate_group(properties, 1);
+      return properties;
+    }
+
+
+    /// Write an attribute, replacing one of the same name.
+    void write_attribute(const hid_t        object,
+                         const std::string &name,
+                         const hid_t        type,
+                         const hid_t        space,
+                         const void        *data)
+    {
+      if (H5Aexists(object, name.c_str()) > 0)
+        check(H5Adelete(object, name.c_str()), "replace attribute " + name);
+      const Handle attribute(
+        H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose,
+        "create attribute " + name);
+      check(H5Awrite(attribute, type, data), "write attribute " + name);
+    }
+
+
+    void write_text(const hid_t object, const std::string &name, const std::string &text)
+    {
+      const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "copy a type");
+      H5Tset_size(type, std::max<std::size_t>(text.size(), 1));
+      H5Tset_strpad(type, H5T_STR_NULLPAD);
+      H5Tset_cset(type, H5T_CSET_UTF8);
+      const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "make a data space");
+      write_attribute(object, name, type, space, text.empty() ? "" : text.data());
+    }
+
+
+    /**
+     * Between flushes no metadata may reach the file, else a killed run could leave an object
+     * header that is newer than the index of its chunks. The cache grows by some 4 kB per 64
+     * chunks.
+     */
+    void keep_metadata_in_memory(const hid_t file)
+    {
+      H5AC_cache_config_t configuration;
+      configuration.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+      check(H5Fget_mdc_config(file, &configuration), "read the cache configuration");
+      configuration.evictions_enabled = false;
+      configuration.incr_mode         = H5C_incr__off;
+      configuration.flash_incr_mode   = H5C_flash_incr__off;
+      configuration.decr_mode         = H5C_decr__off;
+      check(H5Fset_mdc_config(file, &configuration), "set the cache configuration");
+    }
+
+
+    hid_t open_file(const std::string &file_name, const HistoryFile::Mode mode)
+    {
+      const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file properties");
+      // Old format: the newest one marks a file as open for writing, and a killed run leaves that
+      // mark.
+      H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
+      H5Pset_file_locking(access, false, true);
+      H5Pset_meta_block_size(access, 1u << 20); // metadata in one place: a flush is few writes
+      hid_t file = -1;
+      H5E_BEGIN_TRY
+      {
+        file = mode == HistoryFile::Mode::create
+                 ? H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
+                 : H5Fopen(file_name.c_str(), H5F_ACC_RDWR, access);
+      }
+      H5E_END_TRY;
+      if (file < 0)
+        throw InputError(mode == HistoryFile::Mode::create
+                           ? "cannot create '" + file_name +
+                               "': the directory must exist and be writable."
+                           : "cannot open '" + file_name +
+                               "' to continue it: it must be the run.h5 of an earlier run.");
+      return file;
+    }
+  } // namespace
+
+
+
+  HistoryFile::HistoryFile(const std::string &name, const Mode mode)
+    : file_name(name)
+    , file(open_file(name, mode))
+  {
+    keep_metadata_in_memory(file);
+    flush();
+  }
+
+
+
+  HistoryFile::~HistoryFile()
+  {
+    try
+      {
+        flush();
+      }
+    catch (const std::exception &)
+      {
+        // a full disk must not end the program here; the file keeps the previous flush
+      }
+    for (const Series &series : all_series)
+      H5Dclose(series.dataset);
+    H5Fclose(file);
+  }
+
+
+
+  bool HistoryFile::exists(const std::string &path) const
+  {
+    for (std::size_t end = path.find('/', 1); end != std::string::npos;
+         end             = path.find('/', end + 1))
+      if (H5Lexists(file, path.substr(0, end).c_str(), H5P_DEFAULT) <= 0)
+        return false;
+    return path == "/" || H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0;
+  }
+
+
+
+  int HistoryFile::add_series(const std::string &path,
+                              const std::string &unit,
+                              const std::size_t  columns,
+                              const std::string &description)
+  {
+    assert(columns > 0);
+    Series series;
+    series.path     = path;
+    series.columns  = columns;
+    series.capacity = std::max<std::size_t>(chunk_bytes / (sizeof(double) * columns), 1);
+    series.buffer.resize(series.capacity * columns);
+    if (exists(path))
+      open_series(series);
+    else
+      series.dataset = create_series(series, unit, description);
+    all_series.push_back(std::move(series));
+    return static_cast<int>(all_series.size()) - 1;
+  }
+
+
+
+  std::int64_t HistoryFile::create_series(const Series      &series,
+                                          const std::string &unit,
+                                          const std::string &description)
+  {
+    const Handle  space(make_dataspace(0, series.columns, true), H5Sclose, "make a data space");
+    const Handle  links(make_link_properties(), H5Pclose, "make link properties");
+    const Handle  creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make data set properties");
+    const hsize_t chunk[] = {series.capacity, series.columns};
+    H5Pset_chunk(creation, series.columns == 1 ? 1 : 2, chunk);
+    H5Pset_obj_track_times(creation, false); // equal runs give equal bytes
+    const hid_t dataset =
+      H5Dcreate2(file, series.path.c_str(), H5T_IEEE_F64LE, space, links, creation, H5P_DEFAULT);
+    check(dataset < 0 ? -1 : 0, "create data set " + series.path + " in " + file_name);
+    write_text(dataset, "unit", unit);
+    write_text(dataset, "description", description);
+    return dataset;
+  }
+
+
+
+  void HistoryFile::open_series(Series &series)
+  {
+    series.dataset = H5Dopen2(file, series.path.c_str(), H5P_DEFAULT);
+    check(series.dataset < 0 ? -1 : 0, "open data set " + series.path + " in " + file_name);
+    const Handle space(H5Dget_space(series.dataset), H5Sclose, "read a data space");
+    hsize_t      size[] = {0, 1};
+    const int    rank   = H5Sget_simple_extent_ndims(space);
+    if (rank == 1 || rank == 2)
+      H5Sget_simple_extent_dims(space, size, nullptr);
+    if (rank != (series.columns == 1 ? 1 : 2) || size[1] != series.columns)
+      {
+        H5Dclose(series.dataset);
+        throw InputError("data set '" + series.path + "' of '" + file_name +
+                         "' has another shape than this scene: it belongs to another scene.");
+      }
+    series.written = size[0];
+  }
+
+
+
+  void HistoryFile::append(const int index, const double *values)
+  {
+    Series &series = all_series[index];
+    std::copy_n(values, series.columns, series.buffer.begin() + series.buffered * series.columns);
+    if (++series.buffered == series.capacity)
+      write_buffer(series);
+  }
+
+
+
+  void HistoryFile::write_buffer(Series &series)
+  {
+    if (series.buffered == 0)
+      return;
+    const hsize_t size[]   = {series.written + series.buffered, series.columns};
+    const hsize_t offset[] = {series.written, 0};
+    const hsize_t count[]  = {series.buffered, series.columns};
+    check(H5Dset_extent(series.dataset, size), "extend " + series.path + " in " + file_name);
+    const Handle space(H5Dget_space(series.dataset), H5Sclose, "read a data space");
+    check(H5Sselect_hyperslab(space, H5S_SELECT_SET, offset, nullptr, count, nullptr),
+          "select rows");
+    const Handle memory(make_dataspace(series.buffered, series.columns, false),
+                        H5Sclose,
+                        "make a data space");
+    check(
+      H5Dwrite(series.dataset, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, series.buffer.data()),
+      "write " + series.path + " in " + file_name);
+    series.written += series.buffered;
+    series.buffered = 0;
+  }
+
+
+
+  std::size_t HistoryFile::rows(const int index) const
+  {
+    return all_series[index].written + all_series[index].buffered;
+  }
+
+
+
+  void HistoryFile::truncate(const int index, const std::size_t rows)
+  {
+    Series &series = all_series[index];
+    write_buffer(series);
+    if (rows >= series.written)
+      return;
+    const hsize_t size[] = {rows, series.columns};
+    check(H5Dset_extent(series.dataset, size), "cut " + series.path + " in " + file_name);
+    series.written = rows;
+  }
+
+
+
+  void HistoryFile::write_table(const std::string &path,
+                                const std::string &unit,
+                                const double      *values,
+                                const std::size_t  rows,
+                                const std::size_t  columns,
+                                const std::string &description)
+  {
+    if (exists(path))
+      check(H5Ldelete(file, path.c_str(), H5P_DEFAULT), "replace " + path + " in " + file_name);
+    const Handle space(make_dataspace(rows, columns, false), H5Sclose, "make a data space");
+    const Handle links(make_link_properties(), H5Pclose, "make link properties");
+    const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make data set properties");
+    H5Pset_obj_track_times(creation, false);
+    const Handle dataset(
+      H5Dcreate2(file, path.c_str(), H5T_IEEE_F64LE, space, links, creation, H5P_DEFAULT),
+      H5Dclose,
+      "create data set " + path + " in " + file_name);
+    if (rows * columns > 0)
+      check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values),
+            "write " + path + " in " + file_name);
+    write_text(dataset, "unit", unit);
+    write_text(dataset, "description", description);
+  }
+
+
+
+  namespace
+  {
+    /// Open a data set or group, making the group if nothing is there.
+    hid_t open_object(const hid_t file, const std::string &path, const bool is_there)
+    {
+      if (is_there)
+        return H5Oopen(file, path.c_str(), H5P_DEFAULT);
+      const Handle links(make_link_properties(), H5Pclose, "make link properties");
+      return H5Gcreate2(file, path.c_str(), links, H5P_DEFAULT, H5P_DEFAULT);
+    }
+  } // namespace
+
+
+
+  void HistoryFile::set_attribute(const std::string &path,
+                                  const std::string &name,
+                                  const std::string &text)
+  {
+    const Handle object(open_object(file, path, exists(path)), H5Oclose, "open " + path);
+    write_text(object, name, text);
+  }
+
+
+
+  void HistoryFile::set_attribute(const std::string         &path,
+                                  const std::string         &name,
+                                  const std::vector<double> &values)
+  {
+    const Handle  object(open_object(file, path, exists(path)), H5Oclose, "open " + path);
+    const hsize_t size[] = {values.size()};
+    const Handle  space(H5Screate_simple(1, size, nullptr), H5Sclose, "make a data space");
+    write_attribute(object, name, H5T_NATIVE_DOUBLE, space, values.data());
+  }
+
+
+
+  void HistoryFile::flush()
+  {
+    for (Series &series : all_series)
+      write_buffer(series);
+    check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush " + file_name);
+  }
+} // namespace hybrid::output

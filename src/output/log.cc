@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/log.h>
+#include <hybrid/scene/input_error.h>
+
+namespace hybrid::output
+{
+  Log::Log(std::ostream &screen_stream, const bool screen_is_terminal)
+    : screen(screen_stream)
+    , is_terminal(screen_is_terminal)
+  {}
+
+
+
+  void Log::open_file(const std::string &file_name, const FileMode mode)
+  {
+    file.open(file_name, mode == FileMode::append ? std::ios::app : std::ios::trunc);
+    file << before_file << std::flush;
+    if (!file)
+      throw InputError("cannot write '" + file_name +
+                       "': the directory must exist and be writable.");
+    before_file.clear();
+  }
+
+
+
+  void Log::info(const std::string &text)
+  {
+    write(text);
+  }
+
+
+
+  void Log::warning(const std::string &text)
+  {
+    all_warnings.push_back(text);
+    write("warning: " + text);
+  }
+
+
+
+  void Log::write(const std::string &text)
+  {
+    screen << (is_terminal ? "\r\033[K" : "") << text << std::endl;
+    if (file.is_open())
+      file << text << std::endl;
+    else
+      before_file += text + "\n";
+  }
+} // namespace hybrid::output

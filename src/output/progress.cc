@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/progress.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include <unistd.h>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    constexpr double redraw_interval = 0.2; ///< on a terminal [s]
+    constexpr double line_interval   = 60.; ///< elsewhere, at least one line per [s]
+    constexpr double line_fraction   = 0.1; ///< elsewhere, one line per this part of the run [-]
+    constexpr double memory          = 10.; ///< rates are averages over about this wall time [s]
+    constexpr int    bar_width       = 24;  ///< characters
+
+    double steady_seconds()
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+    }
+  } // namespace
+
+
+
+  Progress::Progress(std::ostream           &stream,
+                     const bool              stream_is_terminal,
+                     const double            from_time,
+                     const double            to_time,
+                     std::function<double()> clock)
+    : out(stream)
+    , is_terminal(stream_is_terminal)
+    , start_time(from_time)
+    , end_time(to_time)
+    , wall_clock(clock ? std::move(clock) : std::function<double()>(steady_seconds))
+    , time(from_time)
+    , drawn_at(wall_clock())
+    , drawn_time(from_time)
+  {}
+
+
+
+  void Progress::update(const double new_time, const long new_steps, const long new_iterations)
+  {
+    time       = new_time;
+    steps      = new_steps;
+    iterations = new_iterations;
+
+    const double now     = wall_clock();
+    const double elapsed = now - drawn_at;
+    const bool   is_due =
+      is_terminal
+          ? elapsed >= redraw_interval
+          : elapsed >= line_interval || time - drawn_time >= line_fraction * (end_time - start_time);
+    if (is_due)
+      draw(now);
+  }
+
+
+
+  void Progress::draw(const double now)
+  {
+    const double elapsed = now - drawn_at;
+    if (elapsed > 0.)
+      {
+        const double weight = speed > 0. ? 1. - std::exp(-elapsed / memory) : 1.;
+        speed += weight * ((time - drawn_time) / elapsed - speed);
+        step_rate += weight * ((steps - drawn_steps) / elapsed - step_rate);
+      }
+    drawn_at    = now;
+    drawn_time  = time;
+    drawn_steps = steps;
+
+    if (!is_terminal)
+      {
+        out << status() << std::endl;
+        return;
+      }
+    const double fraction =
+      end_time > start_time ? (time - start_time) / (end_time - start_time) : 1.;
+    const int n_full = std::clamp(static_cast<int>(fraction * bar_width), 0, bar_width);
+    out << "\r\033[K[" << std::string(n_full, '#') << std::string(bar_width - n_full, '.') << "] "
+        << status() << std::flush;
+  }
+
+
+
+  std::string Progress::status() const
+  {
+    const double percent =
+      end_time > start_time ? 100. * (time - start_time) / (end_time - start_time) : 100.;
+    const std::string left = speed > 0. ? format_duration((end_time - time) / speed) : "?";
+    char              text[160];
+    std::snprintf(text,
+                  sizeof(text),
+                  "%5.1f %%  t = %.3f of %g s  left %s  %.3g steps/s  %.1f iterations/step",
+                  std::clamp(percent, 0., 100.),
+                  time,
+                  end_time,
+                  left.c_str(),
+                  step_rate,
+                  steps > 0 ? static_cast<double>(iterations) / steps : 0.);
+    return text;
+  }
+
+
+
+  void Progress::finish()
+  {
+    if (is_terminal || steps != drawn_steps)
+      draw(wall_clock());
+    if (is_terminal)
+      out << std::endl;
+  }
+
+
+
+  bool standard_output_is_terminal()
+  {
+    return isatty(STDOUT_FILENO) == 1;
+  }
+
+
+
+  std::string format_duration(const double seconds)
+  {
+    const long total = std::lround(std::clamp(seconds, 0., 3.6e8));
+    char       text[32];
+    if (total < 3600)
+      std::snprintf(text, sizeof(text), "%ld:%02ld", total / 60, total % 60);
+    else
+      std::snprintf(
+        text, sizeof(text), "%ld:%02ld:%02ld", total / 3600, total / 60 % 60, total % 60);
+    return text;
+  }
+} // namespace hybrid::output
