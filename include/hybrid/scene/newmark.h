@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace hybrid
+{
+  /**
+   * Newmark's family of time integration (Newmark 1959):
+   *   u1 = u0 + dt v0 + dt^2 ((1/2 - beta) a0 + beta a1),
+   *   v1 = v0 + dt ((1 - gamma) a0 + gamma a1).
+   * The same pair serves blocks and continuum.
+   */
+  struct Newmark
+  {
+    double beta  = 0.3025; ///< [-]
+    double gamma = 0.6;    ///< [-], >= 1/2; above 1/2 it damps high frequencies
+
+    /**
+     * Named presets: "dissipative" gamma = 0.6, beta = (gamma + 1/2)^2 / 4 (the default);
+     * "trapezoidal" (1/4, 1/2); "shi" (1/2, 1), the constant-acceleration scheme of Shi (1988).
+     * @throws InputError for another name.
+     */
+    static Newmark
+    preset(const std::string &name);
+  };
+} // namespace hybrid

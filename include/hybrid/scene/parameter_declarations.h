@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/scene/parameter_section.h>
+#include <hybrid/scene/scene_parameters.h>
+
+/**
+ * @file One pair of functions per parameter struct, in src/scene/<section>_parameters.cc:
+ * declare() states name, member, unit, range and help of every parameter of the section;
+ * check() finds what contradicts what, after all values are known, and throws InputError.
+ */
+namespace hybrid::scene
+{
+  void declare(ParameterTable &table, TimeParameters &time);
+
+  void declare(ParameterTable &table, MeshParameters &mesh);
+
+  /// Section "Materials", subsection of the material's name.
+  void declare(ParameterTable &table, Material &material);
+
+  /// Section "Continuum".
+  void declare(ParameterTable &table, ContinuumParameters &continuum);
+
+  void declare(ParameterTable &table, BeddingParameters &bedding);
+
+  void declare(ParameterTable &table, BlockParameters &blocks);
+
+  /// Sections "Gravity" and "Water".
+  void declare(ParameterTable &table, EnvironmentParameters &environment);
+
+  void declare(ParameterTable &table, MotionParameters &motion);
+
+  /// Sections "Monitors" and "Boreholes".
+  void declare(ParameterTable &table, MonitorParameters &monitors);
+
+  void declare(ParameterTable &table, OutputParameters &output);
+
+  /// Every section of a scene whose material table has its names.
+  void declare(ParameterTable &table, SceneParameters &scene);
+
+
+  void check(const Material &material, const ParameterTable &table);
+
+  void check(const MotionParameters &motion, const ParameterTable &table);
+
+  void check(const MonitorParameters &monitors, const ParameterTable &table);
+
+  /// Mesh files against the model.
+  void check_mesh(const SceneParameters &scene, const ParameterTable &table);
+
+  /// Materials of the bedrock.
+  void check_continuum(const SceneParameters &scene, const ParameterTable &table);
+
+  /// Materials of blocks and belt.
+  void check_blocks(const SceneParameters &scene, const ParameterTable &table);
+
+  /// @throws InputError at parameter @p path if the table of materials lacks @p name.
+  void check_material_name(const SceneParameters &scene,
+                           const std::string     &name,
+                           const std::string     &path,
+                           const ParameterTable  &table);
+
+  /// All of the above.
+  void check(const SceneParameters &scene, const ParameterTable &table);
+} // namespace hybrid::scene

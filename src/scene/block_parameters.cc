@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/parameter_declarations.h>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    void declare_materials(ParameterSection &section, BlockParameters &blocks)
+    {
+      const std::string allowed = "a material's name, or empty";
+      section.text("Material",
+                   blocks.material,
+                   "a material's name",
+                   "Blocks, and joints between them, above the water level.");
+      section.text("Saturated material",
+                   blocks.saturated_material,
+                   allowed,
+                   "The same below the water level; empty: as Material.");
+      section.text(
+        "Belt material",
+        blocks.belt_material,
+        allowed,
+        "Bonded joints on the sliding surface; empty: unbonded frictional contact of Material.");
+      section.text("Saturated belt material",
+                   blocks.saturated_belt_material,
+                   allowed,
+                   "The same below the water level; empty: as Belt material.");
+    }
+
+    void declare_iteration(ParameterSection &section, BlockParameters &blocks)
+    {
+      section.integer("Maximum iterations",
+                      blocks.maximum_iterations,
+                      {1, 10000},
+                      "Open-close iterations before the step is cut.");
+      section.number("Tolerance",
+                     blocks.tolerance,
+                     "",
+                     ParameterRange::open(0., 1.),
+                     "Relative force residual at which the open-close iteration has converged.");
+    }
+  } // namespace
+
+  void declare(ParameterTable &table, BlockParameters &blocks)
+  {
+    ParameterSection section(table, {"Blocks"});
+    declare_materials(section, blocks);
+    section.number("Penalty ratio",
+                   blocks.penalty_ratio,
+                   "",
+                   ParameterRange::above(1.),
+                   "alpha of the normal stiffness alpha E / h of joints and contacts.");
+    section.number("Shear ratio",
+                   blocks.shear_ratio,
+                   "",
+                   {0., 1., false, true},
+                   "Shear stiffness over normal stiffness of joints and contacts.");
+    section.number("Fracture energy",
+                   blocks.fracture_energy,
+                   "N/m",
+                   ParameterRange::at_least(0.),
+                   "Energy G_f per area that opening a joint takes; 0 is brittle.");
+    section.number("Softening slip",
+                   blocks.softening_slip,
+                   "m",
+                   ParameterRange::at_least(0.),
+                   "Slip over which the shear strength of a joint falls to its residual.");
+    section.number(
+      "Damping ratio",
+      blocks.damping_ratio,
+      "",
+      {0., 1., true, false},
+      "Stiffness-proportional damping of blocks and joints, as a fraction of critical.");
+    section.number("Damping frequency",
+                   blocks.damping_frequency,
+                   "Hz",
+                   ParameterRange::above(0.),
+                   "Frequency at which the damping ratio holds.");
+    section.toggle(
+      "Stiffness correction",
+      blocks.stiffness_correction,
+      "Take the compliance of the joints off that of the blocks, so that waves keep their speed.");
+    declare_iteration(section, blocks);
+  }
+
+  void check_blocks(const SceneParameters &scene, const ParameterTable &table)
+  {
+    const BlockParameters &blocks = scene.blocks;
+    if (!blocks.enabled)
+      return;
+    if (blocks.material.empty())
+      throw table.error("Blocks/Material", "blocks need a material, or set Model/Blocks = none");
+
+    const std::pair<const char *, const std::string &> uses[] = {
+      {"Blocks/Material", blocks.material},
+      {"Blocks/Saturated material", blocks.saturated_material},
+      {"Blocks/Belt material", blocks.belt_material},
+      {"Blocks/Saturated belt material", blocks.saturated_belt_material}};
+    for (const auto &use : uses)
+      if (!use.second.empty())
+        check_material_name(scene, use.second, use.first, table);
+    if (blocks.belt_material.empty() && !blocks.saturated_belt_material.empty())
+      throw table.error("Blocks/Saturated belt material",
+                        "needs Blocks/Belt material for the part above water");
+  }
+} // namespace hybrid::scene

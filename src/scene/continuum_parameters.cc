@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/parameter_declarations.h>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    /// "rock" for all regions (key "*"), or "region: material; ...".
+    std::map<std::string, std::string> parse_region_materials(const std::string &text)
+    {
+      std::map<std::string, std::string> materials;
+      if (!text.empty() && text.find(':') == std::string::npos)
+        materials["*"] = text;
+      else
+        for (const auto &pair : parse_pairs(text, ':'))
+          materials.insert(pair);
+      return materials;
+    }
+  } // namespace
+
+  void declare(ParameterTable &table, ContinuumParameters &continuum)
+  {
+    ParameterSection section(table, {"Continuum"});
+    section.integer("Degree",
+                    continuum.degree,
+                    {1, 8},
+                    "Polynomial degree of the finite elements.");
+    section.value(
+      "Materials",
+      "a material's name, or 'region: material; region: material; ...'",
+      [&continuum](const std::string &text) {
+        continuum.region_material = parse_region_materials(text);
+      },
+      "Material of the bedrock: one name for all regions, or one per region of the mesh (bedrock, "
+      "bedrock_<suffix>).");
+    section.choice<BaseBoundary>(
+      "Base",
+      continuum.base,
+      {{"compliant", BaseBoundary::compliant},
+       {"rigid", BaseBoundary::rigid},
+       {"fixed", BaseBoundary::fixed}},
+      "Base of the bedrock: compliant absorbs what leaves and lets the motion in, "
+      "rigid moves with the motion, fixed does not move.");
+    section.choice<SideBoundary>(
+      "Sides",
+      continuum.sides,
+      {{"viscous", SideBoundary::viscous},
+       {"free field", SideBoundary::free_field},
+       {"roller", SideBoundary::roller},
+       {"fixed", SideBoundary::fixed}},
+      "Left and right side: viscous dashpots; dashpots relative to the free field of "
+      "a column beside the model; rollers; or fixed.");
+    section.text("Half space material",
+                 continuum.half_space_material,
+                 "a material's name, or empty",
+                 "Rock below a compliant base; empty: that of the cells along the base.");
+    section.number("Rayleigh mass",
+                   continuum.rayleigh_mass,
+                   "1/s",
+                   ParameterRange::at_least(0.),
+                   "alpha_M of the damping C = alpha_M M + beta_K K.");
+    section.number("Rayleigh stiffness",
+                   continuum.rayleigh_stiffness,
+                   "s",
+                   ParameterRange::at_least(0.),
+                   "beta_K of the damping C = alpha_M M + beta_K K.");
+  }
+
+  void declare(ParameterTable &table, BeddingParameters &bedding)
+  {
+    ParameterSection section(table, {"Bedding planes"});
+    section.names(
+      "Names",
+      bedding.names,
+      "Lines of the mesh (bedding_<n>) that are elastic joints; the others are welded.");
+    section.number("Normal stiffness",
+                   bedding.normal_stiffness,
+                   "Pa/m",
+                   ParameterRange::above(0.),
+                   "Normal stress per opening.");
+    section.number("Shear stiffness",
+                   bedding.shear_stiffness,
+                   "Pa/m",
+                   ParameterRange::above(0.),
+                   "Shear stress per slip.");
+  }
+
+  void check_continuum(const SceneParameters &scene, const ParameterTable &table)
+  {
+    if (scene.continuum_model == ContinuumModel::none)
+      return;
+    if (scene.continuum.region_material.empty())
+      throw table.error("Continuum/Materials", "Model/Continuum = elastic needs a material");
+    for (const auto &entry : scene.continuum.region_material)
+      check_material_name(scene, entry.second, "Continuum/Materials", table);
+    if (!scene.continuum.half_space_material.empty())
+      check_material_name(scene,
+                          scene.continuum.half_space_material,
+                          "Continuum/Half space material",
+                          table);
+  }
+} // namespace hybrid::scene

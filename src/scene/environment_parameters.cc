@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/parameter_declarations.h>
+
+namespace hybrid::scene
+{
+  void declare(ParameterTable &table, EnvironmentParameters &environment)
+  {
+    ParameterSection gravity(table, {"Gravity"});
+    gravity.number("Acceleration",
+                   environment.gravity,
+                   "m/s2",
+                   ParameterRange::at_least(0.),
+                   "Downward acceleration; 0 switches gravity off.");
+    ParameterSection water(table, {"Water"});
+    water.number_or(
+      "Level",
+      {"none", environment.water_level},
+      "m",
+      ParameterRange::any(),
+      "Elevation of the water; blocks and belt that start below it have their saturated "
+      "materials.");
+  }
+} // namespace hybrid::scene

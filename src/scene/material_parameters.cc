@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/parameter_declarations.h>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    const char *const strength_names[] = {"Friction angle", "Cohesion", "Tensile strength"};
+  }
+
+  void declare(ParameterTable &table, Material &material)
+  {
+    ParameterSection section(table, {"Materials", material.name});
+    section.number("Density",
+                   material.density,
+                   "kg/m3",
+                   ParameterRange::above(0.),
+                   "Mass per volume that has inertia.");
+    section.number_or(
+      "Weight density",
+      {"same", material.weight_density},
+      "kg/m3",
+      ParameterRange::at_least(0.),
+      "Mass per volume that gravity acts on (buoyant below water); same: as Density.");
+    section.number(
+      "Young modulus", material.young_modulus, "Pa", ParameterRange::above(0.), "Modulus E.");
+    section.number("Poisson ratio",
+                   material.poisson_ratio,
+                   "",
+                   ParameterRange::open(-1., 0.5),
+                   "Ratio nu (plane strain).");
+    section.number(strength_names[0],
+                   material.friction_angle,
+                   "deg",
+                   {0., 90., true, false},
+                   "Peak friction angle phi of joints and contacts.");
+    section.number(strength_names[1],
+                   material.cohesion,
+                   "Pa",
+                   ParameterRange::at_least(0.),
+                   "Peak cohesion c of bonded joints.");
+    section.number(strength_names[2],
+                   material.tensile_strength,
+                   "Pa",
+                   ParameterRange::at_least(0.),
+                   "Tensile strength F_t of bonded joints.");
+    section.number_or("Residual friction angle",
+                      {"same", material.residual_friction_angle},
+                      "deg",
+                      {0., 90., true, false},
+                      "Friction angle of a joint that has failed; same: as Friction angle.");
+    section.number(
+      "Residual cohesion",
+      material.residual_cohesion,
+      "Pa",
+      ParameterRange::at_least(0.),
+      "Cohesion of a joint that has failed in shear (an old sliding belt keeps its peak).");
+  }
+
+  void check(const Material &material, const ParameterTable &table)
+  {
+    const std::string path = "Materials/" + material.name + "/";
+    if (material.residual_cohesion > material.cohesion)
+      throw table.error(path + "Residual cohesion",
+                        "must not exceed Cohesion = " + number_text(material.cohesion) + " [Pa]");
+    if (material.residual_friction_angle > material.friction_angle)
+      throw table.error(path + "Residual friction angle",
+                        "must not exceed Friction angle = " + number_text(material.friction_angle) +
+                          " [deg]");
+
+    bool any_is_set = table.is_set(path + "Density") || table.is_set(path + "Young modulus");
+    for (const char *name : strength_names)
+      any_is_set = any_is_set || table.is_set(path + name);
+    if (!any_is_set)
+      throw table.error("Materials/Names",
+                        "'" + material.name + "' has no values: set them in subsection " +
+                          material.name + " of subsection Materials");
+  }
+
+  void check_material_name(const SceneParameters &scene,
+                           const std::string     &name,
+                           const std::string     &path,
+                           const ParameterTable  &table)
+  {
+    try
+      {
+        scene.material(name, path);
+      }
+    catch (const InputError &reason)
+      {
+        const std::string text = reason.what();
+        throw table.error(path, text.substr(text.find(": ") + 2));
+      }
+  }
+} // namespace hybrid::scene

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/input_error.h>
+#include <hybrid/scene/newmark.h>
+
+namespace hybrid
+{
+  Newmark Newmark::preset(const std::string &name)
+  {
+    if (name == "dissipative")
+      return {
+        0.3025,
+        0.6}; // beta = (gamma + 1/2)^2 / 4: unconditionally stable, most damping at high frequency
+    if (name == "trapezoidal")
+      return {0.25, 0.5};
+    if (name == "shi")
+      return {0.5, 1.};
+    throw InputError("Newmark preset '" + name +
+                     "' is unknown: must be one of dissipative | trapezoidal | shi");
+  }
+} // namespace hybrid

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/parameter_declarations.h>
+#include <hybrid/scene/scene_reader.h>
+
+#include <ostream>
+#include <sstream>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    const int most_threads = 1024;
+
+    /// First pass: the names of the materials, which are sections of the second pass.
+    void make_material_table(const std::vector<ParameterLine> &lines, SceneParameters &scene)
+    {
+      for (const ParameterLine &line : lines)
+        if (line.path() == "Materials/Names")
+          try
+            {
+              scene.materials.clear();
+              for (const std::string &name : parse_names(line.value))
+                scene.materials[name].name = name;
+            }
+          catch (const InputError &reason)
+            {
+              throw line.error(line.path() + " = '" + line.value + "': " + reason.what());
+            }
+    }
+
+    void declare_model(ParameterTable &table, SceneParameters &scene)
+    {
+      ParameterSection model(table, {"Model"});
+      model.choice<ContinuumModel>(
+        "Continuum",
+        scene.continuum_model,
+        {{"elastic", ContinuumModel::elastic}, {"none", ContinuumModel::none}},
+        "The bedrock: elastic finite elements, or none (a rigid base with the "
+        "prescribed motion: pure DDA).");
+      model.choice(
+        "Blocks",
+        {"bonded", "loose", "none"},
+        "bonded",
+        [&scene](const std::string &option) {
+          scene.blocks.enabled = option != "none";
+          scene.blocks.bonded  = option == "bonded";
+        },
+        "The sliding mass: blocks bonded by joints that can fail, loose blocks, or none (site response).");
+    }
+
+    std::vector<ParameterLine> read_lines(const std::string              &file,
+                                          const std::vector<std::string> &overrides)
+    {
+      std::vector<ParameterLine> lines = scan_parameter_file(file);
+      for (const std::string &option : overrides)
+        lines.push_back(parse_override(option));
+      return lines;
+    }
+
+    SceneParameters make_scene(const std::string &file, const std::vector<ParameterLine> &lines)
+    {
+      SceneParameters scene;
+      ParameterTable  table(file);
+      make_material_table(lines, scene);
+      declare(table, scene);
+      for (const ParameterLine &line : lines)
+        table.set(line);
+      table.assign();
+      check(scene, table);
+      std::ostringstream used;
+      table.print(used);
+      scene.used_prm = used.str();
+      return scene;
+    }
+
+    /// Materials that read as advice rather than as data.
+    void fill_example_materials(SceneParameters &scene)
+    {
+      Material &rock        = scene.materials["rock"];
+      rock.name             = "rock";
+      rock.density          = 2450.;
+      rock.young_modulus    = 60e9;
+      rock.poisson_ratio    = 0.2;
+      rock.friction_angle   = 38.;
+      rock.cohesion         = 2e6;
+      rock.tensile_strength = 2e6;
+
+      Material &soil        = scene.materials["soil"];
+      soil.name             = "soil";
+      soil.density          = 2220.;
+      soil.young_modulus    = 50e6;
+      soil.poisson_ratio    = 0.25;
+      soil.friction_angle   = 27.;
+      soil.cohesion         = 80e3;
+      soil.tensile_strength = 60e3;
+    }
+  } // namespace
+
+  void declare(ParameterTable &table, SceneParameters &scene)
+  {
+    ParameterSection(table, {}).text("Title", scene.title, "any text", "One line about the scene.");
+    declare(table, scene.time);
+    declare(table, scene.mesh);
+    declare_model(table, scene);
+    ParameterSection(table, {"Materials"})
+      .value(
+        "Names",
+        "names separated by commas",
+        [](const std::string &) {}, // taken in the first pass
+        "The materials; each has a subsection of its name here.");
+    for (auto &entry : scene.materials)
+      declare(table, entry.second);
+    declare(table, scene.continuum);
+    declare(table, scene.bedding);
+    declare(table, scene.blocks);
+    declare(table, scene.environment);
+    declare(table, scene.motion);
+    declare(table, scene.monitors);
+    declare(table, scene.output);
+    ParameterSection(table, {"Parallel"})
+      .integer("Threads",
+               scene.threads,
+               {1, most_threads},
+               "Threads of one run; results do not depend on it.");
+  }
+
+  void check(const SceneParameters &scene, const ParameterTable &table)
+  {
+    if (scene.continuum_model == ContinuumModel::none && !scene.blocks.enabled)
+      throw table.error("Model/Blocks",
+                        "together with Model/Continuum = none there is nothing to simulate");
+    for (const auto &entry : scene.materials)
+      check(entry.second, table);
+    check_mesh(scene, table);
+    check_continuum(scene, table);
+    check_blocks(scene, table);
+    check(scene.motion, table);
+    check(scene.monitors, table);
+    if (scene.output.directory.empty())
+      throw table.error("Output/Directory", "must name a directory");
+  }
+
+  SceneParameters read_scene(const std::string &file, const std::vector<std::string> &overrides)
+  {
+    return make_scene(file, read_lines(file, overrides));
+  }
+
+  void print_all_parameters(std::ostream &out)
+  {
+    SceneParameters scene;
+    fill_example_materials(scene);
+    ParameterTable table("example");
+    declare(table, scene);
+    table.set(parse_override("Materials/Names=rock, soil"));
+    table.set(parse_override("Continuum/Materials=rock"));
+    table.set(parse_override("Blocks/Material=soil"));
+    table.print(out);
+  }
+} // namespace hybrid::scene

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/parameter_declarations.h>
+
+namespace hybrid::scene
+{
+  void declare(ParameterTable &table, TimeParameters &time)
+  {
+    ParameterSection section(table, {"Time"});
+    section.number("End time",
+                   time.end_time,
+                   "s",
+                   ParameterRange::at_least(0.),
+                   "Duration of the dynamic stage; 0 computes the static state only.");
+    section.number("Time step",
+                   time.time_step,
+                   "s",
+                   ParameterRange::above(0.),
+                   "Size dt of a step. Steps that do not converge are halved.");
+    section.integer("Maximum halvings",
+                    time.maximum_halvings,
+                    {0, 20},
+                    "The smallest step is dt / 2^this; a run that needs a smaller one stops.");
+    section.choice(
+      "Scheme",
+      {"dissipative", "trapezoidal", "shi"},
+      "dissipative",
+      [&time](const std::string &name) { time.newmark = Newmark::preset(name); },
+      "Newmark time integration of blocks and continuum (beta, gamma): dissipative (0.3025, 0.6) damps "
+      "high frequencies, trapezoidal (0.25, 0.5) damps nothing, shi (0.5, 1) is the constant "
+      "acceleration of Shi (1988).");
+    section.number(
+      "Maximum displacement ratio",
+      time.maximum_displacement_ratio,
+      "",
+      ParameterRange::above(0.),
+      "Largest displacement of a block in one step, as a fraction of the block size; a step "
+      "that exceeds it is halved.");
+    section.number(
+      "Dynamic coefficient",
+      time.dynamic_coefficient,
+      "",
+      {0., 1., false, true},
+      "Factor k01 on the velocity of the blocks at the start of each step; 1 is dynamic, a "
+      "smaller one damps with the rate (1 - k01) / dt.");
+  }
+} // namespace hybrid::scene

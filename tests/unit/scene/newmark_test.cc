@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/input_error.h>
+#include <hybrid/scene/newmark.h>
+
+#include <gtest/gtest.h>
+
+using hybrid::Newmark;
+
+TEST(Newmark, PresetsHaveTheirParameters)
+{
+  EXPECT_DOUBLE_EQ(Newmark::preset("trapezoidal").beta, 0.25);
+  EXPECT_DOUBLE_EQ(Newmark::preset("trapezoidal").gamma, 0.5);
+  EXPECT_DOUBLE_EQ(Newmark::preset("shi").beta, 0.5);
+  EXPECT_DOUBLE_EQ(Newmark::preset("shi").gamma, 1.);
+}
+
+TEST(Newmark, DissipativePresetIsTheDefaultAndUnconditionallyStable)
+{
+  const Newmark dissipative = Newmark::preset("dissipative");
+  EXPECT_DOUBLE_EQ(dissipative.gamma, 0.6);
+  EXPECT_DOUBLE_EQ(dissipative.beta, (0.6 + 0.5) * (0.6 + 0.5) / 4.);
+  EXPECT_DOUBLE_EQ(dissipative.beta, Newmark().beta);
+  EXPECT_DOUBLE_EQ(dissipative.gamma, Newmark().gamma);
+}
+
+TEST(Newmark, UnknownPresetIsRefusedWithTheKnownOnes)
+{
+  try
+    {
+      Newmark::preset("central");
+      FAIL() << "accepted";
+    }
+  catch (const hybrid::InputError &error)
+    {
+      const std::string text = error.what();
+      EXPECT_NE(text.find("'central'"), std::string::npos) << text;
+      EXPECT_NE(text.find("dissipative | trapezoidal | shi"), std::string::npos) << text;
+    }
+}

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene_files.h"
+
+using SceneErrors = hybrid::scene::test::SceneFiles;
+
+TEST_F(SceneErrors, UnknownSectionIsNamedWithASuggestion)
+{
+  expect_error(write_scene("subsection Tiem\n  set End time = 1\nend\n"),
+               {"scene.prm:20: ", "unknown section 'Tiem'", "did you mean 'Time'?"});
+}
+
+TEST_F(SceneErrors, UnknownParameterIsNamedWithASuggestion)
+{
+  expect_error(
+    write_scene("subsection Time\n\n  set Time stp = 1\nend\n"),
+    {"scene.prm:21: ", "unknown parameter 'Time/Time stp'", "did you mean 'Time step'?"});
+}
+
+TEST_F(SceneErrors, ParameterInTheWrongSectionIsFoundElsewhere)
+{
+  expect_error(
+    write_scene("subsection Time\n  set Threads = 1\nend\n"),
+    {"scene.prm:20: ", "unknown parameter 'Time/Threads'", "did you mean 'Parallel/Threads'?"});
+}
+
+TEST_F(SceneErrors, MaterialThatIsNotInTheListOfNamesIsRefused)
+{
+  expect_error(
+    write_scene("subsection Materials\n  subsection sand\n    set Density = 1\n  end\nend\n"),
+    {"scene.prm:21: ", "unknown section 'Materials/sand'", "Materials/Names does not list 'sand'"});
+}
+
+TEST_F(SceneErrors, DuplicateParameterNamesBothPlaces)
+{
+  expect_error(write_scene("subsection Blocks\n  set Material = rock\nend\n"),
+               {"scene.prm:20: ", "'Blocks/Material' is set a second time", "scene.prm:17"});
+}
+
+TEST_F(SceneErrors, DuplicateInAnIncludedFileNamesBothFiles)
+{
+  write("more.prm", "subsection Blocks\n  set Material = rock\nend\n");
+  expect_error(write_scene("include more.prm\n"),
+               {"more.prm:2: ", "a second time", "scene.prm:17"});
+}
+
+TEST_F(SceneErrors, ValueThatIsNoNumberIsShownWithRangeAndUnit)
+{
+  expect_error(write_scene("subsection Time\n  set Time step = fast\nend\n"),
+               {"scene.prm:20: ", "Time/Time step = 'fast'", "must be a number > 0 [s]"});
+}
+
+TEST_F(SceneErrors, NumbersMustLieInTheirRanges)
+{
+  expect_option_error("Time/Time step=0", {"Time/Time step = '0'", "must be a number > 0 [s]"});
+  expect_option_error("Time/Time step=nan", {"must be a number > 0 [s]"});
+  expect_option_error("Time/Time step=1e-3s", {"must be a number > 0 [s]"});
+  expect_option_error("Time/Time step=", {"Time/Time step = ''", "must be a number > 0 [s]"});
+  expect_option_error("Time/Dynamic coefficient=1.5", {"must be a number > 0 and <= 1"});
+  expect_option_error("Materials/rock/Poisson ratio=0.5", {"must be a number > -1 and < 0.5"});
+  expect_option_error("Materials/rock/Friction angle=90", {"must be a number >= 0 and < 90 [deg]"});
+  expect_option_error("Materials/rock/Weight density=-1", {"'same' or a number >= 0 [kg/m3]"});
+  expect_option_error("Water/Level=high", {"Water/Level = 'high'", "'none' or a number [m]"});
+  expect_option_error("Continuum/Degree=9", {"an integer from 1 to 8"});
+  expect_option_error("Parallel/Threads=2.5", {"Parallel/Threads = '2.5'", "an integer from 1 to"});
+}
+
+TEST_F(SceneErrors, WordsMustBeAmongTheChoices)
+{
+  expect_option_error("Continuum/Base=soft",
+                      {"Continuum/Base = 'soft'", "one of compliant | rigid | fixed"});
+  expect_option_error("Time/Scheme=euler", {"one of dissipative | trapezoidal | shi"});
+  expect_option_error("Motion/Unit=G", {"one of m/s2 | g | cm/s2"});
+  expect_option_error("Blocks/Stiffness correction=maybe", {"must be true or false"});
+}
+
+TEST_F(SceneErrors, OverrideMustNameAParameterAndAValue)
+{
+  expect_option_error("Time/Tim step=1", {"unknown parameter 'Time/Tim step'", "'Time step'"});
+  expect_option_error("Time step=1",
+                      {"unknown parameter 'Time step'", "did you mean 'Time/Time step'?"});
+  expect_option_error("Time/Time step", {"must have the form Section/Name=value"});
+  expect_option_error("/Time step=1", {"must have the form Section/Name=value"});
+}
+
+TEST_F(SceneErrors, MissingEndNamesTheOpenSubsection)
+{
+  expect_error(write_scene("subsection Time\n  set End time = 1\n"),
+               {"scene.prm:19: ", "subsection 'Time' is not closed", "'end' is missing"});
+}
+
+TEST_F(SceneErrors, SurplusEndIsRefused)
+{
+  expect_error(write_scene("end\n"), {"scene.prm:19: ", "'end' closes no subsection"});
+}
+
+TEST_F(SceneErrors, LineThatIsNoStatementIsRefused)
+{
+  expect_error(write_scene("Time step = 1\n"),
+               {"scene.prm:19: ", "'Time step = 1' is not understood"});
+  expect_error(write_scene("set Title\n"),
+               {"scene.prm:19: ", "must have the form 'set NAME = VALUE'"});
+}
+
+TEST_F(SceneErrors, UnreadableFilesAreNamed)
+{
+  expect_error(path("absent.prm"), {"absent.prm", "cannot be read"});
+  expect_error(write_scene("include absent.prm\n"),
+               {"scene.prm:19: ", "absent.prm", "cannot be read"});
+  expect_error(write_scene("include scene.prm\n"), {"scene.prm:19: ", "includes itself"});
+  expect_error(
+    write_scene("subsection Motion\n  set Type = text\n  set File = quake.txt\nend\n"),
+    {"scene.prm:21: ", "Motion/File = 'quake.txt'", "there is no file", path("quake.txt")});
+}
+
+TEST_F(SceneErrors, MeshMustFitTheModel)
+{
+  write("section.stl", "");
+  const std::string empty_mesh = "Mesh/File=";
+  expect_option_error(empty_mesh, {"Mesh/File", "Model/Continuum = elastic needs a mesh"});
+  expect_option_error("Mesh/File=" + path("section.stl"), {"must be a .geo or .msh file"});
+  expect_option_error("Mesh/Surface file=" + path("section.geo"), {"Model/Continuum = none"});
+  expect_option_error("Mesh/Numbers=h: 4", {"must have the form 'name = value'"});
+  expect_option_error("Mesh/Numbers=h = big", {"'big' of 'h' must be a number"});
+}
+
+TEST_F(SceneErrors, ModelWithoutBedrockAndBlocksHasNothingToSimulate)
+{
+  expect_error(write_scene(),
+               {"Model/Blocks = 'none'", "nothing to simulate"},
+               {"Model/Blocks=none", "Model/Continuum=none"});
+}
+
+TEST_F(SceneErrors, MaterialsMustBeInTheTable)
+{
+  expect_option_error("Continuum/Materials=rok",
+                      {"Continuum/Materials = 'rok'", "did you mean 'rock'?"});
+  expect_option_error("Continuum/Materials=", {"needs a material"});
+  expect_option_error("Continuum/Materials=bedrock: rock; bedrock: clay",
+                      {"'bedrock' stands twice"});
+  expect_option_error("Continuum/Half space material=granite",
+                      {"no such material", "lists clay, rock"});
+  expect_option_error("Blocks/Material=", {"Blocks/Material", "blocks need a material"});
+  expect_option_error("Blocks/Belt material=clya",
+                      {"Blocks/Belt material = 'clya'", "did you mean 'clay'?"});
+  expect_option_error("Blocks/Saturated belt material=clay", {"needs Blocks/Belt material"});
+}
+
+TEST_F(SceneErrors, UnusedBlocksNeedNoMaterial)
+{
+  EXPECT_NO_THROW(
+    hybrid::scene::read_scene(write_scene(), {"Model/Blocks=none", "Blocks/Material="}));
+}
+
+TEST_F(SceneErrors, MaterialTableMustBeConsistent)
+{
+  expect_error(write_scene(), {"'rock' stands twice"}, {"Materials/Names=rock, clay, rock"});
+  expect_error(write_scene(), {"'sand' has no values"}, {"Materials/Names=rock, clay, sand"});
+  expect_error(write_scene(),
+               {"name 'wet clay' must consist of letters"},
+               {"Materials/Names=rock, wet clay"});
+  expect_option_error("Materials/rock/Residual cohesion=5", {"must not exceed Cohesion = 0 [Pa]"});
+  expect_option_error("Materials/rock/Residual friction angle=31",
+                      {"must not exceed Friction angle = 30 [deg]"});
+}
+
+TEST_F(SceneErrors, MotionMustBeComplete)
+{
+  expect_option_error("Motion/Type=text", {"Motion/Type = text needs the file"});
+  expect_option_error("Motion/File=" + path("section.geo"), {"not used unless Motion/Type is set"});
+  expect_error(write_scene(),
+               {"Motion/Lowest frequency = '9'", "must be below Motion/Highest frequency = 8 [Hz]"},
+               {"Motion/Type=synthetic", "Motion/Lowest frequency=9"});
+}
+
+TEST_F(SceneErrors, MonitorsMustBeNamedPoints)
+{
+  expect_option_error("Monitors/Points=S1: 1",
+                      {"Monitors/Points", "'S1' has 1 numbers but must have 2"});
+  expect_option_error("Monitors/Points=S1: 1, east", {"'east' of 'S1' must be a number"});
+  expect_option_error("Monitors/Points=S1: 1, 2; S1: 3, 4", {"'S1' stands twice"});
+  expect_option_error("Monitors/Points=a/b: 1, 2", {"name 'a/b' must consist of letters"});
+  expect_option_error("Monitors/Base=S9", {"Monitors/Base = 'S9'", "no such monitor"});
+  expect_option_error("Monitors/Names=S1", {"needs the CSV file"});
+  expect_option_error("Boreholes/Lines=Z: 1, 2, 1, 3", {"'Z' must run vertically down"});
+}
+
+TEST_F(SceneErrors, MonitorFileMustHoldTheNamedRows)
+{
+  const std::string file =
+    "Monitors/File=" + write("points.csv", "name,x,z\nS1,1,2\nS2,3,4\nS2,5,6\n");
+  const std::string bad = "Monitors/File=" + write("bad.csv", "name,x,z\nS1,1\n");
+  expect_error(write_scene(), {"must list the rows"}, {file});
+  expect_error(write_scene(),
+               {"there is no row 'S11'", "did you mean 'S1'?"},
+               {file, "Monitors/Names=S11"});
+  expect_error(write_scene(),
+               {"points.csv:4", "'S2' stands in several rows"},
+               {file, "Monitors/Names=S2"});
+  expect_error(write_scene(),
+               {"bad.csv:2", "must have the form name,x,z"},
+               {bad, "Monitors/Names=S1"});
+  expect_error(write_scene(),
+               {"'S1' is a monitor of Monitors/Points already"},
+               {file, "Monitors/Names=S1", "Monitors/Points=S1: 0, 0"});
+}

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene_files.h"
+
+#include <sstream>
+
+using namespace hybrid;
+using namespace hybrid::scene;
+
+using SceneReader = test::SceneFiles;
+
+namespace
+{
+  const char *const full_scene = R"(
+set Title = A slope with everything
+subsection Time
+  set End time                   = 12.5
+  set Time step                  = 5e-4
+  set Maximum halvings           = 6
+  set Scheme                     = shi
+  set Maximum displacement ratio = 0.001
+  set Dynamic coefficient        = 0.98
+end
+subsection Mesh
+  set File    = mesh/section.geo
+  set Numbers = Resolution/h = 4; Resolution/far = 20
+end
+subsection Model
+  set Continuum = elastic
+  set Blocks    = loose
+end
+subsection Materials
+  set Names = rock, clay, wet
+  subsection rock
+    set Density       = 2450
+    set Young modulus = 60e9
+    set Poisson ratio = 0.2
+  end
+  subsection clay
+    set Density          = 2220
+    set Friction angle   = 27.03
+    set Cohesion         = 80.18e3
+    set Tensile strength = 60e3
+  end
+  subsection wet
+    set Density                 = 2320
+    set Weight density          = 1320
+    set Friction angle          = 16.6
+    set Residual friction angle = 12
+    set Cohesion                = 40e3
+    set Residual cohesion       = 10e3
+  end
+end
+subsection Continuum
+  set Degree             = 3
+  set Materials          = bedrock: rock; bedrock_soil: clay
+  set Base               = rigid
+  set Sides              = free field
+  set Half space material = rock
+  set Rayleigh mass      = 0.1
+  set Rayleigh stiffness = 1e-4
+end
+subsection Bedding planes
+  set Names            = bedding_1, bedding_2
+  set Normal stiffness = 1e10
+  set Shear stiffness  = 2e9
+end
+subsection Blocks
+  set Material                = clay
+  set Saturated material      = wet
+  set Belt material           = clay
+  set Saturated belt material = wet
+  set Penalty ratio           = 30
+  set Shear ratio             = 0.5
+  set Fracture energy         = 12
+  set Softening slip          = 2e-3
+  set Damping ratio           = 0.02
+  set Damping frequency       = 3
+  set Stiffness correction    = false
+  set Maximum iterations      = 25
+  set Tolerance               = 1e-7
+end
+subsection Gravity
+  set Acceleration = 9.8
+end
+subsection Water
+  set Level = 175
+end
+subsection Motion
+  set Type                = text
+  set File                = record.txt
+  set Unit                = cm/s2
+  set Peak                = 9.81
+  set Meaning             = incident
+  set Angle               = 90
+  set Start               = 0.5
+  set Frequency           = 3
+  set Lowest frequency    = 0.5
+  set Highest frequency   = 9
+  set Duration            = 20
+  set Seed                = 7
+  set Baseline correction = false
+end
+subsection Monitors
+  set Points           = P1: 206, 134.6; P2: -3, 1e2
+  set File             = points.csv
+  set Names            = S2, S1
+  set Base             = S1
+  set Filter frequency = 20
+end
+subsection Boreholes
+  set Lines   = ZK1: 288, 177, 288, 147; ZK2: 330, 190, 330, 164
+  set Samples = 11
+end
+subsection Output
+  set Directory        = out/full
+  set Picture interval = 0.2
+  set Flush interval   = 5
+  set Audit interval   = 0.02
+end
+subsection Parallel
+  set Threads = 2
+end
+)";
+
+  void expect_full_scene(const SceneParameters &scene)
+  {
+    EXPECT_EQ(scene.title, "A slope with everything");
+    EXPECT_EQ(scene.time.end_time, 12.5);
+    EXPECT_EQ(scene.time.time_step, 5e-4);
+    EXPECT_EQ(scene.time.maximum_halvings, 6);
+    EXPECT_EQ(scene.time.newmark.gamma, 1.);
+    EXPECT_EQ(scene.time.newmark.beta, 0.5);
+    EXPECT_EQ(scene.time.maximum_displacement_ratio, 0.001);
+    EXPECT_EQ(scene.time.dynamic_coefficient, 0.98);
+    ASSERT_EQ(scene.mesh.numbers.size(), 2u);
+    EXPECT_EQ(scene.mesh.numbers[0], std::make_pair(std::string("Resolution/h"), 4.));
+    EXPECT_EQ(scene.mesh.numbers[1], std::make_pair(std::string("Resolution/far"), 20.));
+    EXPECT_EQ(scene.continuum_model, ContinuumModel::elastic);
+    EXPECT_TRUE(scene.blocks.enabled);
+    EXPECT_FALSE(scene.blocks.bonded);
+    EXPECT_EQ(scene.environment.gravity, 9.8);
+    EXPECT_EQ(scene.environment.water_level, 175.);
+    EXPECT_EQ(scene.output.directory, "out/full");
+    EXPECT_EQ(scene.output.picture_interval, 0.2);
+    EXPECT_EQ(scene.output.flush_interval, 5.);
+    EXPECT_EQ(scene.output.audit_interval, 0.02);
+    EXPECT_EQ(scene.threads, 2);
+  }
+
+  void expect_full_materials(const SceneParameters &scene)
+  {
+    ASSERT_EQ(scene.materials.size(), 3u);
+    const Material &rock = scene.material("rock", "test");
+    EXPECT_EQ(rock.name, "rock");
+    EXPECT_EQ(rock.young_modulus, 60e9);
+    EXPECT_EQ(rock.poisson_ratio, 0.2);
+    EXPECT_EQ(rock.weighing_density(), 2450.);
+    EXPECT_LT(rock.residual_friction_angle, 0.);
+    const Material &wet = scene.material("wet", "test");
+    EXPECT_EQ(wet.weighing_density(), 1320.);
+    EXPECT_EQ(wet.friction_angle, 16.6);
+    EXPECT_EQ(wet.residual_friction_angle, 12.);
+    EXPECT_EQ(wet.cohesion, 40e3);
+    EXPECT_EQ(wet.residual_cohesion, 10e3);
+    EXPECT_EQ(scene.material("clay", "test").tensile_strength, 60e3);
+
+    EXPECT_EQ(scene.continuum.degree, 3);
+    const std::map<std::string, std::string> regions = {{"bedrock", "rock"},
+                                                        {"bedrock_soil", "clay"}};
+    EXPECT_EQ(scene.continuum.region_material, regions);
+    EXPECT_EQ(scene.continuum.base, BaseBoundary::rigid);
+    EXPECT_EQ(scene.continuum.sides, SideBoundary::free_field);
+    EXPECT_EQ(scene.continuum.half_space_material, "rock");
+    EXPECT_EQ(scene.continuum.rayleigh_mass, 0.1);
+    EXPECT_EQ(scene.continuum.rayleigh_stiffness, 1e-4);
+    EXPECT_EQ(scene.bedding.names, (std::vector<std::string>{"bedding_1", "bedding_2"}));
+    EXPECT_EQ(scene.bedding.normal_stiffness, 1e10);
+    EXPECT_EQ(scene.bedding.shear_stiffness, 2e9);
+  }
+
+  void expect_full_blocks(const BlockParameters &blocks)
+  {
+    EXPECT_EQ(blocks.material, "clay");
+    EXPECT_EQ(blocks.saturated_material, "wet");
+    EXPECT_EQ(blocks.belt_material, "clay");
+    EXPECT_EQ(blocks.saturated_belt_material, "wet");
+    EXPECT_EQ(blocks.penalty_ratio, 30.);
+    EXPECT_EQ(blocks.shear_ratio, 0.5);
+    EXPECT_EQ(blocks.fracture_energy, 12.);
+    EXPECT_EQ(blocks.softening_slip, 2e-3);
+    EXPECT_EQ(blocks.damping_ratio, 0.02);
+    EXPECT_EQ(blocks.damping_frequency, 3.);
+    EXPECT_FALSE(blocks.stiffness_correction);
+    EXPECT_EQ(blocks.maximum_iterations, 25);
+    EXPECT_EQ(blocks.tolerance, 1e-7);
+  }
+
+  void expect_full_motion_and_monitors(const SceneParameters &scene)
+  {
+    const MotionParameters &motion = scene.motion;
+    EXPECT_EQ(motion.type, "text");
+    EXPECT_EQ(motion.file_unit, 0.01);
+    EXPECT_EQ(motion.peak, 9.81);
+    EXPECT_FALSE(motion.outcrop);
+    EXPECT_EQ(motion.angle, 90.);
+    EXPECT_EQ(motion.start, 0.5);
+    EXPECT_EQ(motion.frequency, 3.);
+    EXPECT_EQ(motion.lowest_frequency, 0.5);
+    EXPECT_EQ(motion.highest_frequency, 9.);
+    EXPECT_EQ(motion.duration, 20.);
+    EXPECT_EQ(motion.seed, 7);
+    EXPECT_FALSE(motion.baseline_correction);
+
+    const std::vector<Monitor> &points = scene.monitors.monitors;
+    ASSERT_EQ(points.size(), 4u);
+    EXPECT_EQ(points[0].name, "P1");
+    EXPECT_EQ(points[1].position, Vec2(-3., 100.));
+    EXPECT_EQ(points[2].name, "S2"); // in the order of Names, not of the file
+    EXPECT_EQ(points[2].position, Vec2(30., 40.));
+    EXPECT_EQ(points[3].position, Vec2(10., 20.5));
+    EXPECT_EQ(scene.monitors.base_monitor, "S1");
+    EXPECT_EQ(scene.monitors.filter_frequency, 20.);
+    ASSERT_EQ(scene.monitors.boreholes.size(), 2u);
+    EXPECT_EQ(scene.monitors.boreholes[1].name, "ZK2");
+    EXPECT_EQ(scene.monitors.boreholes[1].top, Vec2(330., 190.));
+    EXPECT_EQ(scene.monitors.boreholes[1].bottom, Vec2(330., 164.));
+    EXPECT_EQ(scene.monitors.boreholes[1].samples, 11);
+  }
+
+  void expect_all_of_full_scene(const SceneParameters &scene)
+  {
+    expect_full_scene(scene);
+    expect_full_materials(scene);
+    expect_full_blocks(scene.blocks);
+    expect_full_motion_and_monitors(scene);
+  }
+} // namespace
+
+TEST_F(SceneReader, EveryParameterReachesItsMember)
+{
+  write("mesh/section.geo", "");
+  write("record.txt", "0\n1\n0\n");
+  write("points.csv", "# comment\npolyline,x,z\nground,0,1\nground,2,1\nS1,10,20.5\nS2,30,40\n");
+  const SceneParameters scene = read_scene(write("full.prm", full_scene));
+  expect_all_of_full_scene(scene);
+  EXPECT_EQ(scene.mesh.file, path("mesh/section.geo"));
+  EXPECT_EQ(scene.motion.file, path("record.txt"));
+}
+
+TEST_F(SceneReader, UsedParametersReadBackToTheSameScene)
+{
+  write("mesh/section.geo", "");
+  write("record.txt", "0\n1\n0\n");
+  write("points.csv", "S1,10,20.5\nS2,30,40\n");
+  const SceneParameters scene = read_scene(write("full.prm", full_scene), {"Time/Scheme=shi"});
+  const SceneParameters again = read_scene(write("elsewhere/used.prm", scene.used_prm));
+  expect_all_of_full_scene(again);
+  EXPECT_EQ(again.mesh.file, scene.mesh.file);
+  EXPECT_EQ(again.motion.file, scene.motion.file);
+  EXPECT_EQ(read_scene(write("elsewhere/used_again.prm", again.used_prm)).used_prm, again.used_prm);
+}
+
+TEST_F(SceneReader, SmallSceneKeepsTheDefaultsOfTheStructs)
+{
+  const SceneParameters scene = read_scene(write_scene());
+  const SceneParameters standard;
+  EXPECT_EQ(scene.time.time_step, standard.time.time_step);
+  EXPECT_EQ(scene.time.newmark.beta, standard.time.newmark.beta);
+  EXPECT_EQ(scene.blocks.tolerance, standard.blocks.tolerance);
+  EXPECT_EQ(scene.environment.water_level, standard.environment.water_level);
+  EXPECT_EQ(scene.motion.type, "none");
+  EXPECT_EQ(scene.motion.peak, standard.motion.peak);
+  EXPECT_EQ(scene.materials.at("clay").weight_density, Material().weight_density);
+  EXPECT_TRUE(scene.blocks.enabled && scene.blocks.bonded);
+  EXPECT_EQ(scene.continuum.region_material, (std::map<std::string, std::string>{{"*", "rock"}}));
+  const SceneParameters again = read_scene(write("used.prm", scene.used_prm));
+  EXPECT_EQ(again.used_prm, scene.used_prm);
+  EXPECT_EQ(again.environment.water_level, standard.environment.water_level);
+}
+
+TEST_F(SceneReader, WaterLevelNoneMeansNoWater)
+{
+  const std::string wet = write_scene("subsection Water\n  set Level = 145\nend\n");
+  EXPECT_EQ(read_scene(wet).environment.water_level, 145.);
+  EXPECT_LT(read_scene(wet, {"Water/Level=none"}).environment.water_level, -1e200);
+}
+
+TEST_F(SceneReader, PrintedParametersAreAValidFileWithHelpUnitAndRange)
+{
+  std::ostringstream text;
+  print_all_parameters(text);
+  for (const char *part : {"set Time step",
+                           "a number > 0 [s]",
+                           "one of compliant | rigid | fixed",
+                           "true or false",
+                           "subsection soil",
+                           "set Level",
+                           "set Threads"})
+    EXPECT_NE(text.str().find(part), std::string::npos) << part;
+  write("section.geo", "");
+  const SceneParameters scene =
+    read_scene(write("all.prm", text.str()), {"Mesh/File=" + path("section.geo")});
+  EXPECT_EQ(scene.materials.at("rock").young_modulus, 60e9);
+  EXPECT_EQ(scene.blocks.material, "soil");
+  EXPECT_EQ(scene.time.end_time, TimeParameters().end_time);
+}
+
+TEST_F(SceneReader, OverridesReplaceValuesOfTheFile)
+{
+  const SceneParameters scene = read_scene(write_scene(),
+                                           {"Materials/rock/Density=2700",
+                                            "Time/End time = 3",
+                                            "Time/End time=4",
+                                            "Title=a = b",
+                                            "Mesh/Numbers=Resolution/h = 2"});
+  EXPECT_EQ(scene.materials.at("rock").density, 2700.);
+  EXPECT_EQ(scene.time.end_time, 4.);
+  EXPECT_EQ(scene.title, "a = b");
+  EXPECT_EQ(scene.mesh.numbers.at(0).second, 2.);
+  EXPECT_NE(scene.used_prm.find("2700"), std::string::npos);
+}
+
+TEST_F(SceneReader, FilesResolveAgainstTheFileThatNamesThem)
+{
+  write("common/meshes/slope.geo", "");
+  write("common/model.prm", "subsection Mesh\n  set File = meshes/slope.geo\nend\n");
+  const std::string file = write("runs/a.prm",
+                                 "include ../common/model.prm\n"
+                                 "subsection Model\n  set Continuum = none\nend\n"
+                                 "subsection Materials\n  set Names = clay\n  subsection clay\n"
+                                 "    set Density = 2000\n  end\nend\n"
+                                 "subsection Blocks\n  set Material = clay\nend\n");
+  EXPECT_EQ(read_scene(file).mesh.file, path("common/meshes/slope.geo"));
+}
+
+TEST(SceneParameters, UnknownMaterialIsNamedWithItsPlaceAndASuggestion)
+{
+  SceneParameters scene;
+  scene.materials["bedrock"].name = "bedrock";
+  try
+    {
+      scene.material("bedrok", "Blocks/Material");
+      FAIL() << "accepted";
+    }
+  catch (const InputError &error)
+    {
+      const std::string text = error.what();
+      EXPECT_NE(text.find("Blocks/Material = 'bedrok'"), std::string::npos) << text;
+      EXPECT_NE(text.find("did you mean 'bedrock'?"), std::string::npos) << text;
+    }
+}
