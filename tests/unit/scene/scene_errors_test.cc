@@ -165,7 +165,9 @@ TEST_F(SceneErrors, MaterialTableMustBeConsistent)
 
 TEST_F(SceneErrors, MotionMustBeComplete)
 {
-  expect_option_error("Motion/Type=text", {"Motion/Type = text needs the file"});
+  expect_error(write_scene(),
+               {"Motion/File", "Motion/Type = text needs the file"},
+               {"Motion/Type=text"});
   expect_option_error("Motion/File=" + path("section.geo"), {"not used unless Motion/Type is set"});
   expect_error(write_scene(),
                {"Motion/Lowest frequency = '9'", "must be below Motion/Highest frequency = 8 [Hz]"},

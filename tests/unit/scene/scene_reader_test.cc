@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene_files.h"
 
+#include <regex>
 #include <sstream>
 
 using namespace hybrid;
@@ -289,6 +290,8 @@ TEST_F(SceneReader, PrintedParametersAreAValidFileWithHelpUnitAndRange)
 {
   std::ostringstream text;
   print_all_parameters(text);
+  const std::string flat =
+    std::regex_replace(text.str(), std::regex("\\n *#"), ""); // joined comments
   for (const char *part : {"set Time step",
                            "a number > 0 [s]",
                            "one of compliant | rigid | fixed",
@@ -296,7 +299,7 @@ TEST_F(SceneReader, PrintedParametersAreAValidFileWithHelpUnitAndRange)
                            "subsection soil",
                            "set Level",
                            "set Threads"})
-    EXPECT_NE(text.str().find(part), std::string::npos) << part;
+    EXPECT_NE(flat.find(part), std::string::npos) << part;
   write("section.geo", "");
   const SceneParameters scene =
     read_scene(write("all.prm", text.str()), {"Mesh/File=" + path("section.geo")});
