@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/baseline.h>
+#include <hybrid/scene/input_error.h>
+#include <hybrid/scene/motion_reader.h>
+#include <hybrid/scene/synthetic_motion.h>
+#include <hybrid/scene/text_table.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    constexpr double standard_gravity = 9.80665; // [m/s2]
+
+
+    std::string in_words(const double value)
+    {
+      std::ostringstream text;
+      text << value;
+      return text.str();
+    }
+
+
+    Motion make_ricker(const double frequency, const double time_step)
+    {
+      if (!(frequency > 0.))
+        throw InputError("Motion/Frequency is " + in_words(frequency) +
+                         "; a Ricker wavelet needs a positive one.");
+
+      // at least 400 samples per period: the chords between them are 3e-5 of the peak off
+      const double dt   = time_step / std::max(1., std::ceil(400. * frequency * time_step - 1e-9));
+      const int    half = static_cast<int>(std::ceil(1.5 / (frequency * dt) - 1e-9));
+
+      std::vector<double> a(2 * half + 1);
+      for (int i = 0; i <= 2 * half; ++i)
+        {
+          const double s = M_PI * frequency * (i - half) * dt;
+          a[i]           = (1. - 2. * s * s) * std::exp(-s * s);
+        }
+      return Motion(dt, a);
+    }
+
+
+    Motion scaled_to_peak(const Motion &motion, const double peak, const std::string &source)
+    {
+      const double found = motion.peak_acceleration();
+      if (!(found > 0.))
+        throw InputError(source + ": the motion is zero and cannot be scaled to the peak of " +
+                         in_words(peak) + " m/s2.");
+      const Motion        scaled = motion.scaled(peak / found);
+      std::vector<double> a      = scaled.samples();
+      // the last bit of peak / found must not show in the peak
+      for (std::size_t i = 0; i < a.size(); ++i)
+        if (std::abs(a[i]) > peak || std::abs(motion.samples()[i]) == found)
+          a[i] = std::copysign(peak, a[i]);
+      return Motion(motion.time_step(), a);
+    }
+
+
+    /// What the header of a PEER record says.
+    struct At2Header
+    {
+      std::size_t points = 0;                ///< NPTS
+      double      dt     = 0.;               ///< [s]
+      double      unit   = standard_gravity; ///< of the values [m/s2]
+      int         lines  = 0;                ///< of the header, including the one with NPTS
+    };
+
+
+    std::string upper_case(std::string text)
+    {
+      std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) {
+        return std::toupper(c);
+      });
+      return text;
+    }
+
+
+    /// @return whether the header line has NPTS and DT, in any of the usual forms.
+    bool parse_points_and_step(const std::string &line,
+                               const std::string &file,
+                               const int          number,
+                               At2Header         &header)
+    {
+      if (line.find("NPTS") == std::string::npos)
+        return false;
+      static const std::string real = "([-+.0-9E]+)";
+      static const std::regex  named("NPTS\\s*[=:]?\\s*([0-9]+)\\s*,?\\s*DT\\s*[=:]?\\s*" + real +
+                                    ".*");
+      static const std::regex  leading("\\s*([0-9]+)\\s+" + real + "\\s+NPTS\\s*,?\\s*DT.*");
+      std::smatch              match;
+      if (!std::regex_match(line, match, leading) && !std::regex_search(line, match, named))
+        throw InputError(file,
+                         number,
+                         "the header line '" + line +
+                           "' is not understood; expected NPTS= <count>, DT= <seconds>.");
+
+      double points = 0.;
+      header.lines  = number;
+      header.dt     = to_number(match[2], "the time step [s]", file, number);
+      points        = to_number(match[1], "the number of points", file, number);
+      header.points = static_cast<std::size_t>(points);
+      if (!(header.dt > 0.) || points < 2. || points > 1e9)
+        throw InputError(file,
+                         number,
+                         "NPTS is " + in_words(points) + " and DT " + in_words(header.dt) +
+                           " s; at least two points and a positive time step are needed.");
+      return true;
+    }
+
+
+    At2Header read_at2_header(std::istream &stream, const std::string &file)
+    {
+      At2Header   header;
+      std::string line;
+      for (int number = 1; number <= 100 && std::getline(stream, line); ++number)
+        {
+          line = upper_case(line);
+          if (!line.empty() && line.back() == '\r')
+            line.pop_back();
+          static const std::regex centimetres("CM/S|\\bGAL\\b"), metres("\\bM/S");
+          if (std::regex_search(line, centimetres))
+            header.unit = 0.01;
+          else if (std::regex_search(line, metres))
+            header.unit = 1.;
+          if (parse_points_and_step(line, file, number, header))
+            return header;
+        }
+      throw InputError(file,
+                       0,
+                       "no header line with NPTS and DT was found; is this a PEER AT2 record?");
+    }
+
+
+    void check_spacing(const std::string           &file,
+                       const std::vector<TableRow> &rows,
+                       const std::vector<double>   &t)
+    {
+      const double dt = (t.back() - t.front()) / (t.size() - 1);
+      for (std::size_t i = 1; i < t.size(); ++i)
+        if (!(t[i] > t[i - 1]))
+          throw InputError(file,
+                           rows[i].line,
+                           "the time " + in_words(t[i]) + " s does not follow " +
+                             in_words(t[i - 1]) + " s.");
+
+      // printed times are rounded, so compare with the typical spacing, loosely
+      std::vector<double> spacing(t.size() - 1);
+      for (std::size_t i = 1; i < t.size(); ++i)
+        spacing[i - 1] = t[i] - t[i - 1];
+      std::vector<double> ordered = spacing;
+      std::nth_element(ordered.begin(), ordered.begin() + ordered.size() / 2, ordered.end());
+      const double typical = ordered[ordered.size() / 2];
+      for (std::size_t i = 1; i < t.size(); ++i)
+        if (std::abs(spacing[i - 1] - typical) > 0.05 * typical)
+          throw InputError(file,
+                           rows[i].line,
+                           "the spacing of " + in_words(spacing[i - 1]) +
+                             " s differs from the others of " + in_words(typical) +
+                             " s; samples must be equally spaced.");
+      for (std::size_t i = 1; i < t.size(); ++i)
+        if (std::abs(t[i] - t[0] - i * dt) > 0.1 * dt)
+          throw InputError(file,
+                           rows[i].line,
+                           "the time " + in_words(t[i]) + " s should be " +
+                             in_words(t[0] + i * dt) + " s; samples must be equally spaced.");
+    }
+  } // namespace
+
+
+  Motion read_text_motion(const std::string &file, const double unit)
+  {
+    const std::vector<TableRow> rows = read_text_table(file);
+    if (rows.size() < 2)
+      throw InputError(file,
+                       0,
+                       "found " + std::to_string(rows.size()) +
+                         " samples; a motion needs at least two rows of time and acceleration.");
+    std::vector<double> t, a;
+    for (const TableRow &row : rows)
+      {
+        if (row.fields.size() != 2)
+          throw InputError(file,
+                           row.line,
+                           "found " + std::to_string(row.fields.size()) +
+                             " columns; expected time [s] and acceleration.");
+        t.push_back(to_number(row.fields[0], "a time [s]", file, row.line));
+        a.push_back(unit * to_number(row.fields[1], "an acceleration", file, row.line));
+      }
+    check_spacing(file, rows, t);
+    return Motion((t.back() - t.front()) / (t.size() - 1), a);
+  }
+
+
+  Motion read_at2_motion(const std::string &file)
+  {
+    std::ifstream stream(file);
+    if (!stream)
+      throw InputError(file, 0, "the file cannot be read.");
+    const At2Header header = read_at2_header(stream, file);
+
+    std::vector<double> a;
+    std::string         text;
+    for (int line = header.lines + 1; std::getline(stream, text); ++line)
+      for (const std::string &field : split_fields(text))
+        a.push_back(header.unit * to_number(field, "an acceleration", file, line));
+    if (a.size() != header.points)
+      throw InputError(file,
+                       header.lines,
+                       "the header announces " + std::to_string(header.points) +
+                         " points, but the file has " + std::to_string(a.size()) + ".");
+    return Motion(header.dt, a);
+  }
+
+
+  Motion make_motion(const MotionParameters &parameters, const double time_step)
+  {
+    Motion      motion;
+    std::string source    = "Motion";
+    bool        is_record = false;
+    if (parameters.type == "none")
+      return motion;
+    else if (parameters.type == "ricker")
+      motion = make_ricker(parameters.frequency, time_step);
+    else if (parameters.type == "synthetic")
+      motion = make_synthetic_motion(parameters);
+    else if (parameters.type == "text" || parameters.type == "at2")
+      {
+        is_record = true;
+        source    = parameters.file;
+        motion = parameters.type == "text" ? read_text_motion(parameters.file, parameters.file_unit)
+                                           : read_at2_motion(parameters.file);
+      }
+    else
+      throw InputError("Motion/Type is '" + parameters.type +
+                       "'; it must be none, ricker, synthetic, text or at2.");
+
+    if (is_record && parameters.baseline_correction)
+      motion = baseline_corrected(motion);
+    if (parameters.peak == 0.)
+      return motion.scaled(0.);
+    if (parameters.peak > 0.)
+      motion = scaled_to_peak(motion, parameters.peak, source);
+    return motion;
+  }
+} // namespace hybrid::scene
