@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Rejects includes that break the layering of the modules, and files that are too long.
+
+Usage: check_layering.py [ROOT]
+"""
+import pathlib
+import re
+import sys
+
+# module -> modules whose headers it may include, besides its own
+ALLOWED = {
+    "scene": set(),
+    "continuum": {"scene"},
+    "dda": {"scene"},
+    "coupling": {"scene", "continuum", "dda"},
+    "output": {"scene", "continuum", "dda", "coupling"},
+    "study": {"scene", "output"},
+    "simulation": {"scene", "continuum", "dda", "coupling", "output", "study"},
+}
+MAXIMUM_LINES = {".h": 300, ".cc": 500}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+# Libraries that stay out of the places below: deal.II and Trilinos, gmsh, MPI.
+HEAVY = re.compile(r"^(deal\.II/|gmsh|mpi\.h|mpi/|Epetra|Trilinos|hdf5|H5)")
+# Folders (relative to the root) whose files include none of them.
+LIGHT_FOLDERS = ("include/hybrid/dda/", "include/hybrid/scene/", "src/dda/", "tests/unit/dda/")
+
+
+def module_of(path):
+    """The module that a file belongs to, or None for the program's own files (which may know all)."""
+    parts = path.split("/")
+    folder = {"include": 2, "src": 1, "tests": 2}[parts[0]]
+    return parts[folder] if len(parts) > folder + 1 else None
+
+
+def check_file(path, text):
+    """Complaints about one file; path is relative to the root, with '/'."""
+    complaints = []
+    lines = text.splitlines()
+    limit = MAXIMUM_LINES[pathlib.PurePosixPath(path).suffix]
+    if len(lines) > limit:
+        complaints.append(f"{path}: {len(lines)} lines, at most {limit} are allowed")
+    module = module_of(path)
+    if module is not None and module not in ALLOWED and not path.startswith("tests/"):
+        complaints.append(f"{path}: module '{module}' is unknown; add it to ALLOWED in tests/check_layering.py")
+    for number, line in enumerate(lines, 1):
+        found = INCLUDE.match(line)
+        if not found:
+            continue
+        header = found.group(1)
+        if path.startswith(LIGHT_FOLDERS) and HEAVY.match(header):
+            complaints.append(f"{path}:{number}: <{header}> is not allowed in {path.rsplit('/', 1)[0]}")
+        parts = header.split("/")
+        if parts[0] != "hybrid" or module not in ALLOWED:
+            continue
+        other = parts[1] if len(parts) > 2 else None
+        if other != module and other not in ALLOWED[module]:
+            complaints.append(f"{path}:{number}: module '{module}' must not include <{header}>")
+    return complaints
+
+
+def self_test():
+    """The checks refuse what they are for."""
+    refused = [
+        ("src/dda/a.cc", "#include <hybrid/continuum/continuum.h>"),
+        ("src/dda/a.cc", '#  include "deal.II/base/point.h"'),
+        ("include/hybrid/scene/a.h", "#include <gmsh.h>"),
+        ("include/hybrid/scene/a.h", "#include <hybrid/dda/block.h>"),
+        ("include/hybrid/dda/a.h", "#include <mpi.h>"),
+        ("src/continuum/a.cc", "#include <hybrid/simulation.h>"),
+        ("include/hybrid/dda/a.h", "\n" * 301),
+        ("src/dda/a.cc", "\n" * 501),
+        ("src/surprise/a.cc", ""),
+    ]
+    accepted = [
+        ("src/scene/a.cc", "#include <deal.II/base/point.h>\n#include <hybrid/scene/types.h>"),
+        ("src/coupling/a.cc", "#include <hybrid/dda/block.h>\n// #include <hybrid/output/log.h>"),
+        ("src/main.cc", "#include <hybrid/output/log.h>"),
+    ]
+    for path, text in refused:
+        assert check_file(path, text), f"not refused: {path}: {text.strip()}"
+    for path, text in accepted:
+        assert not check_file(path, text), check_file(path, text)
+
+
+def main():
+    self_test()
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[1]).resolve()
+    files = [
+        file
+        for folder in ("include", "src", "tests")
+        for file in sorted((root / folder).rglob("*"))
+        if file.suffix in MAXIMUM_LINES
+    ]
+    complaints = [
+        complaint
+        for file in files
+        for complaint in check_file(file.relative_to(root).as_posix(), file.read_text(encoding="utf-8"))
+    ]
+    if not files:
+        complaints.append(f"{root}: no source file found to check")
+    for complaint in complaints:
+        print(complaint)
+    print(f"{len(files)} files checked, {len(complaints)} complaints")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
