@@ -32,6 +32,7 @@ namespace hybrid::scene
         gmsh::initialize(0, nullptr, false);
         gmsh::option::setNumber("General.Terminal", 0);
         gmsh::option::setNumber("General.NumThreads", 1);
+        gmsh::onelab::clear(); // numbers outlive gmsh::finalize()
         gmsh::logger::start();
       }
 
