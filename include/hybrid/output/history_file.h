@@ -15,11 +15,12 @@ namespace hybrid::output
    * (n) for one column, (n, columns) otherwise. append() copies into a buffer that was allocated by
    * add_series(); HDF5 is called once per full buffer and by flush().
    *
-   * Whatever kills the process, the file opens with a plain reader and holds everything up to the
-   * last flush(): between two flushes HDF5 may not write metadata (evictions are disabled), so the
-   * file on disk always describes the state of a flush. Readers may open the file during the run:
-   * the writer holds no lock. The bytes depend on the values and on the calls only, not on the time
-   * of day.
+   * A killed process leaves a file that opens with a plain reader and holds everything up to the
+   * last flush(): between two flushes no metadata reaches the file, so it always describes the
+   * state of a flush. Exposed is only flush() itself, while it writes metadata (some 0.1 ms):
+   * killed 200 times while flushing without pause, 2 files had an unreadable data set, none failed
+   * to open. Readers may open the file during the run: the writer holds no lock. The bytes depend
+   * on values and calls only, not on the time of day.
    *
    * One thread of one process (rank 0) uses the file.
    */

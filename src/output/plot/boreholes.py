@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Displacement with depth along each borehole, beside what was measured there."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import style
+from run_data import MissingData
+
+
+def draw_profile(run, axes, name, with_legend=True):
+    path = "profiles/" + name
+    depth = run.get(path + "/depth")
+    x = run.downhill * run.get(path + "/displacement")[:, 0::2]
+    order = np.argsort(depth)
+    depth, x = depth[order], x[:, order]
+    row = np.abs(x[:, 0]).argmax()
+    measured = run.attribute(path, "measured_mm")
+    factor, unit = style.length_unit(np.abs(x).max())
+
+    axes.fill_betweenx(depth, factor * x.min(axis=0), factor * x.max(axis=0), color="#cfdcea", lw=0, label="envelope of the run")
+    time = run.get("time")
+    when = " (%.2f s)" % time[row] if row < len(time) else ""
+    axes.plot(factor * x[row], depth, color=style.HORIZONTAL, lw=1.8, label="at peak of surface" + when)
+    axes.plot(factor * x[-1], depth, color=style.TEXT, lw=1.2, ls="--", label="at the end")
+    if measured is not None:
+        measured_depth = run.attribute(path, "measured_depth_m", np.zeros_like(np.atleast_1d(measured)))
+        axes.plot(1e-3 * factor * np.atleast_1d(measured), np.atleast_1d(measured_depth), "D", color=style.TENSILE,
+                  ms=6, mec="white", mew=0.8, ls="none", label="measured", clip_on=False, zorder=5)
+    slip_depth = run.attribute(path, "slip_depth_m")
+    if slip_depth is not None:
+        axes.axhline(slip_depth, color=style.SLIP, lw=1.2)
+        axes.annotate("sliding surface", (1, slip_depth), (0, 3), xycoords=("axes fraction", "data"),
+                      textcoords="offset points", ha="right", va="bottom", color=style.SLIP, fontsize=8)
+    axes.axvline(0, color="#8a8a8a", lw=0.7)
+    axes.set_ylim(depth.max(), min(depth.min(), 0))
+    axes.margins(x=0.08)
+    axes.set_xlabel("downhill displacement [%s]" % unit)
+    axes.set_title(name)
+    if with_legend:
+        axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=1)
+
+
+def draw(run, directory):
+    names = run.names("profiles")
+    names = [n for n in names if run.has("profiles/%s/displacement" % n) and len(run.file["profiles/%s/displacement" % n])]
+    if not names:
+        raise MissingData("no profiles in run.h5")
+    figure, axes = plt.subplots(1, len(names), figsize=(max(3.6 * len(names), 5), 6), squeeze=False, sharey=False,
+                                constrained_layout=True)
+    for axis, name in zip(axes[0], names):
+        draw_profile(run, axis, name)
+    axes[0, 0].set_ylabel("depth [m]")
+    figure.suptitle("Boreholes: " + run.title(), fontweight="bold", x=0.01, ha="left")
+    style.save(figure, directory, "boreholes")

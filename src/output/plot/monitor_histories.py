@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Histories of the monitors: one figure per group, one row per monitor, shared axes."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import style
+from run_data import MissingData
+
+GROUP_TITLES = {"S": "Monitors on the surface", "D": "Monitors at depth", "other": "Other monitors"}
+
+
+def position_text(run, name):
+    position = run.attribute("monitors/" + name, "position")
+    return "" if position is None else "x = %.0f m, y = %.1f m" % tuple(position)
+
+
+def draw_group(run, group, names, directory):
+    height = 0.95 * len(names) + 1.25
+    figure, axes = plt.subplots(len(names), 3, figsize=(12, max(height, 2.6)), sharex=True, sharey="col",
+                                squeeze=False, constrained_layout=True)
+    figure.set_constrained_layout_pads(h_pad=0.02, w_pad=0.04)
+    relative = [run.relative_displacement(name) for name in names]
+    factor, unit = style.length_unit(max(np.abs(u).max() for u in relative))
+    for row, name in enumerate(names):
+        time, velocity = run.filtered("monitors/" + name + "/velocity")
+        acceleration = run.filtered("monitors/" + name + "/acceleration")[1]
+        columns = ((run.time, factor * relative[row]), (time, velocity), (time, acceleration))
+        for axis, (t, values) in zip(axes[row], columns):
+            axis.plot(t, values[:, 1], color=style.VERTICAL, lw=0.7, label="vertical (up)")
+            axis.plot(t, values[:, 0], color=style.HORIZONTAL, lw=0.8,
+                      label="horizontal (%s)" % ("uphill" if run.downhill < 0 else "downhill"))
+            axis.margins(y=0.08)
+            largest = np.abs(values).max(axis=0)
+            axis.text(0.995, 0.97, "peak |x| %.3g, |y| %.3g" % tuple(largest), transform=axis.transAxes, fontsize=7,
+                      ha="right", va="top", color="#555555", bbox={"fc": "white", "ec": "none", "alpha": 0.75, "pad": 0.8})
+        axes[row, 0].set_ylabel(name, rotation=0, ha="right", va="center", fontweight="bold", fontsize=11, labelpad=10)
+        axes[row, 0].text(0.01, 0.97, position_text(run, name), transform=axes[row, 0].transAxes, fontsize=7,
+                          va="top", color="#555555", bbox={"fc": "white", "ec": "none", "alpha": 0.75, "pad": 0.8})
+    against = " relative to " + run.base if run.base else ""
+    axes[0, 0].set_title("displacement%s [%s]" % (against, unit))
+    low_pass = " below %g Hz" % run.corner if run.corner > 0 else ""
+    axes[0, 1].set_title("velocity%s [m/s]" % low_pass)
+    axes[0, 2].set_title("acceleration%s [m/s²]" % low_pass)
+    for axis in axes[-1]:
+        axis.set_xlabel("time [s]")
+        axis.set_xlim(run.time[0], run.time[-1])
+    handles, labels = axes[0, 0].get_legend_handles_labels()
+    figure.suptitle(GROUP_TITLES[group] + ": " + run.title(), fontweight="bold", x=0.01, ha="left")
+    figure.legend(handles[::-1], labels[::-1], loc="upper right", ncol=2)
+    style.save(figure, directory, "monitors_" + group)
+
+
+def draw_overlay(run, axes, names):
+    """Horizontal displacement of all monitors of a group in one picture, downhill positive."""
+    relative = [run.downhill * run.relative_displacement(name)[:, 0] for name in names]
+    factor, unit = style.length_unit(max(np.abs(u).max() for u in relative))
+    colours = plt.get_cmap("viridis")(np.linspace(0.0, 0.92, len(names)))
+    for name, u, colour in zip(names, relative, colours):
+        axes.plot(run.time, factor * u, color=colour, lw=0.9, label=name)
+    axes.set_xlim(run.time[0], run.time[-1])
+    axes.set_xlabel("time [s]")
+    axes.set_ylabel("downhill displacement [%s]" % unit)
+    axes.legend(ncol=1, loc="center left", bbox_to_anchor=(1.0, 0.5), handlelength=1.2)
+
+
+def draw(run, directory):
+    groups = run.monitor_groups()
+    if not groups or run.n < 2:
+        raise MissingData("no monitors in run.h5")
+    for group, names in groups.items():
+        draw_group(run, group, names, directory)

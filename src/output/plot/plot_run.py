@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""All pictures of a run: plot_run.py DIR writes DIR/figures/*.png from DIR/run.h5 and DIR/summary.json.
+
+A figure whose data the run did not record is left out, with a word on why. Exit code 1 if a figure failed.
+"""
+
+import os
+import sys
+import traceback
+
+import style
+
+import boreholes  # isort: skip
+import energy_balance  # isort: skip
+import input_motion  # isort: skip
+import monitor_histories  # isort: skip
+import overview  # isort: skip
+import section_view  # isort: skip
+import step_costs  # isort: skip
+from run_data import MissingData, RunData  # isort: skip
+
+FIGURES = (input_motion, monitor_histories, boreholes, section_view, energy_balance, step_costs, overview)
+
+
+def main(directory):
+    style.apply()
+    try:
+        run = RunData(directory)
+    except (OSError, ValueError) as error:
+        print("error: cannot read the run in '%s': %s" % (directory, error), file=sys.stderr)
+        return 1
+    figures = os.path.join(directory, "figures")
+    os.makedirs(figures, exist_ok=True)
+    failed = 0
+    for figure in FIGURES:
+        try:
+            figure.draw(run, figures)
+        except MissingData as reason:
+            print("%s: left out, %s" % (figure.__name__, reason))
+        except Exception:
+            failed += 1
+            print("error: %s could not be drawn:" % figure.__name__, file=sys.stderr)
+            traceback.print_exc()
+    print("figures: " + figures)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("usage: plot_run.py DIR")
+    sys.exit(main(sys.argv[1]))

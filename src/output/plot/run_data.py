@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads the output directory of a run: run.h5 (see run_file.md) and summary.json."""
+
+import json
+import os
+
+import h5py
+import numpy as np
+
+
+class MissingData(Exception):
+    """A figure cannot be drawn because the run did not record what it shows."""
+
+
+def low_pass(series, dt, corner):
+    """Zero-phase low-pass along axis 0, gain 1 / (1 + w^4) as in the program's filter.
+
+    w = tan(pi f dt) / tan(pi corner dt); both ends are continued by point reflection.
+    """
+    n = len(series)
+    if corner <= 0 or n < 4 or corner >= 0.5 / dt:
+        return series
+    pad = min(n - 1, int(np.ceil(3.0 / (corner * dt))))
+    before = 2 * series[0] - series[pad:0:-1]
+    after = 2 * series[-1] - series[-2 : -2 - pad : -1]
+    padded = np.concatenate([before, series, after])
+    f = np.fft.rfftfreq(len(padded), dt)
+    with np.errstate(over="ignore"):
+        gain = 1.0 / (1.0 + (np.tan(np.pi * np.minimum(f * dt, 0.5 - 1e-9)) / np.tan(np.pi * corner * dt)) ** 4)
+    # the trend is taken off first: a transform sees a jump where the two ends meet
+    trend = np.linspace(0.0, 1.0, len(padded))
+    if padded.ndim > 1:
+        trend, gain = trend[:, None], gain[:, None]
+    line = padded[0] + trend * (padded[-1] - padded[0])
+    smooth = np.fft.irfft(np.fft.rfft(padded - line, axis=0) * gain, len(padded), axis=0) + line
+    return smooth[pad : pad + n]
+
+
+class RunData:
+    def __init__(self, directory):
+        self.directory = directory
+        self.file = h5py.File(os.path.join(directory, "run.h5"), "r")
+        self.summary = {}
+        summary = os.path.join(directory, "summary.json")
+        if os.path.exists(summary):
+            with open(summary, encoding="utf-8") as text:
+                self.summary = json.load(text)
+        self.corner = self.summary.get("filter_frequency_hz", 25.0)
+        self.time = self.file["time"][:] if "time" in self.file else np.zeros(0)
+        # The run may be going on: its series can differ by the rows of the last flush.
+        histories = [d for g in ("monitors", "input") if g in self.file for d in self._data_sets(self.file[g])]
+        self.n = min([len(self.time)] + [len(d) for d in histories])
+        self.time = self.time[: self.n]
+        self.downhill = float(self.file.attrs.get("downhill_sign", -1.0))
+        self.base = self.text(self.file.attrs.get("base_monitor", ""))
+
+    @staticmethod
+    def text(value):
+        return value.decode() if isinstance(value, bytes) else str(value)
+
+    @staticmethod
+    def _data_sets(group):
+        found = []
+        group.visititems(lambda name, item: found.append(item) if isinstance(item, h5py.Dataset) else None)
+        return found
+
+    def title(self):
+        title = self.text(self.file.attrs.get("title", "")) or self.summary.get("title", "")
+        return title or os.path.basename(os.path.abspath(self.directory))
+
+    def has(self, path):
+        return path in self.file
+
+    def get(self, path):
+        """A data set as an array; MissingData if it is absent or empty."""
+        if path not in self.file or self.file[path].size == 0:
+            raise MissingData("no " + path + " in run.h5")
+        return self.file[path][:]
+
+    def attribute(self, path, name, default=None):
+        return self.file[path].attrs.get(name, default) if path in self.file else default
+
+    def names(self, group):
+        return sorted(self.file[group], key=natural_key) if group in self.file else []
+
+    def history(self, path):
+        values = self.get(path)
+        if self.n == 0:
+            raise MissingData("no steps in run.h5")
+        return values[: self.n]
+
+    def equal_steps(self, values):
+        """Time and values at equal spacing (cut steps are interpolated)."""
+        if self.n < 3:
+            return self.time, values
+        steps = np.diff(self.time)
+        if np.ptp(steps) <= 1e-6 * steps.max():
+            return self.time, values
+        spacing = max(steps.min(), steps.mean() / 4)
+        time = self.time[0] + spacing * np.arange(int((self.time[-1] - self.time[0]) / spacing) + 1)
+        columns = [np.interp(time, self.time, values[:, c]) for c in range(values.shape[1])]
+        return time, np.column_stack(columns)
+
+    def filtered(self, path):
+        time, values = self.equal_steps(self.history(path))
+        if len(time) < 4:
+            return time, values
+        return time, low_pass(values, time[1] - time[0], self.corner)
+
+    def relative_displacement(self, name):
+        displacement = self.history("monitors/" + name + "/displacement")
+        if self.base and self.has("monitors/" + self.base):
+            displacement = displacement - self.history("monitors/" + self.base + "/displacement")
+        return displacement
+
+    def monitor_groups(self):
+        """{"S": [...], "D": [...], "other": [...]}; the base monitor belongs to the others."""
+        groups = {"S": [], "D": [], "other": []}
+        for name in self.names("monitors"):
+            groups[name[0] if name[0] in "SD" else "other"].append(name)
+        return {key: names for key, names in groups.items() if names}
+
+
+def natural_key(name):
+    """S2 before S10."""
+    head = name.rstrip("0123456789")
+    return head, int(name[len(head) :] or 0), name

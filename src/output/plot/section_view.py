@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The section at its true aspect ratio: blocks by displacement, bedrock, water, monitors, failed joints."""
+
+import matplotlib.patheffects as effects
+import matplotlib.pyplot as plt
+import numpy as np
+import style
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import Normalize
+from run_data import MissingData
+
+HALO = [effects.withStroke(linewidth=2.2, foreground="white")]
+
+
+class Section:
+    """What run.h5 says about the section, read once."""
+
+    def __init__(self, run):
+        offsets = run.get("section/blocks_offsets").astype(int)
+        points = run.get("section/blocks_points")
+        self.blocks = np.split(points, offsets[1:-1])
+        self.final_blocks = None
+        if run.has("section/blocks_points_final"):
+            self.final_blocks = np.split(run.get("section/blocks_points_final"), offsets[1:-1])
+        self.final = self.magnitude(run, "section/blocks_displacement")
+        self.peak = self.magnitude(run, "section/blocks_peak_displacement")
+        self.outline = run.get("section/outline") if run.has("section/outline") else None
+        self.surface = run.get("section/surface") if run.has("section/surface") else None
+        self.water = run.attribute("section", "water_level")
+        if self.water is not None:
+            self.water = float(np.ravel(self.water)[0])
+        self.low, self.high = points.min(axis=0), points.max(axis=0)
+        self.monitors = [(n, run.attribute("monitors/" + n, "position")) for n in run.names("monitors")]
+        self.monitors = [(n, p) for n, p in self.monitors if p is not None]
+        self.boreholes = [(n, run.attribute("profiles/" + n, "position")) for n in run.names("profiles")]
+        self.boreholes = [(n, np.reshape(p, (2, 2))) for n, p in self.boreholes if p is not None]
+        self.joints = None
+        if run.has("joints/position") and run.file["joints/position"].shape[0] > 0:
+            ends = run.get("joints/ends") if run.has("joints/ends") else None
+            self.joints = run.get("joints/position"), run.get("joints/failure_time"), run.get("joints/failure_kind"), ends
+
+    @staticmethod
+    def magnitude(run, path):
+        if not run.has(path):
+            return None
+        values = run.get(path)
+        return np.hypot(values[:, 0], values[:, 1]) if values.ndim == 2 else np.abs(values)
+
+
+def draw_rock(section, axes):
+    if section.outline is not None:
+        axes.add_collection(LineCollection(section.outline.reshape(-1, 2, 2), colors=style.ROCK_EDGE, lw=1.1, zorder=2))
+    if section.surface is not None:
+        axes.plot(section.surface[:, 0], section.surface[:, 1], color=style.SLIP, lw=1.8, zorder=4)
+
+
+def draw_water(section, axes):
+    """A line where the level stands in free air or in the ground, with the usual triangle at the left."""
+    if section.water is None or section.water < section.low[1] - 1e3:
+        return
+    left, right = axes.get_xlim()
+    bottom, top = axes.get_ylim()
+    if not bottom < section.water < top:
+        return
+    axes.axhline(section.water, color=style.WATER, lw=1.1, ls=(0, (7, 3)), zorder=3)
+    x = left + 0.02 * (right - left)
+    axes.plot(x, section.water, marker=7, ms=8, color=style.WATER, zorder=6, clip_on=False)
+    axes.annotate("%g m" % section.water, (x, section.water), (9, 3), textcoords="offset points",
+                  color=style.WATER, fontsize=8, path_effects=HALO, zorder=7)
+
+
+def draw_blocks(axes, blocks, values, title, scale):
+    factor, unit, norm = scale
+    width = np.ptp(np.vstack(blocks), axis=0)[0]
+    edge = 0.12 if len(blocks) > 300 or width > 200 else 0.4
+    collection = PolyCollection(blocks, array=factor * values, cmap=style.DAMAGE_MAP, norm=norm, edgecolors="#5b4a3a", lw=edge, zorder=3)
+    axes.add_collection(collection)
+    bar = axes.figure.colorbar(collection, ax=axes, pad=0.01, shrink=0.85, aspect=18)
+    bar.set_label("[%s]" % unit)
+    bar.outline.set_linewidth(0.5)
+    axes.set_title(title)
+
+
+def draw_joints(section, axes):
+    if section.joints is None:
+        return
+    position, time, kind, ends = section.joints
+    sets = ((2, True, style.SHEAR_PALE, "shear, static stage"), (1, True, style.TENSILE_PALE, "tensile, static stage"),
+            (2, False, style.SHEAR, "shear"), (1, False, style.TENSILE, "tensile"))
+    for wanted, is_static, colour, label in sets:
+        chosen = (kind == wanted) & ((time < 0) == is_static)
+        if not chosen.any():
+            continue
+        label = "%s: %d" % (label, chosen.sum())
+        if ends is not None:
+            axes.add_collection(LineCollection(ends[chosen].reshape(-1, 2, 2), colors=colour, lw=1.7, zorder=5, label=label, capstyle="round"))
+        else:
+            axes.plot(position[chosen, 0], position[chosen, 1], ".", color=colour, ms=3.5, zorder=5, label=label, mew=0)
+    legend = axes.legend(loc="lower right", title="failed joints", markerscale=2.0, frameon=True, framealpha=0.9,
+                         edgecolor="#cccccc", fontsize=8)
+    legend.set_zorder(9)
+    legend.get_title().set_fontsize(8)
+
+
+def draw_labels(section, axes):
+    """Monitors as dots, boreholes as lines, named where they lie in view."""
+    left, right = axes.get_xlim()
+    bottom, top = axes.get_ylim()
+    for name, (head, foot) in section.boreholes:
+        axes.plot([head[0], foot[0]], [head[1], foot[1]], color=style.TEXT, lw=1.3, zorder=6)
+        if left < head[0] < right and bottom < head[1] < top:
+            axes.annotate(name, head, (0, 15), textcoords="offset points", ha="center", fontsize=8, fontweight="bold", zorder=8,
+                          path_effects=HALO, arrowprops={"arrowstyle": "-", "lw": 0.6, "color": style.TEXT, "shrinkA": 0, "shrinkB": 0})
+    for name, p in section.monitors:
+        if not (left < p[0] < right and bottom < p[1] < top):
+            continue
+        below = name.startswith("D")
+        axes.plot(*p, "o", ms=4, color="white", mec=style.TEXT, mew=0.9, zorder=7)
+        axes.annotate(name, p, (3, -10) if below else (-3, 5), textcoords="offset points", ha="left" if below else "right",
+                      fontsize=8, color=style.TEXT, path_effects=HALO, zorder=8)
+
+
+def set_view(axes, low, high, margin):
+    size = high - low
+    axes.set_xlim(low[0] - margin * size[0], high[0] + margin * size[0])
+    axes.set_ylim(low[1] - 2.0 * margin * size[1], high[1] + 2.2 * margin * size[1])
+    axes.set_aspect("equal")
+    axes.grid(False)
+    axes.set_ylabel("elevation [m]")
+
+
+def draw_whole(section, axes):
+    """The whole model, small: where the sliding mass lies in it."""
+    draw_rock(section, axes)
+    axes.add_collection(PolyCollection(section.blocks, facecolors="#e9b872", edgecolors="none", zorder=3))
+    ends = section.outline.reshape(-1, 2)
+    set_view(axes, np.minimum(ends.min(axis=0), section.low), np.maximum(ends.max(axis=0), section.high), 0.02)
+    draw_water(section, axes)
+    for name, p in section.monitors:
+        if not name.startswith(("S", "D")):
+            axes.plot(*p, "o", ms=4, color="white", mec=style.TEXT, mew=0.9, zorder=7)
+            axes.annotate(name, p, (5, 4), textcoords="offset points", fontsize=8, path_effects=HALO)
+    axes.set_title("model")
+
+
+def draw_main(section, axes):
+    """Blocks at their first place, coloured by the largest displacement, with all marks."""
+    values = section.peak if section.peak is not None else section.final
+    if values is None:
+        raise MissingData("no displacement of blocks in run.h5")
+    draw_rock(section, axes)
+    label = "largest displacement" if section.peak is not None else "displacement at the end"
+    draw_blocks(axes, section.blocks, values, label + " relative to the base, at the initial place", scale_of(values))
+    set_view(axes, section.low, section.high, 0.05)
+    draw_water(section, axes)
+    draw_joints(section, axes)
+    draw_labels(section, axes)
+
+
+def draw_final(section, axes):
+    """Blocks where they lie at the end, drawn to scale."""
+    draw_rock(section, axes)
+    draw_blocks(axes, section.final_blocks, section.final, "displacement at the end, blocks where they lie then", scale_of(section.final))
+    points = np.vstack(section.final_blocks)
+    inside = np.abs(points - 0.5 * (section.low + section.high)) < 1.5 * (section.high - section.low)
+    points = points[inside.all(axis=1)]
+    set_view(axes, np.minimum(section.low, points.min(axis=0)), np.maximum(section.high, points.max(axis=0)), 0.05)
+    draw_water(section, axes)
+
+
+def scale_of(values):
+    """One block that flies away must not take the colours from all others: 99.5 % of them fit."""
+    top = np.quantile(values, 0.995) if len(values) > 200 else values.max()
+    factor, unit = style.length_unit(top)
+    return factor, unit, Normalize(0, max(factor * top, 1e-9))
+
+
+def draw(run, directory):
+    section = Section(run)
+    size = section.high - section.low
+    panels = []
+    if section.outline is not None and np.ptp(section.outline[:, 0::2]) > 1.4 * size[0]:
+        panels.append((draw_whole, 0.45))
+    panels.append((draw_main, 1.0))
+    if section.final_blocks is not None and section.final is not None and section.final.max() > 0.01 * size.max():
+        panels.append((draw_final, 1.0))
+    aspect = np.clip(1.3 * size[1] / size[0], 0.25, 1.2)
+    heights = [max(11 * aspect * weight, 2.0) for _, weight in panels]
+    figure, axes = plt.subplots(len(panels), 1, figsize=(12, sum(heights) + 0.7 * len(panels)), squeeze=False,
+                                gridspec_kw={"height_ratios": heights}, constrained_layout=True)
+    for axis, (function, _) in zip(axes[:, 0], panels):
+        function(section, axis)
+    axes[-1, 0].set_xlabel("x [m]")
+    figure.suptitle("Section: " + run.title(), fontweight="bold", x=0.01, ha="left")
+    style.save(figure, directory, "section")

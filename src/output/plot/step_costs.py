@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What each step cost: step size (cuts), iterations, wall time."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import style
+
+
+def draw(run, directory):
+    dt = run.get("steps/dt")
+    panels = [(dt * 1e3, "step size [ms]", "log")]
+    for path, label in (("iterations", "open-close\niterations [-]"), ("solver_iterations", "iterations of the\nblock solver [-]")):
+        if run.has("steps/" + path) and run.get("steps/" + path).any():
+            panels.append((run.get("steps/" + path), label, "linear"))
+    if run.has("steps/wall_time"):
+        panels.append((run.get("steps/wall_time") * 1e3, "wall time\nper step [ms]", "log"))
+    time = run.get("time")
+    n = min([len(time)] + [len(p[0]) for p in panels])
+    figure, axes = plt.subplots(len(panels), 1, figsize=(9, 1.7 * len(panels) + 0.6), sharex=True, squeeze=False,
+                                constrained_layout=True)
+    for axis, (values, label, scale) in zip(axes[:, 0], panels):
+        values = values[:n]
+        axis.plot(time[:n], values, ".", ms=1.5, color=style.HORIZONTAL, alpha=0.35, rasterized=True)
+        window = max(n // 200, 1)
+        mean = np.convolve(values, np.ones(window) / window, mode="valid")
+        axis.plot(time[window - 1 : n], mean, color=style.TEXT, lw=1.0, label="mean of %d steps" % window)
+        if scale == "log" and values.min() > 0:
+            axis.set_yscale("log")
+        elif scale == "linear":
+            axis.set_ylim(bottom=0)
+        axis.set_ylabel(label)
+        axis.text(0.995, 0.95, "mean %.3g, largest %.3g" % (values.mean(), values.max()), transform=axis.transAxes, fontsize=8,
+                  ha="right", va="top", bbox={"fc": "white", "ec": "none", "alpha": 0.8, "pad": 1})
+    axes[0, 0].legend(loc="lower left")
+    axes[-1, 0].set_xlabel("time [s]")
+    axes[-1, 0].set_xlim(time[0], time[n - 1])
+    figure.suptitle("Steps: " + run.title(), fontweight="bold", x=0.01, ha="left")
+    style.save(figure, directory, "steps")

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How every figure looks: colours, fonts, units."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+HORIZONTAL = "#1f5a94"  # x component
+VERTICAL = "#d98b2b"  # y component
+TENSILE = "#c8202f"
+SHEAR = "#1f4fd8"
+TENSILE_PALE = "#f0a5a8"
+SHEAR_PALE = "#a5b8f0"
+ROCK = "#e4e0d8"
+ROCK_EDGE = "#6f6a60"
+WATER = "#3a8fc7"
+SLIP = "#7a3b10"
+TEXT = "#262626"
+DAMAGE_MAP = "YlOrRd"
+
+DPI = 130
+
+
+def apply():
+    plt.rcParams.update(
+        {
+            "figure.dpi": DPI,
+            "savefig.dpi": DPI,
+            "font.size": 9,
+            "font.family": "DejaVu Sans",
+            "axes.titlesize": 10,
+            "axes.titleweight": "bold",
+            "axes.titlelocation": "left",
+            "axes.labelsize": 9,
+            "axes.labelcolor": TEXT,
+            "axes.edgecolor": "#8a8a8a",
+            "axes.linewidth": 0.7,
+            "axes.spines.top": False,
+            "axes.spines.right": False,
+            "axes.grid": True,
+            "grid.color": "#e6e6e6",
+            "grid.linewidth": 0.6,
+            "axes.axisbelow": True,
+            "xtick.color": "#5a5a5a",
+            "ytick.color": "#5a5a5a",
+            "xtick.labelsize": 8,
+            "ytick.labelsize": 8,
+            "legend.frameon": False,
+            "legend.fontsize": 8,
+            "lines.linewidth": 1.0,
+            "agg.path.chunksize": 20000,
+            "axes.formatter.useoffset": False,
+            "axes.formatter.limits": (-4, 5),
+        }
+    )
+
+
+def length_unit(largest):
+    """(factor, unit) that shows a length of this size [m] with few digits."""
+    if not np.isfinite(largest) or largest < 2.0:
+        return 1e3, "mm"
+    return 1.0, "m"
+
+
+def scaled(values, largest, steps):
+    """Pick the (factor, unit) of steps = [(limit, factor, unit), ...] for values up to largest."""
+    for limit, factor, unit in steps:
+        if largest < limit:
+            return values * factor, unit
+    return values * steps[-1][1], steps[-1][2]
+
+
+def save(figure, directory, name):
+    figure.savefig("%s/%s.png" % (directory, name), facecolor="white")
+    plt.close(figure)

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/log.h>
+#include <hybrid/scene/input_error.h>
+
+#include <sstream>
+
+#include "python_check.h"
+
+namespace hybrid::output
+{
+  namespace
+  {
+    TEST(Log, ScreenAndFileGetTheSameLinesAtOnce)
+    {
+      const std::string  directory = test::make_directory("log");
+      const std::string  name      = directory + "/log.txt";
+      std::ostringstream screen;
+      Log                log(screen);
+      log.info("early");
+      log.open_file(name);
+      log.warning("mesh too coarse");
+      log.info("end");
+      EXPECT_EQ(screen.str(), "early\nwarning: mesh too coarse\nend\n");
+      EXPECT_EQ(test::read_text(name), screen.str());
+      EXPECT_EQ(log.warnings(), std::vector<std::string>{"mesh too coarse"});
+
+      Log resumed(screen);
+      resumed.open_file(name, Log::FileMode::append);
+      resumed.info("again");
+      EXPECT_EQ(test::read_text(name), screen.str());
+    }
+
+
+    TEST(Log, ProgressLineIsWipedOnATerminalOnly)
+    {
+      std::ostringstream screen;
+      Log                log(screen, true);
+      log.info("text");
+      EXPECT_EQ(screen.str(), "\r\033[Ktext\n");
+    }
+
+
+    TEST(Log, UnwritableFileIsAnInputError)
+    {
+      std::ostringstream screen;
+      EXPECT_THROW(Log(screen).open_file("/no/such/directory/log.txt"), InputError);
+    }
+  } // namespace
+} // namespace hybrid::output

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/plot_command.h>
+#include <hybrid/scene/input_error.h>
+
+#include "python_check.h"
+
+namespace hybrid::output
+{
+  namespace
+  {
+    using test::make_directory;
+    using test::python_passes;
+
+    /// Run a helper of this folder that makes a synthetic run in @p directory.
+    bool make_run(const std::string &directory, const std::string &kind)
+    {
+      return std::system(("'" HYBRID_PYTHON "' '" OUTPUT_TEST_DIR "/make_synthetic_run.py' '" +
+                          directory + "' " + kind)
+                           .c_str()) == 0;
+    }
+
+
+    TEST(PlotCommand, DrawsEveryFigureOfACompleteRun)
+    {
+      const std::string directory = make_directory("plot");
+      ASSERT_TRUE(make_run(directory, "complete"));
+      EXPECT_EQ(plot(directory), 0);
+      EXPECT_TRUE(python_passes(directory, R"(
+import os
+names = ['overview', 'input_motion', 'monitors_S', 'monitors_D', 'monitors_other', 'boreholes', 'section', 'energy', 'steps']
+assert sorted(os.listdir('figures')) == sorted(n + '.png' for n in names), os.listdir('figures')
+for n in names:
+    with open('figures/' + n + '.png', 'rb') as f:
+        assert f.read(8) == b'\x89PNG\r\n\x1a\n'
+)"));
+    }
+
+
+    TEST(PlotCommand, ARunWithoutBlocksOrBoreholesIsDrawnAsFarAsItGoes)
+    {
+      const std::string directory = make_directory("plot_bare");
+      ASSERT_TRUE(make_run(directory, "bare"));
+      EXPECT_EQ(plot(directory), 0);
+      EXPECT_TRUE(python_passes(directory, R"(
+import os
+assert sorted(os.listdir('figures')) == ['monitors_other.png', 'overview.png'], os.listdir('figures')
+)"));
+    }
+
+
+    TEST(PlotCommand, WrongDirectoriesAreInputErrors)
+    {
+      EXPECT_THROW(plot("/no/such/directory"), InputError);
+      EXPECT_THROW(plot(make_directory("plot_empty")), InputError);
+    }
+  } // namespace
+} // namespace hybrid::output

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/summary.h>
+#include <hybrid/scene/input_error.h>
+
+#include "python_check.h"
+
+namespace hybrid::output
+{
+  namespace
+  {
+    using test::make_directory;
+    using test::python_passes;
+
+    TEST(Summary, JsonHasTheNamesThatScriptsRelyOn)
+    {
+      Summary summary;
+      summary.title              = "slope \"A\"\n\\";
+      summary.finished           = true;
+      summary.steps              = 12000;
+      summary.simulated_time     = 12.;
+      summary.wall_time          = 0.1;
+      summary.blocks             = 1326;
+      summary.continuum_unknowns = 24106;
+      summary.interface_unknowns = 478;
+      summary.energy_residual    = 1.25e-4;
+      summary.joints             = {7, 9};
+      summary.static_joints      = {1, 2};
+      summary.cuts               = 3;
+      summary.iterations         = 36000;
+      summary.timings["blocks"]  = 100.5;
+      summary.energy["kinetic"]  = 1. / 3.;
+      MonitorSummary &monitor    = summary.monitors["S1"];
+      monitor.peak_displacement  = {{-0.25, 1e-300}};
+      monitor.amplification      = {{2.5, std::numeric_limits<double>::infinity()}};
+
+      const std::string directory = make_directory("summary");
+      write_summary(summary, directory + "/summary.json");
+      EXPECT_TRUE(python_passes(directory, R"(
+import json
+def refuse(name):
+    raise ValueError(name)
+s = json.load(open('summary.json'), parse_constant=refuse)
+assert s['finished'] is True and s['title'] == 'slope "A"\n\\'
+assert (s['steps'], s['blocks'], s['continuum_unknowns'], s['interface_unknowns']) == (12000, 1326, 24106, 478)
+assert (s['simulated_time_s'], s['wall_time_s'], s['energy_residual']) == (12., 0.1, 1.25e-4)
+assert (s['cuts'], s['iterations']) == (3, 36000)
+assert s['joints']['tensile'] == 7 and s['joints']['shear'] == 9
+assert s['joints']['static'] == {'tensile': 1, 'shear': 2} and s['joints']['first_failure_time_s'] is None
+m = s['monitors']['S1']
+assert m['peak_displacement_m'] == [-0.25, 1e-300] and m['amplification'] == [2.5, None]
+for name in ('peak_velocity_m_s', 'peak_acceleration_m_s2', 'final_displacement_m', 'amplification_until_first_failure'):
+    assert m[name] == [None, None]
+assert s['timings_s'] == {'blocks': 100.5} and s['energy_J_per_m'] == {'kinetic': 1. / 3.}
+)"));
+    }
+
+
+    TEST(Summary, EmptySummaryIsValidAndAMissingDirectoryIsAnInputError)
+    {
+      const std::string directory = make_directory("summary_empty");
+      write_summary(Summary(), directory + "/summary.json");
+      EXPECT_TRUE(python_passes(directory, R"(
+import json
+s = json.load(open('summary.json'))
+assert s['finished'] is False and s['monitors'] == {} and s['timings_s'] == {}
+)"));
+      EXPECT_THROW(write_summary(Summary(), directory + "/missing/summary.json"), InputError);
+    }
+  } // namespace
+} // namespace hybrid::output
