@@ -58,6 +58,6 @@ endfunction()
 find_program(CLANG_FORMAT clang-format)
 if(CLANG_FORMAT)
   add_custom_target(format
-    COMMAND find include src tests -name "*.h" -o -name "*.cc" | xargs ${CLANG_FORMAT} -i
-    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    COMMAND find include src tests ( -name "*.h" -o -name "*.cc" ) -exec ${CLANG_FORMAT} -i {} +
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)
 endif()

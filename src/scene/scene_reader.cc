@@ -73,27 +73,21 @@ namespace hybrid::scene
       return scene;
     }
 
-    /// Materials that read as advice rather than as data.
-    void fill_example_materials(SceneParameters &scene)
-    {
-      Material &rock        = scene.materials["rock"];
-      rock.name             = "rock";
-      rock.density          = 2450.;
-      rock.young_modulus    = 60e9;
-      rock.poisson_ratio    = 0.2;
-      rock.friction_angle   = 38.;
-      rock.cohesion         = 2e6;
-      rock.tensile_strength = 2e6;
-
-      Material &soil        = scene.materials["soil"];
-      soil.name             = "soil";
-      soil.density          = 2220.;
-      soil.young_modulus    = 50e6;
-      soil.poisson_ratio    = 0.25;
-      soil.friction_angle   = 27.;
-      soil.cohesion         = 80e3;
-      soil.tensile_strength = 60e3;
-    }
+    /// What print_all_parameters() shows in the place of the user's own materials.
+    const char *const example[] = {"Materials/Names=rock, soil",
+                                   "Materials/rock/Density=2450",
+                                   "Materials/rock/Young modulus=60e9",
+                                   "Materials/rock/Poisson ratio=0.2",
+                                   "Materials/rock/Friction angle=38",
+                                   "Materials/rock/Cohesion=2e6",
+                                   "Materials/rock/Tensile strength=2e6",
+                                   "Materials/soil/Density=2220",
+                                   "Materials/soil/Young modulus=50e6",
+                                   "Materials/soil/Friction angle=27",
+                                   "Materials/soil/Cohesion=80e3",
+                                   "Materials/soil/Tensile strength=60e3",
+                                   "Continuum/Materials=rock",
+                                   "Blocks/Material=soil"};
   } // namespace
 
   void declare(ParameterTable &table, SceneParameters &scene)
@@ -147,13 +141,16 @@ namespace hybrid::scene
 
   void print_all_parameters(std::ostream &out)
   {
+    std::vector<ParameterLine> lines;
+    for (const char *setting : example)
+      lines.push_back(parse_override(setting));
+
     SceneParameters scene;
-    fill_example_materials(scene);
-    ParameterTable table("example");
+    ParameterTable  table("example");
+    make_material_table(lines, scene);
     declare(table, scene);
-    table.set(parse_override("Materials/Names=rock, soil"));
-    table.set(parse_override("Continuum/Materials=rock"));
-    table.set(parse_override("Blocks/Material=soil"));
+    for (const ParameterLine &line : lines)
+      table.set(line);
     table.print(out);
   }
 } // namespace hybrid::scene
