@@ -50,16 +50,17 @@ install_debian_packages() {
 # Elsewhere than on Debian: say what is missing, install nothing.
 name_missing_parts() {
   local missing=() tool header
-  for tool in c++ cmake ninja git python3; do
+  for tool in c++ cmake ninja git /usr/bin/python3; do
     command -v "$tool" >/dev/null || missing+=("$tool")
   done
   if command -v c++ >/dev/null; then
     for header in deal.II/base/config.h gmsh.h eigen3/Eigen/Core suitesparse/cholmod.h gtest/gtest.h; do
-      echo "#include <$header>" | c++ -E -x c++ - >/dev/null 2>&1 || missing+=("<$header>")
+      printf '#if !__has_include(<%s>)\n#error\n#endif\n' "$header" | c++ -E -x c++ - >/dev/null 2>&1 ||
+        missing+=("<$header>")
     done
   fi
-  if command -v python3 >/dev/null && ! python3 -c 'import h5py, matplotlib' 2>/dev/null; then
-    missing+=("python3 modules h5py and matplotlib")
+  if ! /usr/bin/python3 -c 'import h5py, matplotlib' 2>/dev/null; then
+    missing+=("modules h5py and matplotlib of /usr/bin/python3")
   fi
   if [[ ${#missing[@]} -gt 0 ]]; then
     printf 'error: this is not a Debian system, so nothing is installed. Missing:\n' >&2
