@@ -22,11 +22,13 @@ namespace hybrid::scene
                              motion.file_unit,
                              {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}},
                              "Unit of the accelerations in a text file (.at2 files are in g).");
-      section.number_or("Peak",
-                        {"as recorded", motion.peak},
-                        "m/s2",
-                        ParameterRange::at_least(0.),
-                        "Scale the motion to this peak acceleration.");
+      section.number_or(
+        "Peak",
+        {"as recorded", motion.peak},
+        "m/s2",
+        ParameterRange::at_least(0.),
+        "Scale the motion to this peak acceleration; as recorded: leave a record as it is, "
+        "give ricker and synthetic 1 m/s2.");
     }
 
     void declare_synthesis(ParameterSection &section, MotionParameters &motion)
