@@ -9,7 +9,6 @@
 #include <cctype>
 #include <cmath>
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 namespace hybrid::scene
@@ -82,35 +81,59 @@ namespace hybrid::scene
     }
 
 
+    /// @return whether @p line (upper case) has @p word, not as the end of a longer one.
+    bool has_word(const std::string &line, const std::string &word)
+    {
+      for (auto at = line.find(word); at != std::string::npos; at = line.find(word, at + 1))
+        if (at == 0 || !std::isalpha(static_cast<unsigned char>(line[at - 1])))
+          return true;
+      return false;
+    }
+
+
+    /// The text of the number that follows @p key and "=", ":" or blanks; empty if there is none.
+    std::string number_after(const std::string &line, const std::string &key)
+    {
+      const auto at = line.find(key);
+      if (at == std::string::npos)
+        return "";
+      const auto begin = std::min(line.find_first_not_of(" \t=:", at + key.size()), line.size());
+      const auto end   = line.find_first_not_of("0123456789.E+-", begin);
+      return line.substr(begin, end - begin);
+    }
+
+
     /// @return whether the header line has NPTS and DT, in any of the usual forms.
     bool parse_points_and_step(const std::string &line,
                                const std::string &file,
                                const int          number,
                                At2Header         &header)
     {
-      if (line.find("NPTS") == std::string::npos)
+      const auto keyword = line.find("NPTS");
+      if (keyword == std::string::npos)
         return false;
-      static const std::string real = "([-+.0-9E]+)";
-      static const std::regex  named("NPTS\\s*[=:]?\\s*([0-9]+)\\s*,?\\s*DT\\s*[=:]?\\s*" + real +
-                                    ".*");
-      static const std::regex  leading("\\s*([0-9]+)\\s+" + real + "\\s+NPTS\\s*,?\\s*DT.*");
-      std::smatch              match;
-      if (!std::regex_match(line, match, leading) && !std::regex_search(line, match, named))
+
+      std::string                    count   = number_after(line, "NPTS");
+      std::string                    step    = number_after(line, "DT");
+      const std::vector<std::string> leading = split_fields(line.substr(0, keyword));
+      if (count.empty() && leading.size() == 2) // "6557 .00244 NPTS, DT"
+        {
+          count = leading[0];
+          step  = leading[1];
+        }
+      double points = 0.;
+      if (!parse_number(count, points) || !parse_number(step, header.dt))
         throw InputError(file,
                          number,
                          "the header line '" + line +
                            "' is not understood; expected NPTS= <count>, DT= <seconds>.");
-
-      double points = 0.;
-      header.lines  = number;
-      header.dt     = to_number(match[2], "the time step [s]", file, number);
-      points        = to_number(match[1], "the number of points", file, number);
-      header.points = static_cast<std::size_t>(points);
       if (!(header.dt > 0.) || points < 2. || points > 1e9)
         throw InputError(file,
                          number,
                          "NPTS is " + in_words(points) + " and DT " + in_words(header.dt) +
                            " s; at least two points and a positive time step are needed.");
+      header.points = static_cast<std::size_t>(points);
+      header.lines  = number;
       return true;
     }
 
@@ -124,10 +147,9 @@ namespace hybrid::scene
           line = upper_case(line);
           if (!line.empty() && line.back() == '\r')
             line.pop_back();
-          static const std::regex centimetres("CM/S|\\bGAL\\b"), metres("\\bM/S");
-          if (std::regex_search(line, centimetres))
+          if (has_word(line, "CM/S") || has_word(line, "(GAL)") || has_word(line, "OF GAL"))
             header.unit = 0.01;
-          else if (std::regex_search(line, metres))
+          else if (has_word(line, "M/S"))
             header.unit = 1.;
           if (parse_points_and_step(line, file, number, header))
             return header;
