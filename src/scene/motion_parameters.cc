@@ -16,7 +16,7 @@ namespace hybrid::scene
          {"text", "text"},
          {"at2", "at2"}},
         "Source of the motion: a Ricker wavelet, a synthetic accelerogram, a text file "
-        "with one acceleration or time and acceleration per line, or a PEER .at2 file.");
+        "of two columns (time [s], acceleration [Unit]), or a PEER .at2 file.");
       section.file("File", motion.file, "a text or .at2 file", "The record.");
       section.choice<double>("Unit",
                              motion.file_unit,
