@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/continuum/element_nodes.h>
+#include <hybrid/continuum/free_field_column.h>
+#include <hybrid/continuum/node_matrices.h>
+#include <hybrid/scene/motion.h>
+#include <hybrid/scene/scene_parameters.h>
+
+#include <vector>
+
+namespace hybrid::continuum
+{
+  /// What fixes an unknown.
+  enum class Support : char
+  {
+    none,       ///< solved for
+    zero,       ///< displacement zero
+    base_motion ///< moves with the rigid base
+  };
+
+
+  /**
+   * Base and sides of the model. The traction on a face with outward normal n is
+   *   t = t_in + Z (v_ff - v),  Z = rho (c_p n n^T + c_s (1 - n n^T)),
+   * with t_in = 2 Z v_up and v_ff = 0 on a compliant base (Z of the half space below), t_in = 0 and
+   * v_ff = 0 on a viscous side, and stress and velocity of the free-field column on a free-field
+   * side. All integrals are consistent with the element's edge basis, so a corner takes each
+   * dashpot once.
+   */
+  class BoundaryForces
+  {
+  public:
+    BoundaryForces(const RockMesh               &rock,
+                   const ElementNodes           &nodes,
+                   const std::vector<Material>  &cell_material,
+                   const scene::SectionMesh     &section,
+                   const scene::SceneParameters &scene,
+                   scene::Motion                 motion);
+
+    /// Per unknown of the finite-element space.
+    const std::vector<Support> &supports() const
+    {
+      return support;
+    }
+
+    /// Nodes of a base that moves as prescribed.
+    const std::vector<int> &moving_nodes() const
+    {
+      return moving;
+    }
+
+    /// Nodes that carry forces; vectors "on the boundary" hold x and y of each in this order.
+    const std::vector<int> &boundary_nodes() const
+    {
+      return nodes;
+    }
+
+    /// Add @p factor times the dashpots to 2 x 2 blocks on the pattern of @p matrices.
+    void
+    add_dashpots(const NodeMatrices &matrices, double factor, std::vector<double> &blocks) const;
+
+    std::size_t n_column_unknowns() const;
+
+    /// One step of the free-field columns; @p u, v, a: their unknowns at the start, the others
+    /// receive the end.
+    void step_columns(const FreeFieldColumn::ConstMotion &old,
+                      const FreeFieldColumn::Motion      &next,
+                      double                              time,
+                      double                              dt);
+
+    /// The motion of the columns as seen from the boundary, and the tractions they and the base
+    /// send in.
+    struct Incoming
+    {
+      std::vector<double> force;        ///< t_in integrated [N/m]
+      std::vector<double> velocity;     ///< v_ff [m/s]; counts on free-field sides only
+      std::vector<double> displacement; ///< u_ff [m]
+    };
+
+    /// @param u, v the columns' unknowns at @p time.
+    void incoming(double time, const double *u, const double *v, Incoming &in) const;
+
+    /// Forces [N/m] on the boundary at the velocity @p v (on the boundary).
+    void forces(const Incoming &in, const std::vector<double> &v, std::vector<double> &f) const;
+
+    /// What dashpots take up while the boundary moves by @p du at mean velocity @p v and the free
+    /// field by @p du_ff at @p v_ff [J/m].
+    double dashpot_loss(const std::vector<double> &du,
+                        const std::vector<double> &v,
+                        const std::vector<double> &du_ff,
+                        const std::vector<double> &v_ff) const;
+
+    /// Acceleration of a rigid base [m/s2].
+    Vec2 base_acceleration(double time) const;
+
+    /// Upgoing wave at a compliant base [m/s].
+    Vec2 wave_velocity(double time) const;
+
+  private:
+    /// A face with dashpots.
+    struct Face
+    {
+      std::vector<int> nodes; ///< places in boundary_nodes()
+      double           length;
+      Vec2             normal; ///< outward
+      Eigen::Matrix2d  impedance;
+      bool             is_base;
+      int              column = -1; ///< free-field column, -1: none
+      int    column_node      = 0;  ///< its node at the face's first node; nodes run upwards then
+      double lambda = 0., shear = 0.;
+    };
+
+    void set_base(const RockMesh &,
+                  const ElementNodes &,
+                  const std::vector<Material> &,
+                  const std::vector<RockFace> &,
+                  const scene::SceneParameters &);
+
+    void set_side(const RockMesh &,
+                  const ElementNodes &,
+                  const std::vector<Material> &,
+                  std::vector<RockFace>,
+                  const scene::SceneParameters &);
+
+    Face make_face(const RockMesh &, const ElementNodes &, const RockFace &, const Material &);
+
+    LagrangeLine                 line;
+    scene::Motion                motion;
+    Vec2                         direction{1., 0.};
+    double                       upgoing   = 0.5; ///< upgoing wave over the motion
+    double                       start     = 0.;
+    bool                         compliant = false, moves = false;
+    Material                     half_space; ///< below the first base cell if none is named
+    std::vector<Support>         support;
+    std::vector<int>             moving, nodes, place; ///< place: node -> place in nodes
+    std::vector<Face>            faces;
+    std::vector<FreeFieldColumn> columns;
+    std::vector<int>             column_offset; ///< first unknown of each column
+  };
+} // namespace hybrid::continuum

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace hybrid::continuum
+{
+  /**
+   * Supernodal Cholesky factor A = P^T L L^T P with the surface unknowns last, so that the trailing
+   * block of L gives the condensed matrix: S = A_GG - A_GI A_II^-1 A_IG = L_GG L_GG^T.
+   *
+   * One object holds the ordering and the symbolic analysis of one sparsity pattern;
+   * each Factor made from it holds the numbers of one matrix.
+   */
+  class CondensedFactorisation
+  {
+  public:
+    /// One matrix, factored.
+    class Factor;
+
+    /**
+     * @param column_start, row lower triangle by columns (diagonal included, rows ascending).
+     * @param n_surface the last unknowns of the numbering are the surface's.
+     */
+    CondensedFactorisation(std::vector<int> column_start, std::vector<int> row, int n_surface);
+    ~CondensedFactorisation();
+
+    int size() const;
+
+    /// Factor the matrix with these entries. @throws std::runtime_error if it is not positive
+    /// definite.
+    std::shared_ptr<Factor> factor(const std::vector<double> &values);
+
+    /// S = L_GG L_GG^T.
+    Eigen::MatrixXd surface_matrix(const Factor &factor) const;
+
+    /// y = L^-1 b. @param g receives L_GG y_G, i.e. b_G - A_GI A_II^-1 b_I; no allocation.
+    void forward(Factor &factor, const std::vector<double> &b, Eigen::VectorXd &g);
+
+    /// x with the surface unknowns given: y_G := L_GG^T x_G, then x = L^-T y. Follows forward().
+    void backward(Factor &factor, const Eigen::VectorXd &surface, std::vector<double> &x);
+
+    /// x = A^-1 b. Follows forward().
+    void backward(Factor &factor, std::vector<double> &x);
+
+  private:
+    struct Cholmod;
+    std::unique_ptr<Cholmod> cholmod;
+  };
+} // namespace hybrid::continuum

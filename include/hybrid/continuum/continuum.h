@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/scene/motion.h>
+#include <hybrid/scene/scene_parameters.h>
+#include <hybrid/scene/section_mesh.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <memory>
+#include <mpi.h>
+#include <string>
+#include <vector>
+
+namespace hybrid::continuum
+{
+  /// Energy of the continuum, each term computed on its own [J/m]; work and losses since the start.
+  struct ContinuumEnergy
+  {
+    double kinetic = 0.; ///< 1/2 v M v, now
+    double newmark = 0.; ///< 1/2 (beta - gamma/2) dt^2 a M a, now: the scheme's acceleration term
+    double strain  = 0.; ///< 1/2 u K u, bedding planes included, now
+    double input_work   = 0.; ///< done by the incident wave's tractions or the prescribed base
+    double surface_work = 0.; ///< done by the interface forces
+    double boundary_loss =
+      0.; ///< taken up by dashpots (relative to the free field where there is one)
+    double damping_loss     = 0.; ///< Rayleigh damping
+    double integration_loss = 0.; ///< Newmark's own dissipation
+  };
+
+  /// All mutable state of the continuum: copied for roll-back, written for restart.
+  struct ContinuumState
+  {
+    double              time = 0.;      ///< [s]
+    std::vector<double> displacement;   ///< u [m], all unknowns, free-field columns last; increment
+                                        ///< since the static state
+    std::vector<double> velocity;       ///< v [m/s]
+    std::vector<double> acceleration;   ///< a [m/s2]
+    std::vector<double> surface_force;  ///< lambda of the last step [N/m]; empty: zero
+    double              time_step = 0.; ///< of the last step [s]; 0: none yet
+    ContinuumEnergy     energy;
+  };
+
+  /**
+   * The bedrock: linear elastodynamics in plane strain on deal.II finite elements,
+   *   M u'' + C u' + K u = f(t) + B^T lambda,
+   * integrated by Newmark's family; the unknowns of the surface that blocks
+   * can touch are condensed:
+   *   S u_G = g + lambda,  S = A_GG - A_GI A_II^-1 A_IG,
+   * so that blocks see the whole bedrock as one more block. A step is
+   *   1. predict(state, dt): forward substitution; returns g;
+   *   2. the caller solves for u_G (with blocks: S u_G = g + lambda);
+   *   3. correct(state, dt, u_G, lambda): backward substitution; the state is that of t + dt.
+   * Without blocks step(state, dt) does all three with lambda = 0.
+   */
+  class Continuum
+  {
+  public:
+    /// @throws InputError for a mesh or parameters that cannot be used.
+    Continuum(const scene::SectionMesh     &mesh,
+              const scene::SceneParameters &scene,
+              const scene::Motion          &motion,
+              MPI_Comm                      communicator);
+    ~Continuum();
+
+    /// State of rest at t = 0.
+    ContinuumState initial_state() const;
+
+    /// Number of unknowns of the finite-element space (free-field columns not counted).
+    std::size_t n_unknowns() const;
+
+    /// Nodes of the contact surface [m], from the left end to the right end of the model's top;
+    /// where a bedding plane with joints crops out two nodes follow each other at one place.
+    /// Empty if the scene has no blocks.
+    const std::vector<Vec2> &surface_nodes() const;
+
+    /// Condensed dynamic stiffness S for the step dt [N/m per m], symmetric, 2 |nodes| square,
+    /// unknowns (x0, y0, x1, y1, ...). Factored on first use; the last three step sizes are kept,
+    /// and so long stays the reference valid. A supported unknown has a diagonal that is a million
+    /// times as stiff.
+    const Eigen::MatrixXd &surface_stiffness(double dt);
+
+    /// Forward substitution of the step from @p state to state.time + dt. @return g [N/m].
+    const Eigen::VectorXd &predict(const ContinuumState &state, double dt);
+
+    /// Backward substitution of the step that predict() began.
+    /// @param surface_displacement u_G at the end of the step [m].
+    /// @param surface_force lambda at the end of the step [N/m] (used for the energy only).
+    void correct(ContinuumState        &state,
+                 double                 dt,
+                 const Eigen::VectorXd &surface_displacement,
+                 const Eigen::VectorXd &surface_force);
+
+    /// A whole step without blocks (lambda = 0).
+    void step(ContinuumState &state, double dt);
+
+    /// Recompute the "now" energies of @p state (kinetic, newmark, strain).
+    void audit_energy(ContinuumState &state, double dt) const;
+
+    /// What a point of the bedrock does: displacement, velocity, acceleration.
+    struct Sample
+    {
+      Vec2 displacement, velocity, acceleration;
+    };
+
+    /// Register a point (initial position). @return its index for sample(). @throws InputError if
+    /// outside.
+    int add_point(const Vec2 &position, const std::string &name);
+
+    Sample sample(const ContinuumState &state, int point) const;
+
+    /// Plain arrays for pictures: one linear quadrilateral per sub-cell of each cell.
+    struct Picture
+    {
+      std::vector<Vec2>                  points;
+      std::vector<std::array<int, 4>>    cells;
+      std::vector<int>                   region;        ///< per cell
+      std::vector<Vec2>                  displacement;  ///< per point [m]
+      std::vector<Vec2>                  velocity;      ///< per point [m/s]
+      std::vector<std::array<double, 3>> stress;        ///< per cell xx, yy, xy [Pa], increment
+      std::vector<std::array<double, 3>> static_stress; ///< per cell xx, yy, xy [Pa]
+    };
+
+    Picture picture(const ContinuumState &state) const;
+
+    /// Static stresses of the restrained model (base fixed, sides on rollers) under gravity and
+    /// @p surface_force [N/m]; they change no displacement (the section is the deformed state in
+    /// place).
+    void solve_static_state(const Eigen::VectorXd &surface_force, double gravity);
+
+    /// Smallest edge length of cells per wave speed etc. for the scene card.
+    struct Resolution
+    {
+      int         cells             = 0;
+      double      slowest_s_wave    = 0.; ///< [m/s]
+      double      fastest_p_wave    = 0.; ///< [m/s]
+      double      highest_frequency = 0.; ///< resolved with ten nodes per shortest wave length [Hz]
+      std::size_t surface_unknowns  = 0;
+    };
+
+    Resolution resolution() const;
+
+  private:
+    struct Implementation;
+    std::unique_ptr<Implementation> impl;
+  };
+} // namespace hybrid::continuum

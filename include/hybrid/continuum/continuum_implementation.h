@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/continuum/boundary_forces.h>
+#include <hybrid/continuum/condensed_factor.h>
+#include <hybrid/continuum/continuum.h>
+#include <hybrid/continuum/element_nodes.h>
+#include <hybrid/continuum/node_matrices.h>
+#include <hybrid/continuum/rock_mesh.h>
+#include <hybrid/continuum/system_pattern.h>
+
+#include <list>
+#include <memory>
+#include <vector>
+
+namespace hybrid::continuum
+{
+  /// Inside of Continuum. Unknowns: "dof" is 2 node + component; "system" is the numbering of the
+  /// factored matrix, without supported unknowns, the surface last.
+  struct Continuum::Implementation
+  {
+    RockMesh                        rock;
+    std::vector<int>                cell_region;
+    std::vector<Material>           cell_material;
+    std::unique_ptr<ElementNodes>   nodes;
+    NodeMatrices                    matrices;
+    std::unique_ptr<BoundaryForces> boundary;
+    Newmark                         newmark;
+    double                          rayleigh_mass = 0., rayleigh_stiffness = 0.;
+
+    std::vector<Vec2> surface_positions;
+    std::vector<int>  surface; ///< nodes of the contact surface from left to right
+    std::vector<int>  left_nodes, right_nodes, base_nodes;
+    std::vector<double>
+      static_displacement; ///< of the restrained model [m], empty before solve_static_state()
+
+    /// A registered point.
+    struct Point
+    {
+      int                 cell;
+      std::vector<double> weights;
+    };
+    std::vector<Point> points;
+
+    // the factored system
+    std::vector<int>                        dof_of_system, system_of_dof; ///< -1: not in the system
+    std::vector<int>                        fixed_dofs;                   ///< displacement zero
+    SystemPattern                           pattern;
+    std::unique_ptr<CondensedFactorisation> factorisation;
+
+    /// Forces that a moving base of unit displacement in x or y exerts on an unknown of the system.
+    struct BaseCoupling
+    {
+      int    system;
+      double x, y;
+    };
+
+    /// What is kept for one step size.
+    struct StepMatrix
+    {
+      double                                          dt = 0.;
+      std::shared_ptr<CondensedFactorisation::Factor> factor;
+      Eigen::MatrixXd                                 surface_stiffness;
+      std::vector<BaseCoupling>                       base;
+    };
+    std::list<StepMatrix> step_matrices; ///< most recently used first, at most 3
+
+    // work vectors of a step, allocated once
+    std::vector<double>      predicted, rate, load, product, product2, mean, rhs, solution;
+    std::vector<double>      column_u, column_v, column_a;
+    BoundaryForces::Incoming incoming0, incoming1;
+    std::vector<double>      edge0, edge1, edge_force0, edge_force1, edge_du, edge_du_ff, edge_v_ff;
+    std::vector<double>      du, da, u1, v1, a1;
+    Eigen::VectorXd          surface_load, surface_motion;
+
+    std::size_t n_dofs() const
+    {
+      return 2 * nodes->positions.size();
+    }
+
+    // construction (continuum.cc)
+    void number_system();
+    void allocate_work();
+    int  nearest_cell(const Vec2 &position, Vec2 &local, double &distance) const;
+
+    // one step (continuum_step.cc)
+    StepMatrix               &step_matrix(double dt);
+    std::vector<BaseCoupling> base_coupling(const std::vector<double> &blocks) const;
+    void                      predict(const ContinuumState &state, double dt);
+    void finish(ContinuumState &state, double dt, const Eigen::VectorXd *force);
+
+    // energy of a step (continuum_energy.cc)
+    void gather_boundary(const std::vector<double> &x, std::vector<double> &on_boundary) const;
+    void add_energy(ContinuumState &state, double dt, const Eigen::VectorXd *force);
+    Vec2 base_reaction(const double              *u,
+                       const double              *v,
+                       const double              *a,
+                       const std::vector<double> &edge_force) const;
+    /// y = (alpha_M M + beta_K K) x; @p work is overwritten.
+    void multiply_rayleigh(const double *x, double *y, std::vector<double> &work) const;
+  };
+} // namespace hybrid::continuum

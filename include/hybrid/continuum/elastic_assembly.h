@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/continuum/element_space.h>
+#include <hybrid/continuum/node_matrices.h>
+#include <hybrid/scene/material.h>
+
+#include <vector>
+
+namespace hybrid::continuum
+{
+  /// Elastic joints along bedding planes; per area of the plane.
+  struct JointStiffness
+  {
+    double normal = 0.; ///< k_n [Pa/m]
+    double shear  = 0.; ///< k_s [Pa/m]
+  };
+
+
+  /**
+   * Consistent mass and plane-strain stiffness, with the joints' energy
+   * int [[u]]^T (k_n n n^T + k_s t t^T) [[u]] ds. Cells are shared out among the ranks
+   * (Trilinos sums up what they add to each other's rows), then every rank
+   * receives the whole matrices, since each factors them on its own.
+   *
+   * @param material per cell.
+   */
+  NodeMatrices assemble_elastic(const ElementSpace          &space,
+                                const RockMesh              &rock,
+                                const std::vector<Material> &material,
+                                const JointStiffness        &joints);
+} // namespace hybrid::continuum

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/continuum/banded_cholesky.h>
+#include <hybrid/continuum/lagrange_line.h>
+#include <hybrid/scene/newmark.h>
+#include <hybrid/scene/types.h>
+
+#include <array>
+#include <vector>
+
+namespace hybrid::continuum
+{
+  /// What moves the foot of a column or the base of the model.
+  enum class Foot
+  {
+    impedance,  ///< dashpots over a half space, traction 2 Z v_up
+    prescribed, ///< given acceleration (zero: fixed)
+  };
+
+
+  /**
+   * The ground beside the model: a horizontally layered column of unit width in which nothing
+   * varies along x, so that u_x(y) is a shear wave and u_y(y) a P wave,
+   *   rho u_x'' = (G u_x,y),y   rho u_y'' = ((lambda + 2 G) u_y,y),y,
+   * with the same elements along y, the same Newmark scheme and Rayleigh damping as the model's
+   * side. Free on top.
+   */
+  class FreeFieldColumn
+  {
+  public:
+    struct Element
+    {
+      double bottom, top; ///< [m]
+      double density;     ///< [kg/m3]
+      double lambda;      ///< [Pa]
+      double shear;       ///< G [Pa]
+    };
+
+    struct Model
+    {
+      std::vector<Element> elements; ///< from the foot to the top
+      Foot                 foot = Foot::impedance;
+      Vec2                 foot_impedance{0., 0.}; ///< rho c_s, rho c_p of the rock below [Pa s/m]
+      Newmark              newmark;
+      double               rayleigh_mass = 0., rayleigh_stiffness = 0.;
+    };
+
+    /// What acts on the foot at the end of a step.
+    struct Input
+    {
+      Vec2 wave_velocity{0., 0.}; ///< v_up [m/s], for Foot::impedance
+      Vec2 acceleration{0., 0.};  ///< [m/s2], for Foot::prescribed
+    };
+
+    FreeFieldColumn(const LagrangeLine &line, Model model);
+
+    int n_nodes() const
+    {
+      return n;
+    }
+
+    const Model &description() const
+    {
+      return model;
+    }
+
+    /// Motion of all nodes from the foot up: pointers to (x0, y0, x1, y1, ...).
+    struct Motion
+    {
+      double *u, *v, *a;
+    };
+
+    struct ConstMotion
+    {
+      const double *u, *v, *a;
+    };
+
+    /// One Newmark step.
+    void step(const ConstMotion &old, const Motion &next, double dt, const Input &input);
+
+  private:
+    struct Factor
+    {
+      double                        dt = 0.;
+      std::array<BandedCholesky, 2> matrix; ///< shear, P
+    };
+
+    void
+    multiply(const BandedCholesky &a, const std::vector<double> &x, std::vector<double> &y) const;
+
+    const Factor &factor_for(double dt);
+
+    /// Entry of A = K + M/(beta dt^2) + gamma/(beta dt) C without boundary terms.
+    double dynamic(int component, int i, int j, double dt) const;
+
+    Model                         model;
+    int                           n, width;
+    BandedCholesky                mass;      ///< used as band storage only
+    std::array<BandedCholesky, 2> stiffness; ///< shear, P
+    std::vector<Factor>           factors;   ///< the last few step sizes
+    std::vector<double>           predicted, rate, rhs, product;
+  };
+} // namespace hybrid::continuum

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace hybrid::continuum
+{
+  /**
+   * Lagrange polynomials on the Gauss-Lobatto nodes of [0, 1]: the one-dimensional
+   * basis of the rock's elements, of their edges and of the free-field columns.
+   */
+  class LagrangeLine
+  {
+  public:
+    explicit LagrangeLine(int degree);
+
+    int degree() const
+    {
+      return static_cast<int>(points.size()) - 1;
+    }
+
+    const std::vector<double> &nodes() const
+    {
+      return points;
+    }
+
+    double value(int i, double x) const;
+
+    double derivative(int i, double x) const;
+
+    /// int_0^1 N_i N_j dx
+    const Eigen::MatrixXd &mass() const
+    {
+      return m;
+    }
+
+    /// int_0^1 N_i' N_j' dx
+    const Eigen::MatrixXd &stiffness() const
+    {
+      return k;
+    }
+
+    /// int_0^1 N_i N_j' dx
+    const Eigen::MatrixXd &gradient() const
+    {
+      return b;
+    }
+
+  private:
+    std::vector<double> points;
+    Eigen::MatrixXd     m, k, b;
+  };
+} // namespace hybrid::continuum

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/continuum/boundary_forces.h>
+#include <hybrid/scene/input_error.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hybrid::continuum
+{
+  namespace
+  {
+    constexpr double pi = 3.14159265358979323846;
+
+    std::vector<RockFace>
+    required_faces(const RockMesh &rock, const scene::SectionMesh &section, const std::string &name)
+    {
+      const auto line = section.lines.find(name);
+      if (line == section.lines.end() || line->second.empty())
+        throw InputError("Mesh: the continuum needs a line named '" + name +
+                         "', and there is none.");
+      auto faces = boundary_faces(rock, line->second);
+      if (faces.size() != line->second.size())
+        throw InputError("Mesh: " + std::to_string(line->second.size() - faces.size()) +
+                         " of the " + std::to_string(line->second.size()) + " edges of line '" +
+                         name + "' are not on the boundary of the bedrock.");
+      return faces;
+    }
+
+    double s_impedance(const Material &m)
+    {
+      return std::sqrt(m.density * m.shear_modulus());
+    }
+
+    double p_impedance(const Material &m)
+    {
+      return std::sqrt(m.density * (m.lame_lambda() + 2. * m.shear_modulus()));
+    }
+  } // namespace
+
+
+  BoundaryForces::BoundaryForces(const RockMesh               &rock,
+                                 const ElementNodes           &element_nodes,
+                                 const std::vector<Material>  &cell_material,
+                                 const scene::SectionMesh     &section,
+                                 const scene::SceneParameters &scene,
+                                 scene::Motion                 m)
+    : line(element_nodes.line)
+    , motion(std::move(m))
+    , support(2 * element_nodes.positions.size(), Support::none)
+    , place(element_nodes.positions.size(), -1)
+  {
+    const double angle = scene.motion.angle * pi / 180.;
+    direction          = Vec2(std::cos(angle), std::sin(angle));
+    upgoing            = scene.motion.outcrop ? 0.5 : 1.;
+    start              = scene.motion.start;
+
+    const auto base = required_faces(rock, section, "base");
+    // Base last among supports, so that a corner moves with the base.
+    half_space =
+      scene.continuum.half_space_material.empty()
+        ? cell_material[base.front().cell]
+        : scene.material(scene.continuum.half_space_material, "Continuum/Half space material");
+    compliant = scene.continuum.base == scene::BaseBoundary::compliant;
+    moves     = scene.continuum.base == scene::BaseBoundary::rigid;
+    for (const char *side : {"left", "right"})
+      set_side(rock, element_nodes, cell_material, required_faces(rock, section, side), scene);
+    set_base(rock, element_nodes, cell_material, base, scene);
+  }
+
+
+  BoundaryForces::Face BoundaryForces::make_face(const RockMesh     &rock,
+                                                 const ElementNodes &element_nodes,
+                                                 const RockFace     &rock_face,
+                                                 const Material     &material)
+  {
+    const Vec2 along = rock.nodes[rock_face.b] - rock.nodes[rock_face.a];
+    Face       face;
+    face.length = along.norm();
+    face.normal = Vec2(along.y(), -along.x()) / face.length;
+    face.impedance =
+      p_impedance(material) * face.normal * face.normal.transpose() +
+      s_impedance(material) * (Eigen::Matrix2d::Identity() - face.normal * face.normal.transpose());
+    face.is_base = false;
+    for (const int node : element_nodes.along(rock_face))
+      {
+        if (place[node] < 0)
+          {
+            place[node] = static_cast<int>(nodes.size());
+            nodes.push_back(node);
+          }
+        face.nodes.push_back(place[node]);
+      }
+    return face;
+  }
+
+
+  void BoundaryForces::set_base(const RockMesh               &rock,
+                                const ElementNodes           &element_nodes,
+                                const std::vector<Material>  &cell_material,
+                                const std::vector<RockFace>  &base,
+                                const scene::SceneParameters &scene)
+  {
+    for (const auto &rock_face : base)
+      if (compliant)
+        {
+          const bool named = !scene.continuum.half_space_material.empty();
+          Face       face  = make_face(rock,
+                                element_nodes,
+                                rock_face,
+                                named ? half_space : cell_material[rock_face.cell]);
+          face.is_base     = true;
+          faces.push_back(face);
+        }
+      else
+        for (const int node : element_nodes.along(rock_face))
+          {
+            if (moves && support[2 * node] != Support::base_motion)
+              moving.push_back(node);
+            support[2 * node] = support[2 * node + 1] =
+              moves ? Support::base_motion : Support::zero;
+          }
+  }
+
+
+  void BoundaryForces::set_side(const RockMesh               &rock,
+                                const ElementNodes           &element_nodes,
+                                const std::vector<Material>  &cell_material,
+                                std::vector<RockFace>         side,
+                                const scene::SceneParameters &scene)
+  {
+    const auto kind = scene.continuum.sides;
+    if (kind == scene::SideBoundary::roller || kind == scene::SideBoundary::fixed)
+      {
+        for (const auto &rock_face : side)
+          for (const int node : element_nodes.along(rock_face))
+            {
+              support[2 * node] = Support::zero;
+              if (kind == scene::SideBoundary::fixed)
+                support[2 * node + 1] = Support::zero;
+            }
+        return;
+      }
+
+    const bool free_field = kind == scene::SideBoundary::free_field;
+    const auto middle     = [&](const RockFace &f) {
+      return rock.nodes[f.a].y() + rock.nodes[f.b].y();
+    };
+    std::sort(side.begin(), side.end(), [&](const RockFace &f, const RockFace &g) {
+      return middle(f) < middle(g);
+    });
+    FreeFieldColumn::Model column;
+    for (auto &rock_face : side)
+      {
+        if (rock.nodes[rock_face.a].y() > rock.nodes[rock_face.b].y())
+          std::swap(rock_face.a, rock_face.b);
+        const Material &material = cell_material[rock_face.cell];
+        Face            face     = make_face(rock, element_nodes, rock_face, material);
+        const double    x        = element_nodes.map(rock_face.cell, Vec2(0.5, 0.5)).x();
+        if (face.normal.x() * (rock.nodes[rock_face.a].x() - x) < 0.)
+          face.normal = -face.normal;
+        if (free_field)
+          {
+            const double bottom = rock.nodes[rock_face.a].y(), top = rock.nodes[rock_face.b].y();
+            const bool   gap = !column.elements.empty() &&
+                             std::abs(bottom - column.elements.back().top) > 1e-9 * face.length;
+            if (std::abs(face.normal.y()) > 1e-6 || gap)
+              throw InputError(
+                "Continuum/Sides = free field needs vertical sides in one piece; the side near (" +
+                std::to_string(rock.nodes[rock_face.a].x()) + ", " + std::to_string(bottom) +
+                ") is not.");
+            face.column      = static_cast<int>(columns.size());
+            face.column_node = static_cast<int>(column.elements.size()) * line.degree();
+            face.lambda      = material.lame_lambda();
+            face.shear       = material.shear_modulus();
+            column.elements.push_back({bottom, top, material.density, face.lambda, face.shear});
+          }
+        faces.push_back(face);
+      }
+    if (!free_field)
+      return;
+    column.foot               = compliant ? Foot::impedance : Foot::prescribed;
+    const bool      named     = !scene.continuum.half_space_material.empty();
+    const Material &below     = named ? half_space : cell_material[side.front().cell];
+    column.foot_impedance     = Vec2(s_impedance(below), p_impedance(below));
+    column.newmark            = scene.time.newmark;
+    column.rayleigh_mass      = scene.continuum.rayleigh_mass;
+    column.rayleigh_stiffness = scene.continuum.rayleigh_stiffness;
+    column_offset.push_back(static_cast<int>(n_column_unknowns()));
+    columns.emplace_back(line, column);
+  }
+
+
+  void BoundaryForces::add_dashpots(const NodeMatrices  &matrices,
+                                    const double         factor,
+                                    std::vector<double> &blocks) const
+  {
+    for (const auto &face : faces)
+      for (std::size_t i = 0; i < face.nodes.size(); ++i)
+        for (std::size_t j = 0; j < face.nodes.size(); ++j)
+          {
+            const int entry = matrices.entry(nodes[face.nodes[i]], nodes[face.nodes[j]]);
+            for (int k = 0; k < 4; ++k)
+              blocks[4 * entry + k] +=
+                factor * face.length * line.mass()(i, j) * face.impedance(k / 2, k % 2);
+          }
+  }
+
+
+  std::size_t BoundaryForces::n_column_unknowns() const
+  {
+    std::size_t sum = 0;
+    for (const auto &column : columns)
+      sum += 2 * column.n_nodes();
+    return sum;
+  }
+
+
+  void BoundaryForces::step_columns(const FreeFieldColumn::ConstMotion &old,
+                                    const FreeFieldColumn::Motion      &next,
+                                    const double                        time,
+                                    const double                        dt)
+  {
+    FreeFieldColumn::Input input;
+    if (compliant)
+      input.wave_velocity = wave_velocity(time + dt);
+    if (moves)
+      input.acceleration = base_acceleration(time + dt);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      {
+        const int o = column_offset[c];
+        columns[c].step({old.u + o, old.v + o, old.a + o},
+                        {next.u + o, next.v + o, next.a + o},
+                        dt,
+                        input);
+      }
+  }
+
+
+  void
+  BoundaryForces::incoming(const double time, const double *u, const double *v, Incoming &in) const
+  {
+    in.force.assign(2 * nodes.size(), 0.);
+    in.velocity.assign(2 * nodes.size(), 0.);
+    in.displacement.assign(2 * nodes.size(), 0.);
+    const Vec2 wave = compliant ? Vec2(2. * wave_velocity(time)) : Vec2(0., 0.);
+    for (const auto &face : faces)
+      {
+        const int n = static_cast<int>(face.nodes.size());
+        if (face.is_base)
+          {
+            const Vec2 traction = face.impedance * wave;
+            for (int i = 0; i < n; ++i)
+              for (int c = 0; c < 2; ++c)
+                in.force[2 * face.nodes[i] + c] +=
+                  face.length * line.mass().row(i).sum() * traction[c];
+          }
+        else if (face.column >= 0)
+          {
+            const int first = column_offset[face.column] + 2 * face.column_node;
+            // Stress of the column, stiffness-proportional damping included.
+            const double damping = columns[face.column].description().rayleigh_stiffness;
+            for (int i = 0; i < n; ++i)
+              {
+                double ux = 0., uy = 0.; // integrals of N_i u_,y
+                for (int j = 0; j < n; ++j)
+                  {
+                    const int k = first + 2 * j;
+                    ux += line.gradient()(i, j) * (u[k] + damping * v[k]);
+                    uy += line.gradient()(i, j) * (u[k + 1] + damping * v[k + 1]);
+                  }
+                in.force[2 * face.nodes[i]] += face.normal.x() * face.lambda * uy;
+                in.force[2 * face.nodes[i] + 1] += face.normal.x() * face.shear * ux;
+                for (int c = 0; c < 2; ++c)
+                  {
+                    in.velocity[2 * face.nodes[i] + c]     = v[first + 2 * i + c];
+                    in.displacement[2 * face.nodes[i] + c] = u[first + 2 * i + c];
+                  }
+              }
+          }
+      }
+  }
+
+
+  void BoundaryForces::forces(const Incoming            &in,
+                              const std::vector<double> &v,
+                              std::vector<double>       &f) const
+  {
+    f = in.force;
+    for (const auto &face : faces)
+      for (std::size_t i = 0; i < face.nodes.size(); ++i)
+        {
+          Vec2 mean(0., 0.);
+          for (std::size_t j = 0; j < face.nodes.size(); ++j)
+            {
+              const int    k = 2 * face.nodes[j];
+              const double m = face.length * line.mass()(i, j);
+              if (face.column >= 0)
+                mean += m * Vec2(in.velocity[k] - v[k], in.velocity[k + 1] - v[k + 1]);
+              else
+                mean -= m * Vec2(v[k], v[k + 1]);
+            }
+          const Vec2 force = face.impedance * mean;
+          f[2 * face.nodes[i]] += force.x();
+          f[2 * face.nodes[i] + 1] += force.y();
+        }
+  }
+
+
+  double BoundaryForces::dashpot_loss(const std::vector<double> &du,
+                                      const std::vector<double> &v,
+                                      const std::vector<double> &du_ff,
+                                      const std::vector<double> &v_ff) const
+  {
+    double loss = 0.;
+    for (const auto &face : faces)
+      for (std::size_t i = 0; i < face.nodes.size(); ++i)
+        {
+          const int    a    = 2 * face.nodes[i];
+          const double free = face.column >= 0 ? 1. : 0.;
+          Vec2         mean(0., 0.);
+          for (std::size_t j = 0; j < face.nodes.size(); ++j)
+            {
+              const int b = 2 * face.nodes[j];
+              mean += face.length * line.mass()(i, j) *
+                      Vec2(v[b] - free * v_ff[b], v[b + 1] - free * v_ff[b + 1]);
+            }
+          loss += Vec2(du[a] - free * du_ff[a], du[a + 1] - free * du_ff[a + 1])
+                    .dot(face.impedance * mean);
+        }
+    return loss;
+  }
+
+
+  Vec2 BoundaryForces::base_acceleration(const double time) const
+  {
+    return motion.empty() ? Vec2(0., 0.) : Vec2(motion.acceleration(time - start) * direction);
+  }
+
+
+  Vec2 BoundaryForces::wave_velocity(const double time) const
+  {
+    return motion.empty() ? Vec2(0., 0.)
+                          : Vec2(upgoing * motion.velocity(time - start) * direction);
+  }
+} // namespace hybrid::continuum

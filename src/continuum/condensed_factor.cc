@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/continuum/condensed_factor.h>
+
+#include <algorithm>
+#include <cholmod.h>
+#include <cstring>
+#include <stdexcept>
+
+namespace hybrid::continuum
+{
+  class CondensedFactorisation::Factor
+  {
+  public:
+    Factor(cholmod_factor *f, cholmod_common *c)
+      : factor(f)
+      , common(c)
+    {}
+
+    ~Factor()
+    {
+      cholmod_free_factor(&factor, common);
+    }
+
+    Factor(const Factor &)            = delete;
+    Factor &operator=(const Factor &) = delete;
+
+    cholmod_factor *factor;
+    cholmod_common *common;
+    Eigen::MatrixXd surface; ///< L_GG, lower triangle
+  };
+
+
+  struct CondensedFactorisation::Cholmod
+  {
+    cholmod_common   common;
+    std::vector<int> column_start, row;
+    int              n_surface = 0;
+    cholmod_factor  *symbolic  = nullptr;
+    cholmod_dense   *b = nullptr, *y = nullptr, *x = nullptr; ///< right-hand side and solutions
+    cholmod_dense   *work_y = nullptr, *work_e = nullptr;     ///< kept by cholmod_solve2
+
+    int size() const
+    {
+      return static_cast<int>(column_start.size()) - 1;
+    }
+
+    cholmod_sparse matrix(void *values)
+    {
+      cholmod_sparse a = {};
+      a.nrow = a.ncol = column_start.size() - 1;
+      a.nzmax         = row.size();
+      a.p             = column_start.data();
+      a.i             = row.data();
+      a.x             = values;
+      a.stype         = -1;
+      a.itype         = CHOLMOD_INT;
+      a.xtype         = values == nullptr ? CHOLMOD_PATTERN : CHOLMOD_REAL;
+      a.dtype         = CHOLMOD_DOUBLE;
+      a.sorted        = 1;
+      a.packed        = 1;
+      return a;
+    }
+
+    std::vector<int> ordering();
+
+    void
+    solve(const int system, cholmod_factor *factor, cholmod_dense *rhs, cholmod_dense *&solution)
+    {
+      cholmod_solve2(system, factor, rhs, nullptr, &solution, nullptr, &work_y, &work_e, &common);
+    }
+  };
+
+
+  std::vector<int> CondensedFactorisation::Cholmod::ordering()
+  {
+    const int        n = size(), n_interior = n - n_surface;
+    std::vector<int> group(n, 0), permutation(n);
+    std::fill(group.begin() + n_interior, group.end(), 1);
+    cholmod_sparse a = matrix(nullptr);
+    if (!cholmod_camd(&a, nullptr, 0, group.data(), permutation.data(), &common))
+      throw std::runtime_error("CHOLMOD: the constrained ordering failed");
+    // The surface comes last; among itself it keeps its own order (the block is full anyway).
+    for (int k = 0; k < n; ++k)
+      if ((permutation[k] >= n_interior) != (k >= n_interior))
+        throw std::logic_error("CHOLMOD: the surface is not the trailing block");
+    for (int k = n_interior; k < n; ++k)
+      permutation[k] = k;
+    return permutation;
+  }
+
+
+  CondensedFactorisation::CondensedFactorisation(std::vector<int> column_start,
+                                                 std::vector<int> row,
+                                                 const int        n_surface)
+    : cholmod(std::make_unique<Cholmod>())
+  {
+    Cholmod &c = *cholmod;
+    cholmod_start(&c.common);
+    c.column_start                      = std::move(column_start);
+    c.row                               = std::move(row);
+    c.n_surface                         = n_surface;
+    c.common.supernodal                 = CHOLMOD_SUPERNODAL;
+    c.common.final_ll                   = 1;
+    c.common.print                      = 0;
+    c.common.nmethods                   = 1;
+    c.common.method[0].ordering         = CHOLMOD_GIVEN;
+    c.common.postorder                  = 0; // it would move the surface away from the end
+    c.common.quick_return_if_not_posdef = 1;
+
+    std::vector<int> permutation = c.ordering();
+    cholmod_sparse   a           = c.matrix(nullptr);
+    c.symbolic                   = cholmod_analyze_p(&a, permutation.data(), nullptr, 0, &c.common);
+    if (c.symbolic == nullptr)
+      throw std::runtime_error("CHOLMOD: the analysis failed");
+    const int *used = static_cast<const int *>(c.symbolic->Perm);
+    for (int k = c.size() - n_surface; k < c.size(); ++k)
+      if (used[k] != k)
+        throw std::logic_error("CHOLMOD: the surface is not the trailing block");
+    c.b = cholmod_zeros(c.size(), 1, CHOLMOD_REAL, &c.common);
+    c.y = cholmod_zeros(c.size(), 1, CHOLMOD_REAL, &c.common);
+    c.x = cholmod_zeros(c.size(), 1, CHOLMOD_REAL, &c.common);
+  }
+
+
+  CondensedFactorisation::~CondensedFactorisation()
+  {
+    Cholmod &c = *cholmod;
+    for (cholmod_dense **dense : {&c.b, &c.y, &c.x, &c.work_y, &c.work_e})
+      cholmod_free_dense(dense, &c.common);
+    cholmod_free_factor(&c.symbolic, &c.common);
+    cholmod_finish(&c.common);
+  }
+
+
+  int CondensedFactorisation::size() const
+  {
+    return cholmod->size();
+  }
+
+
+  std::shared_ptr<CondensedFactorisation::Factor>
+  CondensedFactorisation::factor(const std::vector<double> &values)
+  {
+    Cholmod       &c = *cholmod;
+    cholmod_sparse a = c.matrix(const_cast<double *>(values.data()));
+    auto result = std::make_shared<Factor>(cholmod_copy_factor(c.symbolic, &c.common), &c.common);
+    if (!cholmod_factorize(&a, result->factor, &c.common) || c.common.status != CHOLMOD_OK)
+      throw std::runtime_error("CHOLMOD: the dynamic stiffness is not positive definite");
+
+    // Copy the trailing block out of the supernodes that reach into it.
+    const cholmod_factor &l     = *result->factor;
+    const int            *super = static_cast<const int *>(l.super);
+    const int            *pi    = static_cast<const int *>(l.pi);
+    const int            *px    = static_cast<const int *>(l.px);
+    const int            *s     = static_cast<const int *>(l.s);
+    const double         *x     = static_cast<const double *>(l.x);
+    const int             first = c.size() - c.n_surface;
+    result->surface             = Eigen::MatrixXd::Zero(c.n_surface, c.n_surface);
+    for (std::size_t k = 0; k < l.nsuper; ++k)
+      {
+        const int rows = pi[k + 1] - pi[k];
+        for (int j = super[k]; j < super[k + 1]; ++j)
+          for (int i = j - super[k]; j >= first && i < rows; ++i)
+            result->surface(s[pi[k] + i] - first, j - first) = x[px[k] + (j - super[k]) * rows + i];
+      }
+    return result;
+  }
+
+
+  Eigen::MatrixXd CondensedFactorisation::surface_matrix(const Factor &factor) const
+  {
+    const Eigen::MatrixXd s = factor.surface * factor.surface.transpose();
+    return 0.5 * (s + s.transpose());
+  }
+
+
+  void
+  CondensedFactorisation::forward(Factor &factor, const std::vector<double> &b, Eigen::VectorXd &g)
+  {
+    Cholmod   &c    = *cholmod;
+    const int *perm = static_cast<const int *>(factor.factor->Perm);
+    double    *rhs  = static_cast<double *>(c.b->x);
+    for (int k = 0; k < c.size(); ++k)
+      rhs[k] = b[perm[k]];
+    c.solve(CHOLMOD_L, factor.factor, c.b, c.y);
+    const Eigen::Map<const Eigen::VectorXd> y_surface(static_cast<const double *>(c.y->x) +
+                                                        c.size() - c.n_surface,
+                                                      c.n_surface);
+    g.noalias() = factor.surface.triangularView<Eigen::Lower>() * y_surface;
+  }
+
+
+  void CondensedFactorisation::backward(Factor                &factor,
+                                        const Eigen::VectorXd &surface,
+                                        std::vector<double>   &x)
+  {
+    Cholmod                    &c = *cholmod;
+    Eigen::Map<Eigen::VectorXd> y_surface(static_cast<double *>(c.y->x) + c.size() - c.n_surface,
+                                          c.n_surface);
+    y_surface.noalias() = factor.surface.transpose().triangularView<Eigen::Upper>() * surface;
+    backward(factor, x);
+  }
+
+
+  void CondensedFactorisation::backward(Factor &factor, std::vector<double> &x)
+  {
+    Cholmod &c = *cholmod;
+    c.solve(CHOLMOD_Lt, factor.factor, c.y, c.x);
+    const int    *perm     = static_cast<const int *>(factor.factor->Perm);
+    const double *solution = static_cast<const double *>(c.x->x);
+    for (int k = 0; k < c.size(); ++k)
+      x[perm[k]] = solution[k];
+  }
+} // namespace hybrid::continuum

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/continuum/continuum_implementation.h>
+#include <hybrid/continuum/elastic_assembly.h>
+#include <hybrid/scene/input_error.h>
+
+#include <algorithm>
+#include <set>
+
+namespace hybrid::continuum
+{
+  namespace
+  {
+    std::vector<Material> materials_of_regions(const scene::SectionMesh     &mesh,
+                                               const scene::SceneParameters &scene)
+    {
+      const auto           &table = scene.continuum.region_material;
+      std::vector<Material> result;
+      for (const auto &region : mesh.bedrock_region_names)
+        {
+          auto found = table.find(region);
+          if (found == table.end())
+            found = table.find("*");
+          if (found == table.end())
+            throw InputError("Continuum/Material: region '" + region + "' of the mesh has none.");
+          result.push_back(scene.material(found->second, "Continuum/Material"));
+        }
+      return result;
+    }
+
+    std::vector<RockFace> faces_of_lines(const RockMesh                 &rock,
+                                         const scene::SectionMesh       &mesh,
+                                         const std::vector<std::string> &names)
+    {
+      std::vector<RockFace> faces;
+      for (const auto &name : names)
+        if (const auto line = mesh.lines.find(name); line != mesh.lines.end())
+          for (const auto &face : boundary_faces(rock, line->second))
+            faces.push_back(face);
+      return faces;
+    }
+
+    std::vector<int> nodes_of_faces(const ElementNodes &nodes, const std::vector<RockFace> &faces)
+    {
+      std::set<int> result;
+      for (const auto &face : faces)
+        for (const int node : nodes.along(face))
+          result.insert(node);
+      return {result.begin(), result.end()};
+    }
+
+    std::vector<int> surface_nodes_of(const RockMesh           &rock,
+                                      const scene::SectionMesh &mesh,
+                                      const ElementNodes       &nodes)
+    {
+      const auto faces = faces_of_lines(rock, mesh, {"sliding_surface", "ground"});
+      if (faces.empty())
+        throw InputError("Mesh: blocks on bedrock need a line 'sliding_surface' or 'ground' on the "
+                         "boundary of the bedrock, and there is none.");
+      std::vector<int> result;
+      for (const auto &face : surface_chain(rock, faces))
+        for (const int node : nodes.along({face.cell, face.b, face.a}))
+          if (result.empty() || result.back() != node)
+            result.push_back(node);
+      return result;
+    }
+  } // namespace
+
+
+  Continuum::Continuum(const scene::SectionMesh     &mesh,
+                       const scene::SceneParameters &scene,
+                       const scene::Motion          &motion,
+                       MPI_Comm                      communicator)
+    : impl(std::make_unique<Implementation>())
+  {
+    auto &m = *impl;
+    if (mesh.bedrock_cells.empty())
+      throw InputError("Mesh: the continuum needs bedrock cells, and there are none.");
+    const auto region_material = materials_of_regions(mesh, scene);
+    m.cell_region              = mesh.bedrock_region;
+    for (const int region : mesh.bedrock_region)
+      m.cell_material.push_back(region_material[region]);
+    m.newmark            = scene.time.newmark;
+    m.rayleigh_mass      = scene.continuum.rayleigh_mass;
+    m.rayleigh_stiffness = scene.continuum.rayleigh_stiffness;
+    m.rock               = split_bedding_planes(mesh, scene.bedding.names);
+    {
+      const ElementSpace space(m.rock, mesh, scene.continuum.degree, communicator);
+      m.nodes = std::make_unique<ElementNodes>(space.nodes);
+      m.matrices =
+        assemble_elastic(space,
+                         m.rock,
+                         m.cell_material,
+                         {scene.bedding.normal_stiffness, scene.bedding.shear_stiffness});
+    }
+    m.boundary =
+      std::make_unique<BoundaryForces>(m.rock, *m.nodes, m.cell_material, mesh, scene, motion);
+    m.left_nodes  = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"left"}));
+    m.right_nodes = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"right"}));
+    m.base_nodes  = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"base"}));
+    const bool blocks =
+      scene.blocks.enabled && (!mesh.blocks.empty() || !scene.mesh.polygons_file.empty());
+    if (blocks)
+      m.surface = surface_nodes_of(m.rock, mesh, *m.nodes);
+    for (const int node : m.surface)
+      m.surface_positions.push_back(m.nodes->positions[node]);
+    m.number_system();
+    m.allocate_work();
+  }
+
+
+  Continuum::~Continuum() = default;
+
+
+  void Continuum::Implementation::number_system()
+  {
+    const auto       &supports = boundary->supports();
+    std::vector<char> isolated(n_dofs(), 0);
+    system_of_dof.assign(n_dofs(), -1);
+    std::vector<char> on_surface(nodes->positions.size(), 0);
+    for (const int node : surface)
+      on_surface[node] = 1;
+    const auto append = [&](const int dof) {
+      system_of_dof[dof] = static_cast<int>(dof_of_system.size());
+      dof_of_system.push_back(dof);
+    };
+    for (std::size_t i = 0; i < n_dofs(); ++i)
+      if (!on_surface[i / 2] && supports[i] == Support::none)
+        append(static_cast<int>(i));
+      else if (supports[i] == Support::zero)
+        fixed_dofs.push_back(static_cast<int>(i));
+    for (const int node : surface)
+      for (int c = 0; c < 2; ++c)
+        {
+          isolated[2 * node + c] = supports[2 * node + c] != Support::none;
+          append(2 * node + c);
+        }
+    pattern       = make_system_pattern(matrices, system_of_dof, dof_of_system, isolated);
+    factorisation = std::make_unique<CondensedFactorisation>(pattern.column_start,
+                                                             pattern.row,
+                                                             2 * static_cast<int>(surface.size()));
+  }
+
+
+  void Continuum::Implementation::allocate_work()
+  {
+    for (auto *x : {&predicted, &rate, &load, &product, &product2, &mean, &du, &da, &u1, &v1, &a1})
+      x->assign(n_dofs(), 0.);
+    rhs.assign(dof_of_system.size(), 0.);
+    solution.assign(dof_of_system.size(), 0.);
+    for (auto *x : {&column_u, &column_v, &column_a})
+      x->assign(boundary->n_column_unknowns(), 0.);
+    for (auto *x : {&edge0, &edge1, &edge_force0, &edge_force1, &edge_du, &edge_du_ff, &edge_v_ff})
+      x->assign(2 * boundary->boundary_nodes().size(), 0.);
+    surface_load   = Eigen::VectorXd::Zero(2 * surface.size());
+    surface_motion = surface_load;
+  }
+
+
+  ContinuumState Continuum::initial_state() const
+  {
+    ContinuumState    state;
+    const std::size_t n = impl->n_dofs() + impl->boundary->n_column_unknowns();
+    state.displacement.assign(n, 0.);
+    state.velocity.assign(n, 0.);
+    state.acceleration.assign(n, 0.);
+    state.surface_force.assign(2 * impl->surface.size(), 0.);
+    return state;
+  }
+
+
+  std::size_t Continuum::n_unknowns() const
+  {
+    return impl->n_dofs();
+  }
+
+
+  const std::vector<Vec2> &Continuum::surface_nodes() const
+  {
+    return impl->surface_positions;
+  }
+
+
+  Continuum::Resolution Continuum::resolution() const
+  {
+    const auto &m = *impl;
+    Resolution  result;
+    result.cells            = static_cast<int>(m.nodes->cells.size());
+    result.surface_unknowns = 2 * m.surface.size();
+    result.slowest_s_wave = result.highest_frequency = 1e300;
+    const int p                                      = m.nodes->line.degree();
+    for (std::size_t c = 0; c < m.nodes->cells.size(); ++c)
+      {
+        const double s       = m.cell_material[c].s_wave_speed();
+        double       longest = 0.;
+        for (int i = 0; i < 4; ++i)
+          longest = std::max(
+            longest,
+            (m.rock.nodes[m.rock.cells[c][(i + 1) % 4]] - m.rock.nodes[m.rock.cells[c][i]]).norm());
+        result.slowest_s_wave = std::min(result.slowest_s_wave, s);
+        result.fastest_p_wave = std::max(result.fastest_p_wave, m.cell_material[c].p_wave_speed());
+        result.highest_frequency = std::min(result.highest_frequency, s * p / (10. * longest));
+      }
+    return result;
+  }
+} // namespace hybrid::continuum

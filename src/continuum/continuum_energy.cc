@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/continuum/continuum_implementation.h>
+
+namespace hybrid::continuum
+{
+  /*
+   * Newmark's discrete identity, with D the change over a step and F = M a the sum of all forces:
+   *   D[1/2 v M v + 1/2 (beta - gamma/2) dt^2 a M a] + (gamma - 1/2)(beta - gamma/2) dt^2 Da M Da
+   *     = Du . [(1 - gamma) F_0 + gamma F_1],
+   * so each force does the work Du . [(1 - gamma) F_i0 + gamma F_i1]. That of the elastic forces is
+   *   -D[1/2 u K u] - (gamma - 1/2) Du K Du.
+   * K Du follows from the difference of the equilibrium at both ends; no product with K is needed.
+   */
+  namespace
+  {
+    double dot(const std::vector<double> &a, const std::vector<double> &b)
+    {
+      double sum = 0.;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        sum += a[i] * b[i];
+      return sum;
+    }
+  } // namespace
+
+
+  void Continuum::Implementation::gather_boundary(const std::vector<double> &x,
+                                                  std::vector<double>       &on_boundary) const
+  {
+    const auto &edge_nodes = boundary->boundary_nodes();
+    for (std::size_t k = 0; k < edge_nodes.size(); ++k)
+      for (int c = 0; c < 2; ++c)
+        on_boundary[2 * k + c] = x[2 * edge_nodes[k] + c];
+  }
+
+
+  Vec2 Continuum::Implementation::base_reaction(const double              *u,
+                                                const double              *v,
+                                                const double              *a,
+                                                const std::vector<double> &edge_force) const
+  {
+    Vec2 sum(0., 0.);
+    for (const int node : boundary->moving_nodes())
+      for (int e = matrices.row_start[node]; e < matrices.row_start[node + 1]; ++e)
+        {
+          const int     j = 2 * matrices.column[e];
+          const double  m = matrices.mass[e];
+          const double *k = matrices.stiffness.data() + 4 * e;
+          const Vec2    strained(u[j] + rayleigh_stiffness * v[j],
+                              u[j + 1] + rayleigh_stiffness * v[j + 1]);
+          sum += m * Vec2(a[j] + rayleigh_mass * v[j], a[j + 1] + rayleigh_mass * v[j + 1]) +
+                 Vec2(k[0] * strained.x() + k[1] * strained.y(),
+                      k[2] * strained.x() + k[3] * strained.y());
+        }
+    const auto &edge_nodes = boundary->boundary_nodes();
+    for (std::size_t k = 0; k < edge_nodes.size(); ++k)
+      if (boundary->supports()[2 * edge_nodes[k]] == Support::base_motion)
+        sum -= Vec2(edge_force[2 * k], edge_force[2 * k + 1]);
+    return sum;
+  }
+
+
+  void Continuum::Implementation::add_energy(ContinuumState        &state,
+                                             const double           dt,
+                                             const Eigen::VectorXd *force)
+  {
+    const std::size_t n     = n_dofs();
+    const double      gamma = newmark.gamma, scheme = newmark.beta - 0.5 * newmark.gamma;
+    ContinuumEnergy  &energy = state.energy;
+
+    if (state.time_step != dt && scheme != 0.)
+      {
+        // The scheme's own energy holds dt: changing the step changes it.
+        std::copy(state.acceleration.begin(), state.acceleration.begin() + n, da.begin());
+        matrices.multiply_mass(da.data(), product.data());
+        energy.integration_loss -=
+          0.5 * scheme * (dt * dt - state.time_step * state.time_step) * dot(da, product);
+      }
+
+    // Boundary.
+    const auto &edge_nodes = boundary->boundary_nodes();
+    gather_boundary(state.velocity, edge0);
+    gather_boundary(v1, edge1);
+    boundary->incoming(state.time,
+                       state.displacement.data() + n,
+                       state.velocity.data() + n,
+                       incoming0);
+    boundary->forces(incoming0, edge0, edge_force0);
+    boundary->forces(incoming1, edge1, edge_force1);
+    double boundary_work = 0.;
+    double strain_change = 0.; // Du . K Du
+    for (std::size_t k = 0; k < edge_nodes.size(); ++k)
+      for (int c = 0; c < 2; ++c)
+        {
+          const std::size_t i = 2 * k + c, dof = 2 * edge_nodes[k] + c;
+          edge_du[i]    = u1[dof] - state.displacement[dof];
+          edge_du_ff[i] = incoming1.displacement[i] - incoming0.displacement[i];
+          edge_v_ff[i]  = (1. - gamma) * incoming0.velocity[i] + gamma * incoming1.velocity[i];
+          boundary_work += edge_du[i] * ((1. - gamma) * edge_force0[i] + gamma * edge_force1[i]);
+          strain_change += edge_du[i] * (edge_force1[i] - edge_force0[i]);
+          edge1[i] = (1. - gamma) * edge0[i] + gamma * edge1[i];
+        }
+    const double loss = boundary->dashpot_loss(edge_du, edge1, edge_du_ff, edge_v_ff);
+    energy.boundary_loss += loss;
+    energy.input_work += boundary_work + loss;
+
+    // Moving base.
+    if (!boundary->moving_nodes().empty())
+      {
+        const int  node = boundary->moving_nodes().front();
+        const Vec2 moved(u1[2 * node] - state.displacement[2 * node],
+                         u1[2 * node + 1] - state.displacement[2 * node + 1]);
+        const Vec2 r0 = base_reaction(state.displacement.data(),
+                                      state.velocity.data(),
+                                      state.acceleration.data(),
+                                      edge_force0);
+        const Vec2 r1 = base_reaction(u1.data(), v1.data(), a1.data(), edge_force1);
+        energy.input_work += moved.dot((1. - gamma) * r0 + gamma * r1);
+        strain_change += moved.dot(r1 - r0);
+      }
+
+    // Interface.
+    for (std::size_t k = 0; k < surface.size(); ++k)
+      for (int c = 0; c < 2; ++c)
+        {
+          const std::size_t i = 2 * k + c, dof = 2 * surface[k] + c;
+          const double      old   = state.surface_force.empty() ? 0. : state.surface_force[i];
+          const double      now   = force == nullptr ? 0. : (*force)[i];
+          const double      moved = u1[dof] - state.displacement[dof];
+          energy.surface_work += moved * ((1. - gamma) * old + gamma * now);
+          strain_change += moved * (now - old);
+        }
+
+    // Inside.
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        du[i] = u1[i] - state.displacement[i];
+        da[i] = a1[i] - state.acceleration[i];
+      }
+    matrices.multiply_mass(da.data(), product.data());
+    strain_change -= dot(du, product);
+    if (rayleigh_mass != 0. || rayleigh_stiffness != 0.)
+      {
+        for (std::size_t i = 0; i < n; ++i)
+          mean[i] = (1. - gamma) * state.velocity[i] + gamma * v1[i];
+        multiply_rayleigh(mean.data(), load.data(), product2);
+        energy.damping_loss += dot(du, load);
+        for (std::size_t i = 0; i < n; ++i)
+          mean[i] = v1[i] - state.velocity[i];
+        multiply_rayleigh(mean.data(), load.data(), product2);
+        strain_change -= dot(du, load);
+      }
+    energy.integration_loss +=
+      (gamma - 0.5) * (scheme * dt * dt * dot(da, product) + strain_change);
+  }
+
+
+  void Continuum::audit_energy(ContinuumState &state, const double dt) const
+  {
+    const auto         &m = *impl;
+    const std::size_t   n = m.n_dofs();
+    std::vector<double> product(n);
+    const auto          form = [&](const std::vector<double> &x) {
+      double sum = 0.;
+      for (std::size_t i = 0; i < n; ++i)
+        sum += x[i] * product[i];
+      return 0.5 * sum;
+    };
+    m.matrices.multiply_mass(state.velocity.data(), product.data());
+    state.energy.kinetic = form(state.velocity);
+    m.matrices.multiply_mass(state.acceleration.data(), product.data());
+    state.energy.newmark =
+      (m.newmark.beta - 0.5 * m.newmark.gamma) * dt * dt * form(state.acceleration);
+    m.matrices.multiply_stiffness(state.displacement.data(), product.data());
+    state.energy.strain = form(state.displacement);
+  }
+} // namespace hybrid::continuum

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/continuum/continuum_implementation.h>
+
+#include <Eigen/LU>
+
+namespace hybrid::continuum
+{
+  namespace
+  {
+    /// Weight of all cells on their nodes [N/m].
+    std::vector<double> weight_load(const ElementNodes          &nodes,
+                                    const std::vector<Material> &material,
+                                    const double                 gravity)
+    {
+      const LagrangeLine &line = nodes.line;
+      const int           n    = line.degree() + 1;
+      // The Jacobian of a straight-sided cell is linear in x and y: integrate N times a linear
+      // function.
+      std::vector<double> flat(n), sloped(n);
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+          {
+            flat[i] += line.mass()(i, j);
+            sloped[i] += line.mass()(i, j) * line.nodes()[j];
+          }
+      std::vector<double> load(2 * nodes.positions.size(), 0.);
+      for (std::size_t c = 0; c < nodes.cells.size(); ++c)
+        {
+          const double j00 = nodes.jacobian(c, Vec2(0., 0.)).determinant();
+          const double j10 = nodes.jacobian(c, Vec2(1., 0.)).determinant() - j00;
+          const double j01 = nodes.jacobian(c, Vec2(0., 1.)).determinant() - j00;
+          for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i)
+              load[2 * nodes.cells[c][j * n + i] + 1] -=
+                gravity * material[c].weighing_density() *
+                (j00 * flat[i] * flat[j] + j10 * sloped[i] * flat[j] + j01 * flat[i] * sloped[j]);
+        }
+      return load;
+    }
+  } // namespace
+
+
+  void Continuum::solve_static_state(const Eigen::VectorXd &surface_force, const double gravity)
+  {
+    auto               &m    = *impl;
+    std::vector<double> load = weight_load(*m.nodes, m.cell_material, gravity);
+    for (std::size_t k = 0; k < m.surface.size() && surface_force.size() > 0; ++k)
+      for (int c = 0; c < 2; ++c)
+        load[2 * m.surface[k] + c] += surface_force[2 * k + c];
+
+    std::vector<char> supported(m.n_dofs(), 0);
+    for (const auto *side : {&m.left_nodes, &m.right_nodes})
+      for (const int node : *side)
+        supported[2 * node] = 1;
+    for (const int node : m.base_nodes)
+      supported[2 * node] = supported[2 * node + 1] = 1;
+    std::vector<int> number(m.n_dofs(), -1), dofs;
+    for (std::size_t i = 0; i < m.n_dofs(); ++i)
+      if (!supported[i])
+        {
+          number[i] = static_cast<int>(dofs.size());
+          dofs.push_back(static_cast<int>(i));
+        }
+
+    const SystemPattern    pattern = make_system_pattern(m.matrices, number, dofs, supported);
+    CondensedFactorisation system(pattern.column_start, pattern.row, 0);
+    const auto             factor = system.factor(pattern.values(m.matrices.stiffness));
+    std::vector<double>    b(dofs.size()), x(dofs.size());
+    for (std::size_t s = 0; s < dofs.size(); ++s)
+      b[s] = load[dofs[s]];
+    Eigen::VectorXd none(0);
+    system.forward(*factor, b, none);
+    system.backward(*factor, x);
+    m.static_displacement.assign(m.n_dofs(), 0.);
+    for (std::size_t s = 0; s < dofs.size(); ++s)
+      m.static_displacement[dofs[s]] = x[s];
+  }
+} // namespace hybrid::continuum

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/continuum/continuum_implementation.h>
+
+#include <algorithm>
+
+namespace hybrid::continuum
+{
+  namespace
+  {
+    constexpr std::size_t kept_step_sizes = 3;
+  }
+
+
+  Continuum::Implementation::StepMatrix &Continuum::Implementation::step_matrix(const double dt)
+  {
+    for (auto it = step_matrices.begin(); it != step_matrices.end(); ++it)
+      if (it->dt == dt)
+        {
+          step_matrices.splice(step_matrices.begin(), step_matrices, it);
+          return step_matrices.front();
+        }
+
+    // A = K + M / (beta dt^2) + gamma / (beta dt) C,  C = alpha_M M + beta_K K + dashpots
+    const double        to_rate = newmark.gamma / (newmark.beta * dt);
+    const double        of_mass = 1. / (newmark.beta * dt * dt) + to_rate * rayleigh_mass;
+    std::vector<double> blocks  = matrices.stiffness;
+    for (std::size_t e = 0; e < matrices.mass.size(); ++e)
+      for (int k = 0; k < 4; ++k)
+        blocks[4 * e + k] = (1. + to_rate * rayleigh_stiffness) * blocks[4 * e + k] +
+                            (k % 3 == 0 ? of_mass * matrices.mass[e] : 0.);
+    boundary->add_dashpots(matrices, to_rate, blocks);
+
+    if (step_matrices.size() >= kept_step_sizes)
+      step_matrices.pop_back();
+    StepMatrix made;
+    made.dt                = dt;
+    made.factor            = factorisation->factor(pattern.values(blocks));
+    made.surface_stiffness = factorisation->surface_matrix(*made.factor);
+    made.base              = base_coupling(blocks);
+    step_matrices.push_front(std::move(made));
+    return step_matrices.front();
+  }
+
+
+  std::vector<Continuum::Implementation::BaseCoupling>
+  Continuum::Implementation::base_coupling(const std::vector<double> &blocks) const
+  {
+    std::vector<BaseCoupling> result;
+    if (boundary->moving_nodes().empty())
+      return result;
+    for (std::size_t s = 0; s < dof_of_system.size(); ++s)
+      {
+        const int    dof = dof_of_system[s], node = dof / 2;
+        BaseCoupling coupling{static_cast<int>(s), 0., 0.};
+        for (int e = matrices.row_start[node]; e < matrices.row_start[node + 1]; ++e)
+          if (boundary->supports()[2 * matrices.column[e]] == Support::base_motion)
+            {
+              coupling.x += blocks[4 * e + 2 * (dof % 2)];
+              coupling.y += blocks[4 * e + 2 * (dof % 2) + 1];
+            }
+        if (boundary->supports()[dof] == Support::none && (coupling.x != 0. || coupling.y != 0.))
+          result.push_back(coupling);
+      }
+    return result;
+  }
+
+
+  void Continuum::Implementation::multiply_rayleigh(const double        *x,
+                                                    double              *y,
+                                                    std::vector<double> &work) const
+  {
+    std::fill(y, y + n_dofs(), 0.);
+    if (rayleigh_mass != 0.)
+      {
+        matrices.multiply_mass(x, work.data());
+        for (std::size_t i = 0; i < n_dofs(); ++i)
+          y[i] += rayleigh_mass * work[i];
+      }
+    if (rayleigh_stiffness != 0.)
+      {
+        matrices.multiply_stiffness(x, work.data());
+        for (std::size_t i = 0; i < n_dofs(); ++i)
+          y[i] += rayleigh_stiffness * work[i];
+      }
+  }
+
+
+  void Continuum::Implementation::predict(const ContinuumState &state, const double dt)
+  {
+    StepMatrix       &matrix = step_matrix(dt);
+    const std::size_t n      = n_dofs();
+    const double     *u = state.displacement.data(), *v = state.velocity.data(),
+                 *a         = state.acceleration.data();
+    const double beta       = newmark.beta;
+    const double to_rate    = newmark.gamma / (beta * dt);
+    const double to_inertia = 1. / (beta * dt * dt);
+
+    boundary->step_columns({u + n, v + n, a + n},
+                           {column_u.data(), column_v.data(), column_a.data()},
+                           state.time,
+                           dt);
+    boundary->incoming(state.time + dt, column_u.data(), column_v.data(), incoming1);
+
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        predicted[i] = u[i] + dt * v[i] + dt * dt * (0.5 - beta) * a[i];
+        rate[i]      = to_rate * predicted[i] - v[i] - (1. - newmark.gamma) * dt * a[i];
+        load[i]      = to_inertia * predicted[i] + rayleigh_mass * rate[i];
+      }
+    for (const int i : fixed_dofs)
+      predicted[i] = rate[i] = load[i] = 0.;
+    matrices.multiply_mass(load.data(), product.data());
+    if (rayleigh_stiffness != 0.)
+      {
+        matrices.multiply_stiffness(rate.data(), product2.data());
+        for (std::size_t i = 0; i < n; ++i)
+          product[i] += rayleigh_stiffness * product2[i];
+      }
+
+    // Boundary: t_in + Z (v_ff - v) with v = gamma / (beta dt) u - rate; the first part of v is in
+    // A.
+    gather_boundary(rate, edge0);
+    for (double &x : edge0)
+      x = -x;
+    boundary->forces(incoming1, edge0, edge_force1);
+    const auto &edge_nodes = boundary->boundary_nodes();
+    for (std::size_t k = 0; k < edge_nodes.size(); ++k)
+      for (int c = 0; c < 2; ++c)
+        product[2 * edge_nodes[k] + c] += edge_force1[2 * k + c];
+
+    for (std::size_t s = 0; s < dof_of_system.size(); ++s)
+      rhs[s] =
+        boundary->supports()[dof_of_system[s]] == Support::none ? product[dof_of_system[s]] : 0.;
+    if (!matrix.base.empty())
+      {
+        const int  node  = boundary->moving_nodes().front();
+        const Vec2 moved = Vec2(predicted[2 * node], predicted[2 * node + 1]) +
+                           beta * dt * dt * boundary->base_acceleration(state.time + dt);
+        for (const auto &coupling : matrix.base)
+          rhs[coupling.system] -= coupling.x * moved.x() + coupling.y * moved.y();
+      }
+    factorisation->forward(*matrix.factor, rhs, surface_load);
+  }
+
+
+  void Continuum::Implementation::finish(ContinuumState        &state,
+                                         const double           dt,
+                                         const Eigen::VectorXd *force)
+  {
+    const std::size_t n    = n_dofs();
+    const double      beta = newmark.beta, gamma = newmark.gamma;
+    const double      to_inertia = 1. / (beta * dt * dt);
+    const Vec2        base       = boundary->base_acceleration(state.time + dt);
+    const auto       &supports   = boundary->supports();
+    for (std::size_t i = 0; i < n; ++i)
+      {
+        if (supports[i] == Support::none)
+          {
+            u1[i] = solution[system_of_dof[i]];
+            a1[i] = to_inertia * (u1[i] - predicted[i]);
+          }
+        else
+          {
+            a1[i] = supports[i] == Support::base_motion ? base[i % 2] : 0.;
+            u1[i] =
+              supports[i] == Support::base_motion ? predicted[i] + beta * dt * dt * a1[i] : 0.;
+          }
+        v1[i] = supports[i] == Support::zero
+                  ? 0.
+                  : state.velocity[i] + dt * ((1. - gamma) * state.acceleration[i] + gamma * a1[i]);
+      }
+    add_energy(state, dt, force);
+
+    std::copy(u1.begin(), u1.end(), state.displacement.begin());
+    std::copy(v1.begin(), v1.end(), state.velocity.begin());
+    std::copy(a1.begin(), a1.end(), state.acceleration.begin());
+    std::copy(column_u.begin(), column_u.end(), state.displacement.begin() + n);
+    std::copy(column_v.begin(), column_v.end(), state.velocity.begin() + n);
+    std::copy(column_a.begin(), column_a.end(), state.acceleration.begin() + n);
+    state.surface_force.resize(surface_load.size());
+    for (Eigen::Index i = 0; i < surface_load.size(); ++i)
+      state.surface_force[i] = force == nullptr ? 0. : (*force)[i];
+    state.time += dt;
+    state.time_step = dt;
+  }
+
+
+  const Eigen::MatrixXd &Continuum::surface_stiffness(const double dt)
+  {
+    return impl->step_matrix(dt).surface_stiffness;
+  }
+
+
+  const Eigen::VectorXd &Continuum::predict(const ContinuumState &state, const double dt)
+  {
+    impl->predict(state, dt);
+    return impl->surface_load;
+  }
+
+
+  void Continuum::correct(ContinuumState        &state,
+                          const double           dt,
+                          const Eigen::VectorXd &surface_displacement,
+                          const Eigen::VectorXd &surface_force)
+  {
+    impl->surface_motion = surface_displacement;
+    for (std::size_t k = 0; k < impl->surface.size(); ++k)
+      for (int c = 0; c < 2; ++c)
+        if (impl->boundary->supports()[2 * impl->surface[k] + c] != Support::none)
+          impl->surface_motion[2 * k + c] = 0.;
+    impl->factorisation->backward(*impl->step_matrix(dt).factor,
+                                  impl->surface_motion,
+                                  impl->solution);
+    impl->finish(state, dt, &surface_force);
+  }
+
+
+  void Continuum::step(ContinuumState &state, const double dt)
+  {
+    impl->predict(state, dt);
+    impl->factorisation->backward(*impl->step_matrix(dt).factor, impl->solution);
+    impl->finish(state, dt, nullptr);
+  }
+} // namespace hybrid::continuum

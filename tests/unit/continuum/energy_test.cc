@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <hybrid/continuum/continuum.h>
+
+#include "rectangle_mesh.h"
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+#include <random>
+
+namespace
+{
+  using namespace hybrid;
+  using namespace hybrid::continuum;
+  using scene::BaseBoundary;
+  using scene::SideBoundary;
+
+  scene::Motion shaking()
+  {
+    std::vector<double> a;
+    for (int i = 0; i < 100; ++i)
+      a.push_back(3. * std::sin(0.4 * i) * std::exp(-0.02 * i));
+    return {2e-3, a};
+  }
+
+  /// |sum of all terms| over the largest of them after random forces, steps of two sizes and
+  /// shaking.
+  double residual(const scene::SceneParameters &scene)
+  {
+    auto section =
+      test::rectangle_mesh(test::equal_spacing(0., 60., 5), test::equal_spacing(-30., 30., 4));
+    section.lines["bedding_1"] = {{12, 13}, {13, 14}, {14, 15}};
+    test::add_block(section);
+    Continuum                              continuum(section, scene, shaking(), MPI_COMM_WORLD);
+    auto                                   state = continuum.initial_state();
+    std::mt19937                           generator(3);
+    std::uniform_real_distribution<double> random(-1e6, 1e6);
+    Eigen::VectorXd                        lambda(2 * continuum.surface_nodes().size());
+    for (int k = 0; k < 60; ++k)
+      {
+        const double dt = k % 20 < 15 ? 2e-3 : 1e-3;
+        for (int i = 0; i < lambda.size(); ++i)
+          lambda[i] = random(generator);
+        const Eigen::VectorXd g = continuum.predict(state, dt);
+        continuum.correct(state,
+                          dt,
+                          continuum.surface_stiffness(dt).ldlt().solve(g + lambda),
+                          lambda);
+      }
+    continuum.audit_energy(state, state.time_step);
+    const auto  &e   = state.energy;
+    const double sum = e.kinetic + e.newmark + e.strain - e.input_work - e.surface_work +
+                       e.boundary_loss + e.damping_loss + e.integration_loss;
+    double largest = 0.;
+    for (const double term : {e.kinetic, e.strain, e.input_work, e.surface_work, e.boundary_loss})
+      largest = std::max(largest, std::abs(term));
+    return std::abs(sum) / largest;
+  }
+} // namespace
+
+
+TEST(ContinuumEnergy, closes_with_every_boundary_and_scheme)
+{
+  for (const auto base : {BaseBoundary::compliant, BaseBoundary::rigid, BaseBoundary::fixed})
+    for (const auto sides : {SideBoundary::viscous,
+                             SideBoundary::free_field,
+                             SideBoundary::roller,
+                             SideBoundary::fixed})
+      for (const char *scheme : {"dissipative", "trapezoidal", "shi"})
+        {
+          auto scene                         = test::rock_scene();
+          scene.time.newmark                 = Newmark::preset(scheme);
+          scene.continuum.base               = base;
+          scene.continuum.sides              = sides;
+          scene.continuum.rayleigh_mass      = 0.5;
+          scene.continuum.rayleigh_stiffness = 1e-4;
+          scene.bedding.names                = {"bedding_1"};
+          scene.motion.angle                 = 30.;
+          EXPECT_LT(residual(scene), 1e-9)
+            << scheme << ' ' << static_cast<int>(base) << ' ' << static_cast<int>(sides);
+        }
+}
+
+
+TEST(ContinuumEnergy, trapezoidal_rule_keeps_energy_exactly)
+{
+  auto scene            = test::rock_scene();
+  scene.time.newmark    = Newmark::preset("trapezoidal");
+  scene.continuum.base  = BaseBoundary::fixed;
+  scene.continuum.sides = SideBoundary::fixed;
+  const auto section =
+    test::rectangle_mesh(test::equal_spacing(0., 60., 5), test::equal_spacing(-30., 30., 4));
+  Continuum continuum(section, scene, {}, MPI_COMM_WORLD);
+  auto      state = continuum.initial_state();
+  for (std::size_t i = 0; i < state.velocity.size(); ++i)
+    state.velocity[i] = std::sin(0.7 * i);
+  continuum.step(state, 1e-3); // supports take their part of the initial velocity
+  continuum.audit_energy(state, 1e-3);
+  const double before = state.energy.kinetic + state.energy.strain;
+  for (int k = 0; k < 500; ++k)
+    continuum.step(state, 1e-3);
+  continuum.audit_energy(state, 1e-3);
+  EXPECT_NEAR((state.energy.kinetic + state.energy.strain) / before, 1., 1e-9);
+  EXPECT_NEAR(state.energy.integration_loss / before, 0., 1e-12);
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <hybrid/continuum/banded_cholesky.h>
+#include <hybrid/continuum/condensed_factor.h>
+#include <hybrid/continuum/lagrange_line.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Dense>
+
+#include <random>
+
+namespace
+{
+  using namespace hybrid::continuum;
+
+  /// Positive definite, random pattern of about four off-diagonal entries a row.
+  Eigen::MatrixXd random_sparse_matrix(const int n, const unsigned int seed)
+  {
+    std::mt19937                           generator(seed);
+    std::uniform_real_distribution<double> value(-1., 1.);
+    std::uniform_int_distribution<int>     index(0, n - 1);
+    Eigen::MatrixXd                        a = 12. * Eigen::MatrixXd::Identity(n, n);
+    for (int k = 0; k < 2 * n; ++k)
+      {
+        const int i = index(generator), j = index(generator);
+        if (i != j)
+          a(i, j) = a(j, i) = value(generator);
+      }
+    return a;
+  }
+} // namespace
+
+
+TEST(LagrangeLine, integrals)
+{
+  for (const int degree : {1, 2, 5, 8})
+    {
+      const LagrangeLine line(degree);
+      EXPECT_NEAR(line.mass().sum(), 1., 1e-13);
+      EXPECT_NEAR(line.stiffness().rowwise().sum().norm(), 0., 1e-11);
+      Eigen::VectorXd x(degree + 1);
+      for (int i = 0; i <= degree; ++i)
+        x[i] = line.nodes()[i];
+      EXPECT_NEAR(x.dot(line.stiffness() * x), 1., 1e-12); // int 1
+      EXPECT_NEAR((line.gradient() * x).sum(), 1., 1e-12); // int 1
+      EXPECT_NEAR(x.dot(line.mass() * x), 1. / 3., 1e-13); // int x^2
+    }
+}
+
+
+TEST(BandedCholesky, solves_a_band_matrix)
+{
+  const int       n = 30, width = 3;
+  BandedCholesky  band(n, width);
+  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = std::max(0, i - width); j <= i; ++j)
+      full(i, j) = full(j, i) = band(i, j) = i == j ? 10. + i : std::sin(3. * i + j);
+  std::vector<double> x(n);
+  for (int i = 0; i < n; ++i)
+    x[i] = std::cos(i);
+  const Eigen::VectorXd expected = full.ldlt().solve(Eigen::Map<Eigen::VectorXd>(x.data(), n));
+  band.factor();
+  band.solve(x);
+  EXPECT_LT((Eigen::Map<Eigen::VectorXd>(x.data(), n) - expected).norm(), 1e-13);
+
+  BandedCholesky indefinite(2, 1);
+  indefinite(0, 0) = indefinite(1, 1) = 1.;
+  indefinite(1, 0)                    = 2.;
+  EXPECT_THROW(indefinite.factor(), std::runtime_error);
+}
+
+
+TEST(CondensedFactor, equals_dense_condensation)
+{
+  const int             n = 200, ns = 23, ni = n - ns;
+  const Eigen::MatrixXd a     = random_sparse_matrix(n, 5);
+  std::vector<int>      start = {0}, row;
+  std::vector<double>   values;
+  for (int j = 0; j < n; ++j)
+    {
+      for (int i = j; i < n; ++i)
+        if (a(i, j) != 0.)
+          {
+            row.push_back(i);
+            values.push_back(a(i, j));
+          }
+      start.push_back(static_cast<int>(row.size()));
+    }
+  CondensedFactorisation system(start, row, ns);
+  const auto             factor = system.factor(values);
+
+  const Eigen::MatrixXd coupling = a.bottomLeftCorner(ns, ni);
+  const auto            inner    = a.topLeftCorner(ni, ni).ldlt();
+  const Eigen::MatrixXd s =
+    a.bottomRightCorner(ns, ns) - coupling * inner.solve(coupling.transpose());
+  EXPECT_LT((system.surface_matrix(*factor) - s).norm(), 1e-12 * s.norm());
+
+  std::vector<double> b(n), x(n);
+  for (int i = 0; i < n; ++i)
+    b[i] = std::sin(i + 1.);
+  const Eigen::Map<Eigen::VectorXd> rhs(b.data(), n), solution(x.data(), n);
+  Eigen::VectorXd                   g(ns);
+  system.forward(*factor, b, g);
+  EXPECT_LT((g - (rhs.tail(ns) - coupling * inner.solve(rhs.head(ni)))).norm(), 1e-12);
+  system.backward(*factor, x);
+  EXPECT_LT((solution - a.ldlt().solve(rhs)).norm(), 1e-12);
+
+  const Eigen::VectorXd given = Eigen::VectorXd::LinSpaced(ns, -1., 1.);
+  system.forward(*factor, b, g);
+  system.backward(*factor, given, x);
+  EXPECT_LT((solution.tail(ns) - given).norm(), 1e-13);
+  EXPECT_LT((solution.head(ni) - inner.solve(rhs.head(ni) - coupling.transpose() * given)).norm(),
+            1e-12);
+
+  values.front() = -1.;
+  EXPECT_THROW(system.factor(values), std::runtime_error);
+}
