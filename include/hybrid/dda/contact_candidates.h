@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/cell_grid.h>
+#include <hybrid/dda/geometry.h>
+
+#include <utility>
+#include <vector>
+
+namespace hybrid::dda
+{
+  /// A vertex near a block (edge = -1: any edge of it) or near a base segment.
+  struct ContactCandidate
+  {
+    int vertex_body; ///< block, or base_body
+    int vertex;      ///< vertex or base node
+    int edge_body;   ///< block, or base_body
+    int edge;        ///< first node of the base segment, or -1
+  };
+
+
+  /// Pairs of bodies that are no candidates. Empty lists skip nothing.
+  struct SkippedPairs
+  {
+    std::vector<std::pair<int, int>>
+      bonded; ///< blocks with an unreleased joint between them: never candidates
+    std::vector<std::pair<int, int>>
+                      bonded_base; ///< (block, first node of base segment) with an unreleased joint
+    std::vector<char> awake; ///< per block: has a released joint or was never bonded; empty: all
+  };
+
+
+  /**
+   * All (vertex, body) pairs closer than a distance, kept in a Verlet list.
+   *
+   * The list holds pairs closer than distance + margin and is good until some
+   * point has moved by margin / 2. Pairs of one block with itself are left
+   * out, and
+   *   - bonded pairs of blocks: their joint carries the load;
+   *   - blocks that share a vertex of the original mesh, unless one of them is
+   *     awake: an intact mass has thousands of these, all at distance zero;
+   *   - a block bonded to the base and not awake, with the whole base; when
+   *     awake, with the segments (and their nodes) to which it is still bonded.
+   *
+   * Candidates are sorted by vertex_body, vertex, edge_body, edge, so results
+   * do not depend on when the list was built.
+   */
+  class ContactCandidates
+  {
+  public:
+    /// @param distance [m] within which no pair may be missed. @param margin [m] of the Verlet
+    /// list.
+    ContactCandidates(double distance, double margin);
+
+    /// Blocks that share a vertex of the original mesh, as compressed rows; the row of block b is
+    /// list[offset[b]] .. list[offset[b + 1] - 1]. The relation is symmetric.
+    void set_neighbours(const std::vector<int> &offset, const std::vector<int> &list);
+
+    /// The list is built again at the next update() only if @p skipped differs from the last one.
+    void set_skipped_pairs(const SkippedPairs &skipped);
+
+    /// Build the list if it is no longer good. Returns true if it was built.
+    bool update(const Geometry &geometry);
+
+    const std::vector<ContactCandidate> &list() const
+    {
+      return candidates;
+    }
+
+    /// Distances computed by the last build.
+    long n_distance_tests() const
+    {
+      return distance_tests;
+    }
+
+  private:
+    bool is_good(const Geometry &geometry) const;
+
+    void build(const Geometry &geometry);
+
+    void add_candidates(const Geometry &geometry, int body, int vertex);
+
+    bool is_skipped_pair(int block, int other) const;
+
+    bool is_skipped_base_pair(int block, int segment) const;
+
+    const double distance;
+    const double margin;
+
+    std::vector<int> neighbour_offset, neighbours; ///< rows sorted
+    SkippedPairs     skipped;                      ///< as given
+    SkippedPairs     lookup;                       ///< pairs sorted, blocks in both orders
+    bool             is_outdated = true;
+
+    std::vector<ContactCandidate> candidates;
+    std::vector<Vec2>             built_vertices, built_nodes; ///< positions at the last build [m]
+    CellGrid                      grid;
+    std::vector<Box>              boxes; ///< base segments, then blocks
+    std::vector<int>              found;
+    long                          distance_tests = 0;
+  };
+} // namespace hybrid::dda

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace hybrid::dda
+{
+  /**
+   * Lengths and angles that decide which vertex-edge pairs are contacts.
+   *
+   * The small lengths follow from the reach: positions nearer than
+   * coincidence() are the same, hysteresis() keeps a vertex that rests exactly
+   * over an end from changing edges at every step, extension() bridges the
+   * cracks of a row of blocks.
+   */
+  struct ContactTolerances
+  {
+    double reach;     ///< largest gap of a contact [m]
+    double max_depth; ///< largest penetration of a contact [m]
+
+    double entry_sine        = 0.0523; ///< sin 3 deg: angle test of a new contact
+    double hold_sine         = 0.0872; ///< sin 5 deg: angle test of a contact that persists
+    double continuing_cosine = 0.9848; ///< cos 10 deg: edges that continue one another
+    double continuing_sine   = 0.1736; ///< sin 10 deg
+
+    double coincidence() const
+    {
+      return 1e-6 * reach;
+    }
+
+    double hysteresis() const
+    {
+      return 1e-3 * reach;
+    }
+
+    double extension() const
+    {
+      return 1e-2 * reach;
+    }
+  };
+} // namespace hybrid::dda

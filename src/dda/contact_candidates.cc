@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/contact.h>
+#include <hybrid/dda/contact_candidates.h>
+#include <hybrid/dda/polygon.h>
+
+#include <algorithm>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    using Pairs = std::vector<std::pair<int, int>>;
+
+    bool has_pair(const Pairs &sorted, const int first, const int second)
+    {
+      return std::binary_search(sorted.begin(), sorted.end(), std::make_pair(first, second));
+    }
+
+    /// True if @p body has any pair in the list.
+    bool has_first(const Pairs &sorted, const int first)
+    {
+      const auto it = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(first, -1));
+      return it != sorted.end() && it->first == first;
+    }
+
+    /// True if every point is within @p limit of where it was; false for NaN.
+    bool all_near(const std::vector<Vec2> &now, const std::vector<Vec2> &then, const double limit)
+    {
+      if (now.size() != then.size())
+        return false;
+      for (std::size_t i = 0; i < now.size(); ++i)
+        if (!((now[i] - then[i]).squaredNorm() <= limit * limit))
+          return false;
+      return true;
+    }
+
+    Box box_around(const Vec2 *points, const int n, const double skin)
+    {
+      Box box{points[0], points[0]};
+      for (int i = 1; i < n; ++i)
+        {
+          box.lower = box.lower.cwiseMin(points[i]);
+          box.upper = box.upper.cwiseMax(points[i]);
+        }
+      box.lower.array() -= skin;
+      box.upper.array() += skin;
+      return box;
+    }
+  } // namespace
+
+
+  ContactCandidates::ContactCandidates(const double distance_, const double margin_)
+    : distance(distance_)
+    , margin(margin_)
+  {}
+
+
+
+  void ContactCandidates::set_neighbours(const std::vector<int> &offset,
+                                         const std::vector<int> &list)
+  {
+    neighbour_offset = offset;
+    neighbours       = list;
+    for (std::size_t b = 0; b + 1 < offset.size(); ++b)
+      std::sort(neighbours.begin() + offset[b], neighbours.begin() + offset[b + 1]);
+    is_outdated = true;
+  }
+
+
+
+  void ContactCandidates::set_skipped_pairs(const SkippedPairs &given)
+  {
+    if (given.bonded == skipped.bonded && given.bonded_base == skipped.bonded_base &&
+        given.awake == skipped.awake)
+      return;
+    skipped = given;
+    lookup  = given;
+    for (const auto &[a, b] : given.bonded)
+      lookup.bonded.emplace_back(b, a);
+    std::sort(lookup.bonded.begin(), lookup.bonded.end());
+    std::sort(lookup.bonded_base.begin(), lookup.bonded_base.end());
+    is_outdated = true;
+  }
+
+
+
+  bool ContactCandidates::update(const Geometry &geometry)
+  {
+    if (is_good(geometry))
+      return false;
+    build(geometry);
+    return true;
+  }
+
+
+
+  bool ContactCandidates::is_good(const Geometry &geometry) const
+  {
+    return !is_outdated && all_near(geometry.vertices, built_vertices, 0.5 * margin) &&
+           all_near(geometry.base_nodes, built_nodes, 0.5 * margin);
+  }
+
+
+
+  void ContactCandidates::build(const Geometry &geometry)
+  {
+    built_vertices.assign(geometry.vertices.begin(), geometry.vertices.end());
+    built_nodes.assign(geometry.base_nodes.begin(), geometry.base_nodes.end());
+    is_outdated    = false;
+    distance_tests = 0;
+
+    const int n_nodes = static_cast<int>(geometry.base_nodes.size());
+    boxes.clear();
+    for (int i = 0; i + 1 < n_nodes; ++i)
+      boxes.push_back(box_around(&geometry.base_nodes[i], 2, distance + margin));
+    for (int b = 0; b < geometry.n_blocks(); ++b)
+      boxes.push_back(box_around(&geometry.vertices[geometry.offset[b]],
+                                 geometry.offset[b + 1] - geometry.offset[b],
+                                 distance + margin));
+    grid.build(boxes);
+
+    candidates.clear();
+    for (int i = 1; i + 1 < n_nodes; ++i) // the two ends of the base are no vertices
+      add_candidates(geometry, base_body, i);
+    for (int v = 0; v < static_cast<int>(geometry.vertices.size()); ++v)
+      add_candidates(geometry, geometry.block_of[v], v);
+  }
+
+
+
+  void ContactCandidates::add_candidates(const Geometry &geometry, const int body, const int vertex)
+  {
+    const Vec2 &point = body == base_body ? geometry.base_nodes[vertex] : geometry.vertices[vertex];
+    const int   n_segments = std::max(0, static_cast<int>(geometry.base_nodes.size()) - 1);
+
+    found.clear();
+    grid.find(point, found);
+    std::sort(found.begin(), found.end()); // base segments first, as base_body is the smallest body
+    for (const int box : found)
+      if (box < n_segments)
+        {
+          if (body == base_body || is_skipped_base_pair(body, box))
+            continue;
+          ++distance_tests;
+          const Vec2 *ends = &geometry.base_nodes[box];
+          if (distance_to_segment(ends[0], ends[1], point) <= distance + margin)
+            candidates.push_back({body, vertex, base_body, box});
+        }
+      else
+        {
+          const int block = box - n_segments;
+          if (body == base_body
+                ? is_skipped_base_pair(block, vertex - 1) || is_skipped_base_pair(block, vertex)
+                : is_skipped_pair(body, block))
+            continue;
+          ++distance_tests;
+          const Vec2 *outline = &geometry.vertices[geometry.offset[block]];
+          const int   n       = geometry.offset[block + 1] - geometry.offset[block];
+          if (distance_to_outline(outline, n, point) <= distance + margin ||
+              contains(outline, n, point))
+            candidates.push_back({body, vertex, block, -1});
+        }
+  }
+
+
+
+  bool ContactCandidates::is_skipped_pair(const int block, const int other) const
+  {
+    if (block == other || has_pair(lookup.bonded, block, other))
+      return true;
+    const bool is_awake = lookup.awake.empty() || lookup.awake[block] || lookup.awake[other];
+    return !is_awake && !neighbour_offset.empty() &&
+           std::binary_search(neighbours.begin() + neighbour_offset[block],
+                              neighbours.begin() + neighbour_offset[block + 1],
+                              other);
+  }
+
+
+
+  bool ContactCandidates::is_skipped_base_pair(const int block, const int segment) const
+  {
+    const bool is_awake = lookup.awake.empty() || lookup.awake[block];
+    return is_awake ? has_pair(lookup.bonded_base, block, segment)
+                    : has_first(lookup.bonded_base, block);
+  }
+} // namespace hybrid::dda
