@@ -11,6 +11,15 @@ namespace hybrid::scene
                    "m/s2",
                    ParameterRange::at_least(0.),
                    "Downward acceleration; 0 switches gravity off.");
+    gravity.choice<StaticStage>(
+      "Static stage",
+      environment.static_stage,
+      {{"equilibrium", StaticStage::equilibrium},
+       {"held", StaticStage::held},
+       {"none", StaticStage::none}},
+      "Before the dynamic stage: equilibrium lets the blocks settle with their strengths active, "
+      "held with unlimited friction and bonds (for masses that cannot stand), none starts "
+      "unloaded.");
     ParameterSection water(table, {"Water"});
     water.number_or(
       "Level",

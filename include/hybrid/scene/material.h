@@ -9,43 +9,39 @@ namespace hybrid
   struct Material
   {
     std::string name;
-    double      density          = 2500.; ///< rho [kg/m3], > 0: inertia
-    double      weight_density   = -1.;   ///< mass density that gravity acts on [kg/m3]; < 0: same as density
-    double      young_modulus    = 1e9;   ///< E [Pa], > 0
-    double      poisson_ratio    = 0.25;  ///< nu [-], in (-1, 0.5)
-    double      friction_angle   = 30.;   ///< phi [deg], in [0, 90)
-    double      cohesion         = 0.;    ///< c [Pa], >= 0
-    double      tensile_strength = 0.;    ///< F_t [Pa], >= 0
-    double      residual_friction_angle = -1.; ///< phi_res [deg]; < 0: same as friction_angle
-    double      residual_cohesion       = 0.;  ///< c_res [Pa], >= 0
+    double      density = 2500.; ///< rho [kg/m3], > 0: inertia
+    double      weight_density =
+      -1.; ///< mass density that gravity acts on [kg/m3]; < 0: same as density
+    double young_modulus           = 1e9;  ///< E [Pa], > 0
+    double poisson_ratio           = 0.25; ///< nu [-], in (-1, 0.5)
+    double friction_angle          = 30.;  ///< phi [deg], in [0, 90)
+    double cohesion                = 0.;   ///< c [Pa], >= 0
+    double tensile_strength        = 0.;   ///< F_t [Pa], >= 0
+    double residual_friction_angle = -1.;  ///< phi_res [deg]; < 0: same as friction_angle
+    double residual_cohesion       = 0.;   ///< c_res [Pa], >= 0
 
     /// Density that gravity acts on [kg/m3].
-    double
-    weighing_density() const
+    double weighing_density() const
     {
       return weight_density < 0. ? density : weight_density;
     }
 
     /// Shear modulus G = E / (2 (1 + nu)) [Pa].
-    double
-    shear_modulus() const
+    double shear_modulus() const
     {
       return young_modulus / (2. * (1. + poisson_ratio));
     }
 
     /// Lame's first parameter lambda [Pa].
-    double
-    lame_lambda() const
+    double lame_lambda() const
     {
       return young_modulus * poisson_ratio / ((1. + poisson_ratio) * (1. - 2. * poisson_ratio));
     }
 
     /// Speed of plane-strain P waves [m/s].
-    double
-    p_wave_speed() const;
+    double p_wave_speed() const;
 
     /// Speed of S waves [m/s].
-    double
-    s_wave_speed() const;
+    double s_wave_speed() const;
   };
 } // namespace hybrid

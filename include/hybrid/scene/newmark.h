@@ -21,7 +21,6 @@ namespace hybrid
      * "trapezoidal" (1/4, 1/2); "shi" (1/2, 1), the constant-acceleration scheme of Shi (1988).
      * @throws InputError for another name.
      */
-    static Newmark
-    preset(const std::string &name);
+    static Newmark preset(const std::string &name);
   };
 } // namespace hybrid

@@ -20,28 +20,33 @@ namespace hybrid::scene
   /// Section "Time".
   struct TimeParameters
   {
-    double  end_time  = 1.;   ///< duration of the dynamic stage [s], >= 0
-    double  time_step = 1e-3; ///< dt [s], > 0
-    int     maximum_halvings = 8; ///< smallest step is dt / 2^this [-], 0..20
-    Newmark newmark;          ///< "Scheme": dissipative | trapezoidal | shi
-    double  maximum_displacement_ratio = 0.05; ///< largest block displacement per step over block size [-]
-    double  dynamic_coefficient = 1.; ///< k01 of the paper: factor on the velocity at the start of each step, (0, 1]
+    double  end_time         = 1.;   ///< duration of the dynamic stage [s], >= 0
+    double  time_step        = 1e-3; ///< dt [s], > 0
+    int     maximum_halvings = 8;    ///< smallest step is dt / 2^this [-], 0..20
+    Newmark newmark;                 ///< "Scheme": dissipative | trapezoidal | shi
+    double  maximum_displacement_ratio =
+      0.05; ///< largest block displacement per step over block size [-]
+    double dynamic_coefficient =
+      1.; ///< k01 of the paper: factor on the velocity at the start of each step, (0, 1]
   };
 
   /// Section "Mesh".
   struct MeshParameters
   {
-    std::string                                 file;    ///< .geo or .msh; resolved path
-    std::vector<std::pair<std::string, double>> numbers; ///< ONELAB numbers set before meshing, "Resolution/h" -> 4
-    std::string polygons_file; ///< CSV block,x,y: blocks as polygons instead of the mesh's; resolved path
-    std::string surface_file;  ///< CSV x,y: polyline of a rigid base instead of the mesh's; resolved path
+    std::string file; ///< .geo or .msh; resolved path
+    std::vector<std::pair<std::string, double>>
+      numbers; ///< ONELAB numbers set before meshing, "Resolution/h" -> 4
+    std::string
+      polygons_file; ///< CSV block,x,y: blocks as polygons instead of the mesh's; resolved path
+    std::string
+      surface_file; ///< CSV x,y: polyline of a rigid base instead of the mesh's; resolved path
   };
 
   /// How the bedrock is modelled: section "Model", parameter "Continuum".
   enum class ContinuumModel
   {
     elastic, ///< deal.II finite elements
-    none     ///< rigid base with the prescribed motion (pure DDA), or nothing when there is no surface
+    none ///< rigid base with the prescribed motion (pure DDA), or nothing when there is no surface
   };
 
   /// Sides of the bedrock.
@@ -64,11 +69,13 @@ namespace hybrid::scene
   /// Section "Continuum".
   struct ContinuumParameters
   {
-    int                                degree = 2; ///< polynomial degree of FE_Q, 1..8
-    std::map<std::string, std::string> region_material; ///< region name ("bedrock") -> material name; "*": every region without its own
+    int                                degree = 2;      ///< polynomial degree of FE_Q, 1..8
+    std::map<std::string, std::string> region_material; ///< region name ("bedrock") -> material
+                                                        ///< name; "*": every region without its own
     BaseBoundary base  = BaseBoundary::compliant;
     SideBoundary sides = SideBoundary::viscous;
-    std::string  half_space_material; ///< rock below the base; empty: that of the cells along the base
+    std::string
+           half_space_material; ///< rock below the base; empty: that of the cells along the base
     double rayleigh_mass      = 0.; ///< alpha_M [1/s], C = alpha_M M + beta_K K
     double rayleigh_stiffness = 0.; ///< beta_K [s]
   };
@@ -76,9 +83,10 @@ namespace hybrid::scene
   /// Section "Bedding planes".
   struct BeddingParameters
   {
-    std::vector<std::string> names; ///< lines of the mesh that are elastic joints; empty: all planes are welded
-    double normal_stiffness = 8e9;  ///< k_n [Pa/m]
-    double shear_stiffness  = 3e9;  ///< k_s [Pa/m]
+    std::vector<std::string>
+           names; ///< lines of the mesh that are elastic joints; empty: all planes are welded
+    double normal_stiffness = 8e9; ///< k_n [Pa/m]
+    double shear_stiffness  = 3e9; ///< k_s [Pa/m]
   };
 
   /// Section "Blocks".
@@ -87,25 +95,39 @@ namespace hybrid::scene
     bool        enabled = true;     ///< section "Model", parameter "Blocks" (bonded | none)
     std::string material;           ///< blocks and body joints above the water level
     std::string saturated_material; ///< same below; empty: same as material
-    std::string belt_material;      ///< joints on the sliding surface; empty: unbonded frictional contact of the block material
-    std::string saturated_belt_material; ///< same below the water level; empty: same as belt_material
+    std::string belt_material;      ///< joints on the sliding surface; empty: unbonded frictional
+                                    ///< contact of the block material
+    std::string
+           saturated_belt_material; ///< same below the water level; empty: same as belt_material
     bool   bonded          = true;  ///< edges shared by blocks are artificial joints
     double penalty_ratio   = 40.;   ///< alpha: joint stiffness k_n = alpha E / h [-], > 1
     double shear_ratio     = 1.;    ///< k_s / k_n [-], (0, 1]
     double fracture_energy = 10.;   ///< G_f [N/m] (J/m2), >= 0; 0 is brittle
-    double softening_slip  = 1e-3;  ///< slip over which shear strength falls to its residual [m], >= 0
-    double damping_ratio     = 0.;  ///< stiffness-proportional damping of blocks and joints [-]
-    double damping_frequency = 2.;  ///< frequency at which it holds [Hz], > 0
-    bool   stiffness_correction = true; ///< take the joints' compliance off the blocks' (design: bonds cost stiffness)
-    int    maximum_iterations   = 40;   ///< of the open-close iteration before the step is cut [-]
-    double tolerance            = 1e-8; ///< relative force residual of the open-close iteration [-]
+    double softening_slip =
+      1e-3; ///< slip over which shear strength falls to its residual [m], >= 0
+    double damping_ratio     = 0.; ///< stiffness-proportional damping of blocks and joints [-]
+    double damping_frequency = 2.; ///< frequency at which it holds [Hz], > 0
+    bool   stiffness_correction =
+      true; ///< take the joints' compliance off the blocks' (design: bonds cost stiffness)
+    int    maximum_iterations = 40;   ///< of the open-close iteration before the step is cut [-]
+    double tolerance          = 1e-8; ///< relative force residual of the open-close iteration [-]
+  };
+
+  /// What happens before the dynamic stage.
+  enum class StaticStage
+  {
+    equilibrium, ///< blocks settle with their strengths active
+    held,        ///< blocks settle with unlimited friction and bonds, which become active at t = 0
+    none         ///< the dynamic stage starts unloaded
   };
 
   /// Section "Water" and section "Gravity".
   struct EnvironmentParameters
   {
-    double gravity     = 9.81;   ///< downward acceleration [m/s2], >= 0
-    double water_level = -1e300; ///< elevation [m]; below it the saturated materials hold (initial position of the block)
+    double      gravity      = 9.81; ///< downward acceleration [m/s2], >= 0
+    StaticStage static_stage = StaticStage::equilibrium;
+    double water_level = -1e300; ///< elevation [m]; below it the saturated materials hold (initial
+                                 ///< position of the block)
   };
 
   /// Section "Motion".
@@ -113,17 +135,21 @@ namespace hybrid::scene
   {
     std::string type = "none"; ///< none | ricker | synthetic | text | at2
     std::string file;          ///< for text and at2; resolved path
-    double      file_unit = 1.;  ///< of acceleration in a text file, in m/s2 (parameter "Unit": m/s2 | g | cm/s2)
-    double      peak = -1.;      ///< scale to this outcrop/incident peak acceleration [m/s2]; < 0: as it is
-    bool        outcrop = true;  ///< the motion is the outcrop motion (twice the upgoing wave); false: the upgoing wave
-    double      angle = 0.;      ///< direction of shaking [deg] from +x: 0 = S wave (horizontal), 90 = P wave (vertical)
-    double      start = 0.;      ///< the motion starts at this time [s]
-    double      frequency = 2.;  ///< Ricker: dominant; synthetic: predominant (ground) frequency [Hz]
-    double      lowest_frequency  = 0.3; ///< synthetic: high-pass corner [Hz]
-    double      highest_frequency = 8.;  ///< synthetic: low-pass corner [Hz]
-    double      duration = 12.;  ///< synthetic [s]
-    int         seed = 1;        ///< synthetic
-    bool        baseline_correction = true; ///< make velocity and displacement end at zero (text, at2 and synthetic)
+    double      file_unit =
+      1.; ///< of acceleration in a text file, in m/s2 (parameter "Unit": m/s2 | g | cm/s2)
+    double peak = -1.; ///< scale to this outcrop/incident peak acceleration [m/s2]; < 0: as it is
+    bool   outcrop =
+      true; ///< the motion is the outcrop motion (twice the upgoing wave); false: the upgoing wave
+    double angle =
+      0.; ///< direction of shaking [deg] from +x: 0 = S wave (horizontal), 90 = P wave (vertical)
+    double start     = 0.; ///< the motion starts at this time [s]
+    double frequency = 2.; ///< Ricker: dominant; synthetic: predominant (ground) frequency [Hz]
+    double lowest_frequency  = 0.3; ///< synthetic: high-pass corner [Hz]
+    double highest_frequency = 8.;  ///< synthetic: low-pass corner [Hz]
+    double duration          = 12.; ///< synthetic [s]
+    int    seed              = 1;   ///< synthetic
+    bool   baseline_correction =
+      true; ///< make velocity and displacement end at zero (text, at2 and synthetic)
   };
 
   /// A named point whose motion is recorded.
@@ -137,30 +163,30 @@ namespace hybrid::scene
   struct Borehole
   {
     std::string name;
-    Vec2        top;     ///< [m]
-    Vec2        bottom;  ///< [m]
+    Vec2        top;    ///< [m]
+    Vec2        bottom; ///< [m]
     int         samples = 21;
   };
 
   /// Section "Monitors" and section "Boreholes".
   struct MonitorParameters
   {
-    std::vector<Monitor>  monitors;
-    std::string           file; ///< CSV name,x,z that some of them come from; resolved path
-    std::string           base_monitor; ///< displacement is reported relative to this one; empty: absolute
+    std::vector<Monitor> monitors;
+    std::string          file; ///< CSV name,x,z that some of them come from; resolved path
+    std::string base_monitor;  ///< displacement is reported relative to this one; empty: absolute
     std::vector<Borehole> boreholes;
     int                   borehole_samples = 21; ///< points of each borehole
-    double                filter_frequency = 25.; ///< zero-phase low-pass for peaks and amplification [Hz]; 0: off
+    double filter_frequency = 25.; ///< zero-phase low-pass for peaks and amplification [Hz]; 0: off
   };
 
   /// Section "Output".
   struct OutputParameters
   {
-    std::string directory = "output"; ///< resolved against the working directory
-    double picture_interval = 0.1;    ///< simulated time between VTU files [s]; 0: only first and last
-    double flush_interval   = 2.;     ///< wall time between flushes of run.h5 [s]
-    double audit_interval   = 0.01;   ///< simulated time between energy audits [s]
-    bool   force            = true;   ///< overwrite an existing run of the same directory
+    std::string directory   = "output"; ///< resolved against the working directory
+    double picture_interval = 0.1; ///< simulated time between VTU files [s]; 0: only first and last
+    double flush_interval   = 2.;  ///< wall time between flushes of run.h5 [s]
+    double audit_interval   = 0.01; ///< simulated time between energy audits [s]
+    bool   force            = true; ///< overwrite an existing run of the same directory
   };
 
   /// Everything a scene says.
@@ -179,10 +205,9 @@ namespace hybrid::scene
     OutputParameters                output;
     std::map<std::string, Material> materials;
     int                             threads = 1;
-    std::string                     used_prm; ///< the scene with every parameter, as a valid parameter file
+    std::string used_prm; ///< the scene with every parameter, as a valid parameter file
 
     /// @throws InputError naming section and parameter @p where if @p name is not in the table.
-    const Material &
-    material(const std::string &name, const std::string &where) const;
+    const Material &material(const std::string &name, const std::string &where) const;
   };
 } // namespace hybrid::scene

@@ -9,8 +9,7 @@ namespace hybrid
   using Vec2 = Eigen::Vector2d;
 
   /// z component of the cross product a x b.
-  inline double
-  cross(const Vec2 &a, const Vec2 &b)
+  inline double cross(const Vec2 &a, const Vec2 &b)
   {
     return a.x() * b.y() - a.y() * b.x();
   }
