@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace hybrid::dda
+{
+  /**
+   * What the blocks stand on, as seen from one time step.
+   *
+   * Either the motion of the base nodes is prescribed, or the base is one more
+   * body with dynamic stiffness S and load g: S w = g + (f - f_static), where
+   * w is the displacement of the nodes at the end of the step and f the forces
+   * of the blocks on them.
+   */
+  struct BaseResponse
+  {
+    bool            prescribed = true;
+    Eigen::VectorXd displacement; ///< prescribed w, or the prediction S^-1 g is started from [m]
+    const Eigen::MatrixXd *stiffness = nullptr; ///< S [N/m per m], symmetric positive definite
+    Eigen::VectorXd        load;                ///< g [N/m]
+  };
+} // namespace hybrid::dda

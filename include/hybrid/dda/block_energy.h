@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/springs.h>
+
+namespace hybrid::dda
+{
+  /**
+   * The energy audit of one accepted step, each term computed on its own.
+   *
+   * With F = M a at both ends of a step Newmark's family obeys exactly
+   *   D[1/2 v M v + (beta - gamma/2) dt^2 / 2 a M a]
+   *     + (gamma - 1/2)(beta - gamma/2) dt^2 Da M Da = d . ((1 - gamma) F_0 + gamma F_1)
+   * (after Krenk 2006), so every force's work is its product with the
+   * increment at the weights (1 - gamma, gamma).
+   */
+  struct StepAudit
+  {
+    const Model             &model;
+    const DdaState          &before; ///< state when the step began
+    const Trial             &trial;
+    const Springs           &springs;
+    const std::vector<Mat6> &mass;
+    const std::vector<Vec6> &acceleration; ///< at the end of the step, unrotated
+  };
+
+  /// Energy after the step.
+  BlockEnergy audit_step(const StepAudit &step);
+
+  /// Energy held by a state, from scratch, with all losses and works zero [J/m].
+  BlockEnergy held_energy(const Model &model, const DdaState &state);
+} // namespace hybrid::dda

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/block.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace hybrid::dda
+{
+  /**
+   * The symmetric matrix of blocks and base nodes, in small dense blocks.
+   *
+   * Unknowns: six per block, then two per base node. Stored are the diagonal
+   * 6x6 blocks, one 6x6 block per coupled pair of blocks (lower number is the
+   * row), one 6x2 block per coupled block and node, and the contacts' 2x2
+   * blocks between a node and itself or the next. The base's own stiffness
+   * belongs to the linear solver. The pattern is kept until pairs change.
+   */
+  class BlockMatrix
+  {
+  public:
+    using Mat62 = Eigen::Matrix<double, 6, 2>;
+    using Pair  = std::array<int, 2>;
+
+    /// @param block_pairs (i, j), any order, repetitions allowed.  @param node_pairs (block, node).
+    void set_pattern(int               n_blocks,
+                     int               n_nodes,
+                     std::vector<Pair> block_pairs,
+                     std::vector<Pair> node_pairs);
+
+    void set_zero();
+
+    /// Slot of the pair (i, j) in off_diagonal, i < j; -1 if it is not in the pattern.
+    int block_slot(int i, int j) const;
+
+    /// Slot of (block, node) in block_node; -1 if it is not in the pattern.
+    int node_slot(int block, int node) const;
+
+    /// y = K x (without the base's own stiffness). Same bits for any number of threads.
+    void multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
+
+    int n_blocks() const
+    {
+      return static_cast<int>(diagonal.size());
+    }
+
+    int n_nodes() const
+    {
+      return static_cast<int>(node_diagonal.size());
+    }
+
+    /// Number of unknowns, 6 blocks + 2 nodes.
+    int size() const
+    {
+      return 6 * n_blocks() + 2 * n_nodes();
+    }
+
+    /// Changes whenever set_pattern() is called.
+    int pattern_version() const
+    {
+      return version;
+    }
+
+    std::vector<Mat6>  diagonal;
+    std::vector<Mat6>  off_diagonal; ///< rows of block pairs[s][0], columns of pairs[s][1]
+    std::vector<Mat62> block_node;   ///< rows of the block, columns of the node
+    std::vector<Eigen::Matrix2d> node_diagonal; ///< contacts' part only
+    std::vector<Eigen::Matrix2d> node_next;     ///< rows of node k, columns of node k + 1
+    std::vector<Pair>            pairs;         ///< block pairs, sorted
+    std::vector<Pair>            couplings;     ///< (block, node), sorted
+
+  private:
+    std::vector<int> pair_begin;     ///< CSR over the first block of pairs
+    std::vector<int> row_begin;      ///< CSR over all blocks, both directions
+    std::vector<int> row_other;      ///< the other block
+    std::vector<int> row_slot;       ///< slot in off_diagonal; bit-complement if transposed
+    std::vector<int> coupling_begin; ///< CSR over the block of couplings
+    std::vector<int> node_begin;     ///< CSR over nodes
+    std::vector<int> node_coupling;  ///< coupling of each node entry
+    int              version = 0;
+  };
+} // namespace hybrid::dda

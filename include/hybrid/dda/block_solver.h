@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/contact_detection.h>
+#include <hybrid/dda/open_close_iteration.h>
+
+namespace hybrid::dda
+{
+  /**
+   * Steps the blocks: contact search at the start of a step, open-close
+   * iteration, acceptance. The model must outlive the solver.
+   */
+  class BlockSolver
+  {
+  public:
+    explicit BlockSolver(const Model &block_model);
+
+    /// Solve the step from @p state (whose contact list is brought up to date; nothing else
+    /// changes).
+    StepResult solve(DdaState &state, const BaseResponse &base, double dt);
+
+    /// Make the solved step the new state.
+    void accept(DdaState &state) const
+    {
+      iteration.accept(model, state);
+    }
+
+    /// The solved step: displacement of the base nodes [m] and force increments on them [N/m].
+    const OpenCloseIteration &solved_step() const
+    {
+      return iteration;
+    }
+
+    /// Vertices found deeper inside another block than any contact explains, at the last step.
+    int lost_vertices() const
+    {
+      return detection.report().lost;
+    }
+
+  private:
+    const Model       &model;
+    ContactDetection   detection;
+    OpenCloseIteration iteration;
+    std::vector<std::pair<int, int>>
+        touching_base; ///< (block, segment) that share a node at the start
+    int released = -1; ///< joints released when the skip lists were made
+
+    void update_skipped_pairs(const DdaState &state);
+  };
+} // namespace hybrid::dda

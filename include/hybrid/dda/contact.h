@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace hybrid::dda
+{
+  /**
+   * How one contact carries load.
+   *
+   * The open-close iteration of a time step has converged when no contact
+   * changes its state any more and all forces balance.
+   */
+  enum class ContactState
+  {
+    open,    ///< separated: no force
+    sliding, ///< closed, shear strength exhausted: Coulomb force only
+    locked   ///< closed and sticking: normal and shear spring act
+  };
+
+
+  /// The body number of the bedrock (or rigid base) in contacts and joints.
+  constexpr int base_body = -1;
+
+
+  /**
+   * A vertex of one body in front of an edge of another.
+   *
+   * The gap is the distance of the vertex from the edge's line along the
+   * edge's outward normal (positive when open). Slip is the displacement of
+   * the vertex along the edge's direction (from first to second end), summed
+   * over the life of the contact, also across collinear edges.
+   */
+  struct Contact
+  {
+    int vertex_body; ///< block of the vertex, or base_body
+    int vertex;      ///< index in Geometry::vertices, or base node
+    int edge_body;   ///< block of the edge, or base_body
+    int edge; ///< index of the edge's first end in Geometry::vertices, or first base node of the
+              ///< segment
+
+    double edge_position = 0.; ///< projection of the vertex on the edge when last accepted, 0..1
+                               ///< from first to second end [-]
+    double slip = 0.;          ///< slip at edge_position [m]
+    double plastic_slip =
+      0.; ///< part of the slip that friction has taken; shear force = -k_s (slip - plastic_slip)
+    ContactState state = ContactState::open; ///< when last accepted
+  };
+} // namespace hybrid::dda

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/scene/types.h>
+
+#include <vector>
+
+namespace hybrid::dda
+{
+  /**
+   * Where all bodies are: the polygons of the blocks in one flat array and the
+   * polyline of the base. Outlines run counter-clockwise; the base lies to the
+   * right of its polyline, walked from node 0 upwards (rock below, left end first
+   * means the rock is on the right-hand side when x grows).
+   */
+  struct Geometry
+  {
+    std::vector<int>  offset;     ///< first vertex of block b is offset[b]; size blocks + 1
+    std::vector<int>  block_of;   ///< block of each vertex
+    std::vector<Vec2> vertices;   ///< [m]
+    std::vector<Vec2> base_nodes; ///< [m]; empty without a base
+
+    int n_blocks() const
+    {
+      return static_cast<int>(offset.size()) - 1;
+    }
+
+    /// The vertex after @p vertex on its block's outline.
+    int next(const int vertex) const
+    {
+      const int b = block_of[vertex];
+      return vertex + 1 == offset[b + 1] ? offset[b] : vertex + 1;
+    }
+
+    /// The vertex before @p vertex on its block's outline.
+    int previous(const int vertex) const
+    {
+      const int b = block_of[vertex];
+      return vertex == offset[b] ? offset[b + 1] - 1 : vertex - 1;
+    }
+  };
+} // namespace hybrid::dda

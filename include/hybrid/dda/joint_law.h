@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/contact.h>
+#include <hybrid/scene/material.h>
+
+namespace hybrid::dda
+{
+  /// Relative displacement of the two sides at one point of a joint or contact.
+  struct JointKinematics
+  {
+    double gap;  ///< g [m], positive when open
+    double slip; ///< s [m] along the tangent, since the joint was made
+  };
+
+
+  /// What a joint point remembers.
+  struct JointHistory
+  {
+    double plastic_slip = 0.; ///< s_p [m]: shear traction = -k_s (s - s_p)
+    double softening    = 0.; ///< kappa [m]: sum of |d s_p| so far
+    double damage       = 0.; ///< D of the tensile bond [-], 0 intact, 1 broken
+  };
+
+
+  /// Tractions of a joint point and the tangent that the iteration uses.
+  struct JointResponse
+  {
+    double       normal           = 0.; ///< [Pa], compression positive
+    double       shear            = 0.; ///< [Pa], opposes the elastic slip
+    double       normal_stiffness = 0.; ///< [Pa/m], >= 0
+    double       shear_stiffness  = 0.; ///< [Pa/m], >= 0; 0 when sliding
+    ContactState state            = ContactState::open;
+    JointHistory history; ///< what is remembered if the step is accepted
+  };
+
+
+  /// Strength of a joint; angles as tangents.
+  struct JointStrength
+  {
+    double tensile           = 0.; ///< F_t [Pa]
+    double cohesion          = 0.; ///< c [Pa]
+    double tan_phi           = 0.; ///< tan of the friction angle [-]
+    double residual_cohesion = 0.; ///< c_res [Pa]
+    double residual_tan_phi  = 0.; ///< tan of the residual friction angle [-]
+    double fracture_energy   = 0.; ///< G_f [J/m2]; 0: brittle
+    double softening_slip    = 0.; ///< slip from peak to residual strength [m]; 0: brittle
+
+    /// Bond of a material: peak strength, residual as the material says (an ancient shear zone:
+    /// residual = peak).
+    static JointStrength bond(const Material &material,
+                              double          fracture_energy,
+                              double          softening_slip,
+                              bool            residual_is_peak);
+
+    /// Bond that neither breaks nor slips.
+    static JointStrength unlimited_bond();
+
+    /// Contact that opens freely but never slips.
+    static JointStrength unlimited_friction();
+
+    /// Contact without any bond: residual strength only.
+    static JointStrength broken(const Material &material);
+  };
+
+
+  /**
+   * Mohr-Coulomb joint that cracks and softens.
+   *
+   * Opening: elastic up to F_t, then linear softening of the traction to zero
+   * at the critical opening g_c = 2 G_f / F_t (the area under the whole curve
+   * is G_f; brittle if g_c <= F_t / k_n); unloading to the origin with the
+   * secant stiffness (1 - D) k_n. Closing is always elastic with k_n.
+   *
+   * Shear: elastic with k_s up to c + N tan(phi) (N compression positive,
+   * never below zero), then plastic slip; with kappa, the sum of plastic slip,
+   * cohesion and friction fall linearly to their residual over the softening
+   * slip. Tensile damage takes the part (1 - D) of the cohesion that is above
+   * its residual.
+   *
+   * A law is a pure function: history is an argument and a result, so the
+   * open-close iteration may ask as often as it likes. The tangent is the
+   * symmetric part: the dependence of friction on the normal force is left to
+   * the iteration (design: lagged friction).
+   */
+  class JointLaw
+  {
+  public:
+    /// @param normal_spring k_n [Pa/m], > 0.  @param shear_spring k_s [Pa/m], > 0.
+    JointLaw(const JointStrength &joint_strength, double normal_spring, double shear_spring)
+      : strength(joint_strength)
+      , k_n(normal_spring)
+      , k_s(shear_spring)
+    {}
+
+    JointResponse respond(const JointKinematics &kinematics, const JointHistory &history) const;
+
+    /// The same springs with another strength.
+    JointLaw with(const JointStrength &other) const
+    {
+      return {other, k_n, k_s};
+    }
+
+    /// k_n [Pa/m]
+    double normal_stiffness() const
+    {
+      return k_n;
+    }
+
+    /// k_s [Pa/m]
+    double shear_stiffness() const
+    {
+      return k_s;
+    }
+
+    /// Energy stored in the springs per area [J/m2].
+    double stored_energy(const JointKinematics &kinematics, const JointHistory &history) const;
+
+    /// Energy that tensile damage has consumed per area so far [J/m2], from 0 to G_f.
+    double fracture_loss(const JointHistory &history) const;
+
+    /// True if the bond is gone: tensile damage complete.
+    bool broken_in_tension(const JointHistory &history) const;
+
+    /// True if the shear strength is at its residual.
+    bool broken_in_shear(const JointHistory &history) const;
+
+  private:
+    JointStrength strength;
+    double        k_n; ///< [Pa/m]
+    double        k_s; ///< [Pa/m]
+
+    double damage_at(double gap) const;
+
+    double shear_strength(double normal, double softening, double damage) const;
+  };
+} // namespace hybrid::dda

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/block.h>
+#include <hybrid/dda/geometry.h>
+#include <hybrid/dda/joint_law.h>
+#include <hybrid/scene/newmark.h>
+
+#include <utility>
+#include <vector>
+
+namespace hybrid::dda
+{
+  /**
+   * An artificial joint: bonds an edge of a block to an edge of another block
+   * or to a segment of the base, with springs at both ends.
+   *
+   * The outward normal of @p block at the joint is positive; gap and slip are
+   * those of the other side relative to @p block.
+   */
+  struct Joint
+  {
+    /// One end: a material point on each side.
+    struct Point
+    {
+      double position;     ///< on the block's edge, 0..1 from @p edge to the next vertex [-]
+      int    other_vertex; ///< vertex of the other block, or base node
+    };
+
+    int      block;     ///< block whose outward normal counts
+    int      edge;      ///< first vertex of its edge (Geometry::vertices)
+    int      other;     ///< other block, or base_body
+    double   length;    ///< of the bonded edge or segment [m]
+    Point    points[2]; ///< along the block's edge
+    JointLaw law;       ///< per area
+  };
+
+
+  /// Law and size of an unbonded vertex contact.
+  struct ContactLaw
+  {
+    JointLaw law;    ///< per area
+    double   length; ///< that a vertex stands for [m]
+  };
+
+
+  /// How the open-close iteration works.
+  struct IterationParameters
+  {
+    int    maximum_iterations         = 40;
+    double tolerance                  = 1e-8; ///< residual over the sum of absolute forces [-]
+    double maximum_displacement_ratio = 0.05; ///< displacement per step over block size [-]
+  };
+
+
+  /// Everything about the blocks that does not change: the problem.
+  struct Model
+  {
+    std::vector<BlockProperties>  blocks;
+    Geometry                      initial; ///< outlines and base before the first step
+    std::vector<Joint>            joints;
+    std::vector<ContactLaw>       block_contact; ///< per block: its vertices on other blocks
+    std::vector<ContactLaw>       base_contact;  ///< per block: against the base
+    std::vector<std::vector<int>> neighbours;    ///< per block: blocks that share a mesh vertex
+    std::vector<bool>             bonded;        ///< per block: has at least one joint
+    Newmark                       newmark;
+    double                        gravity             = 9.81; ///< [m/s2]
+    double                        dynamic_coefficient = 1.;   ///< k01 [-]
+    double                        joint_damping_time  = 0.;   ///< beta_K of the joints' springs [s]
+    IterationParameters           iteration;
+
+    int n_blocks() const
+    {
+      return static_cast<int>(blocks.size());
+    }
+
+    int n_base_nodes() const
+    {
+      return static_cast<int>(initial.base_nodes.size());
+    }
+  };
+} // namespace hybrid::dda

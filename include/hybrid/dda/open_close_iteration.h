@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/base_response.h>
+#include <hybrid/dda/linear_solver.h>
+#include <hybrid/dda/springs.h>
+
+#include <limits>
+
+namespace hybrid::dda
+{
+  /// What became of one step of the blocks.
+  struct StepResult
+  {
+    bool   converged          = false; ///< if not, nothing was changed: cut the step
+    int    iterations         = 0;     ///< of the open-close iteration
+    int    solver_iterations  = 0;     ///< of conjugate gradients, summed
+    int    factorizations     = 0;
+    double residual           = 0.; ///< relative force residual at the end [-]
+    double displacement_ratio = 0.; ///< largest displacement over block size [-]
+    double unbalanced =
+      0.; ///< relative inertial force at the end (the static residual of a step from rest) [-]
+    int largest_block = -1; ///< block that moved most, relative to its size
+  };
+
+
+  /**
+   * One implicit step of blocks and base: the open-close iteration.
+   *
+   * Finds the increments d of all blocks and the displacement w of the base
+   * nodes so that at the end of the step inertia, stresses, joints, contacts
+   * and weight balance,
+   *   M a(d) + A_0 (s + D e(d) + b_K D e'(d)) = W + sum G^T f(d, w),
+   *   S w = g + f_base - f_static,
+   * with gaps and slips of the exact finite motion and contact states that
+   * agree with the forces. Newton's method with the symmetric tangent; the
+   * tangent is kept as long as it serves. Not converged is a status: the
+   * state is changed only by accept().
+   */
+  class OpenCloseIteration
+  {
+  public:
+    /// Solve the step from @p state; @p model must outlive the call to accept().
+    StepResult
+    solve(const Model &model, const DdaState &state, const BaseResponse &base, double dt);
+
+    /// Make the solved step the new state: move bodies, remember contacts, count failures and
+    /// energy.
+    void accept(const Model &model, DdaState &state) const;
+
+    /// Displacement w of the base nodes of the solved step [m].
+    const Eigen::VectorXd &base_displacement() const
+    {
+      return trial.base;
+    }
+
+    /// Forces of the blocks on the base nodes in the solved step, less the static ones [N/m].
+    const Eigen::VectorXd &base_force_increment() const
+    {
+      return force_increment;
+    }
+
+  private:
+    Springs           springs;
+    BlockMatrix       matrix;
+    LinearSolver      solver;
+    Trial             trial;
+    std::vector<Mat6> mass;
+    std::vector<Vec6> predicted; ///< Newmark's d*: a = (d - d*) / (beta dt^2)
+    std::vector<Vec6> predicted_rate;
+    std::vector<Vec6> acceleration; ///< at the end of the solved step, not yet turned
+    Eigen::VectorXd   residual, absolute, scale, update, force_increment;
+    double            tangent_dt      = -1.; ///< step of the tangent in matrix
+    int               tangent_pattern = -1;
+    double            reference       = 0.; ///< norm of absolute forces [N]
+
+    void predict(const Model &model, const DdaState &state, const BaseResponse &base, double dt);
+
+    void move(const DdaState &state);
+
+    double evaluate(const Model &model, const DdaState &state, const BaseResponse &base);
+
+    void assemble(const Model &model, const BaseResponse &base);
+
+    void judge(const Model &model, StepResult &result) const;
+  };
+} // namespace hybrid::dda

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/block_matrix.h>
+#include <hybrid/dda/block_motion.h>
+#include <hybrid/dda/model.h>
+#include <hybrid/dda/state.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace hybrid::dda
+{
+  /// A trial of the step: where the unknowns would take all bodies.
+  struct Trial
+  {
+    double                   dt = 0.;      ///< [s]
+    std::vector<Vec6>        increment;    ///< d of each block
+    std::vector<Vec6>        rate;         ///< velocity of each block at the end of the step
+    std::vector<BlockMotion> motion;       ///< finite motion of each block
+    std::vector<Vec2>        displacement; ///< of each vertex over the step [m]
+    Eigen::VectorXd          base;         ///< displacement of the base nodes at the end [m]
+  };
+
+
+  /**
+   * The springs of one time step: the ends of unreleased joints and the
+   * vertex-edge contacts, all seen as pairs of points P (on a block) and Q (on
+   * another block or the base) with a normal from P to Q. The force on Q is
+   * N n + T t times the length, the opposite acts on P, both at one place, so
+   * action equals reaction in force and moment.
+   */
+  class Springs
+  {
+  public:
+    /// Fixed data of one spring during a step.
+    struct Spring
+    {
+      int block;                         ///< of P
+      int other;                         ///< block of Q, or base_body
+      int node[2]            = {0, 0};   ///< base nodes of Q
+      int slot[2]            = {-1, -1}; ///< in the block matrix: pair of blocks, or block and node
+      int joint              = -1;       ///< number of the joint, or -1
+      int contact            = -1;       ///< number of the contact, or -1
+      int end                = 0;        ///< of the joint
+      const JointLaw *law    = nullptr;
+      double          length = 0.; ///< [m]
+      SpringState     old;         ///< when the step began
+    };
+
+    /// What a trial makes of one spring.
+    struct Response
+    {
+      Vec2        normal, tangent;          ///< unit vectors; normal from P to Q
+      Vec2        place;                    ///< where the force acts [m]
+      double      weight[2]     = {1., 0.}; ///< of the base nodes
+      double      edge_position = 0.;       ///< projection on the contact's edge [-]
+      SpringState now;                      ///< if the step is accepted
+      double      normal_stiffness = 0., shear_stiffness = 0.; ///< tangents [Pa/m]
+    };
+
+    /// Collect the springs of the step that starts from @p state.
+    void collect(const Model &model, const DdaState &state);
+
+    /// Set the matrix pattern that these springs need (kept if it holds them already) and find the
+    /// slots.
+    void connect(const Model &model, BlockMatrix &matrix);
+
+    /// Forces of the springs in a trial. Same bits for any number of threads.
+    void evaluate(const Model &model, const DdaState &state, const Trial &trial);
+
+    /// Add forces to the residual of blocks and base nodes, their absolute values to @p absolute.
+    void add_forces(const Trial &trial, Eigen::VectorXd &residual, Eigen::VectorXd &absolute) const;
+
+    /// Add tangents; @p damping_factor is gamma / (beta dt).
+    void add_stiffness(const Model &model,
+                       const Trial &trial,
+                       double       damping_factor,
+                       BlockMatrix &matrix) const;
+
+    std::vector<Spring>   springs;
+    std::vector<Response> responses;
+
+  private:
+    void collect_joints(const Model &model, const DdaState &state);
+
+    void collect_contacts(const Model &model, const DdaState &state);
+
+    void
+    evaluate_joint(const Model &model, const DdaState &state, const Trial &trial, std::size_t s);
+
+    void evaluate_contact(const DdaState &state, const Trial &trial, std::size_t s);
+
+    std::vector<BlockMatrix::Pair> block_pairs, node_pairs; ///< of these springs
+  };
+} // namespace hybrid::dda

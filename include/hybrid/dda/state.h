@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/block.h>
+#include <hybrid/dda/contact.h>
+#include <hybrid/dda/geometry.h>
+#include <hybrid/dda/joint_law.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace hybrid::dda
+{
+  /// How a joint failed.
+  enum class FailureKind
+  {
+    none,
+    tensile,
+    shear
+  };
+
+
+  /// What a spring (joint point or contact) carried when the step was accepted.
+  struct SpringState
+  {
+    JointHistory history;
+    Vec2   jump   = Vec2::Zero(); ///< place of the other side's point relative to this side's [m]
+    double gap    = 0.;           ///< [m]
+    double slip   = 0.;           ///< [m]
+    double normal = 0.; ///< total normal traction, damping included [Pa], compression positive
+    double shear  = 0.; ///< total shear traction, damping included [Pa]
+    double elastic_normal = 0.; ///< without damping [Pa]
+    double elastic_shear  = 0.; ///< without damping [Pa]
+    ContactState state    = ContactState::locked;
+  };
+
+
+  /// State of one joint.
+  struct JointState
+  {
+    SpringState points[2];
+    FailureKind failure      = FailureKind::none;
+    double      failure_time = 0.;    ///< [s]; negative: in the static stage
+    bool        released     = false; ///< slid or opened so far that vertex contacts took over
+  };
+
+
+  /// Energy of the blocks [J/m]; losses and work are sums since the dynamic stage began.
+  struct BlockEnergy
+  {
+    double kinetic          = 0.; ///< 1/2 v M v, now
+    double newmark          = 0.; ///< the scheme's acceleration term, now
+    double strain           = 0.; ///< of the blocks, now
+    double gravity          = 0.; ///< potential relative to the start, now
+    double springs          = 0.; ///< stored in joints and contacts, now
+    double friction_loss    = 0.; ///< plastic slip
+    double fracture_loss    = 0.; ///< tensile cracking
+    double damping_loss     = 0.; ///< stiffness-proportional damping and dynamic coefficient
+    double integration_loss = 0.; ///< Newmark's own dissipation, springs included
+    double switch_loss      = 0.; ///< stored energy that vanished when springs were replaced
+    double base_work        = 0.; ///< done by the base on the blocks
+
+    /// Energy now held plus energy lost, less the work received: constant if nothing is created
+    /// [J/m].
+    double balance() const
+    {
+      return kinetic + newmark + strain + gravity + springs + friction_loss + fracture_loss +
+             damping_loss + integration_loss + switch_loss - base_work;
+    }
+  };
+
+
+  /// All mutable state of the blocks: copied for roll-back, written for restart.
+  struct DdaState
+  {
+    double                  time = 0.; ///< [s]
+    Geometry                geometry;
+    std::vector<BlockState> blocks;
+    std::vector<JointState> joints;
+    std::vector<Contact>    contacts;
+    Eigen::VectorXd         base_displacement; ///< (x0, y0, x1, ...) [m], since the static state
+    Eigen::VectorXd         base_force;        ///< on the base nodes [N/m], now
+    Eigen::VectorXd static_force; ///< on the base nodes at the end of the static stage [N/m]
+    BlockEnergy     energy;
+  };
+} // namespace hybrid::dda

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/block_energy.h>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    /// 1/2 s : D^-1 : s per area [J/m2].
+    double strain_energy_density(const Eigen::Matrix3d &d, const Eigen::Vector3d &s)
+    {
+      const double determinant = d(0, 0) * d(0, 0) - d(0, 1) * d(0, 1);
+      const double ex          = (d(0, 0) * s[0] - d(0, 1) * s[1]) / determinant;
+      const double ey          = (d(0, 0) * s[1] - d(0, 1) * s[0]) / determinant;
+      return 0.5 * (s[0] * ex + s[1] * ey + s[2] * s[2] / d(2, 2));
+    }
+
+
+
+    /// Blocks: kinetic, stress and weight.
+    void audit_blocks(const StepAudit &step, BlockEnergy &energy)
+    {
+      const Newmark &nm = step.model.newmark;
+      const double   dt = step.trial.dt, term = nm.beta - 0.5 * nm.gamma, excess = nm.gamma - 0.5;
+      const double   k01            = step.model.dynamic_coefficient;
+      double         kinetic_before = 0., newmark_before = 0.;
+      energy.kinetic = energy.newmark = energy.strain = 0.;
+      for (int b = 0; b < step.model.n_blocks(); ++b)
+        {
+          const BlockProperties &p = step.model.blocks[b];
+          const BlockState      &s = step.before.blocks[b];
+          const Mat6            &m = step.mass[b];
+          const Vec6            &d = step.trial.increment[b], &v = step.trial.rate[b];
+          const Vec6            &a      = step.acceleration[b];
+          const Vec6             change = a - s.acceleration;
+          kinetic_before += 0.5 * s.velocity.dot(m * s.velocity);
+          newmark_before += 0.5 * term * dt * dt * s.acceleration.dot(m * s.acceleration);
+          energy.kinetic += 0.5 * v.dot(m * v);
+          energy.newmark += 0.5 * term * dt * dt * a.dot(m * a);
+          energy.integration_loss += excess * term * dt * dt * change.dot(m * change);
+
+          const Eigen::Vector3d e = d.tail<3>(), stiff = p.elasticity * e;
+          energy.strain += p.area * strain_energy_density(p.elasticity, s.stress + stiff);
+          energy.integration_loss += excess * p.area * stiff.dot(e);
+          energy.gravity += p.weight * step.model.gravity * d[1];
+          if (p.damping_time > 0.)
+            energy.damping_loss +=
+              p.area * p.damping_time *
+              stiff.dot((1. - nm.gamma) * s.velocity.tail<3>() + nm.gamma * v.tail<3>());
+        }
+      energy.damping_loss += (1. - k01 * k01) * kinetic_before;
+      // A new step size changes the scheme's acceleration term.
+      energy.integration_loss += step.before.energy.newmark - newmark_before;
+    }
+
+
+
+    /// Joints and contacts, each spring by its own kinematics.
+    void audit_springs(const StepAudit &step, BlockEnergy &energy)
+    {
+      const double gamma  = step.model.newmark.gamma;
+      double       before = 0.;
+      energy.springs      = 0.;
+      for (std::size_t i = 0; i < step.springs.springs.size(); ++i)
+        {
+          const Springs::Spring &spring = step.springs.springs[i];
+          const SpringState     &old = spring.old, &now = step.springs.responses[i].now;
+          const auto             weighted = [&](const double start, const double end) {
+            return (1. - gamma) * start + gamma * end;
+          };
+          const double gap = now.gap - old.gap, slip = now.slip - old.slip;
+          const double work =
+            weighted(old.normal, now.normal) * gap + weighted(old.shear, now.shear) * slip;
+          const double shear = weighted(old.elastic_shear, now.elastic_shear);
+          const double elastic =
+            weighted(old.elastic_normal, now.elastic_normal) * gap + shear * slip;
+          const double stored_before = spring.law->stored_energy({old.gap, old.slip}, old.history);
+          const double stored        = spring.law->stored_energy({now.gap, now.slip}, now.history);
+          const double friction = -shear * (now.history.plastic_slip - old.history.plastic_slip);
+          const double fracture =
+            spring.law->fracture_loss(now.history) - spring.law->fracture_loss(old.history);
+
+          before += spring.length * stored_before;
+          energy.springs += spring.length * stored;
+          energy.friction_loss += spring.length * friction;
+          energy.fracture_loss += spring.length * fracture;
+          energy.damping_loss += spring.length * (elastic - work);
+          energy.integration_loss +=
+            spring.length * (-elastic - (stored - stored_before) - friction - fracture);
+        }
+      energy.switch_loss += step.before.energy.springs - before;
+    }
+  } // namespace
+
+
+
+  BlockEnergy audit_step(const StepAudit &step)
+  {
+    BlockEnergy energy = step.before.energy;
+    audit_blocks(step, energy);
+    audit_springs(step, energy);
+    return energy;
+  }
+
+
+
+  BlockEnergy held_energy(const Model &model, const DdaState &state)
+  {
+    BlockEnergy energy;
+    for (int b = 0; b < model.n_blocks(); ++b)
+      {
+        const BlockProperties &p = model.blocks[b];
+        const BlockState      &s = state.blocks[b];
+        energy.kinetic += 0.5 * s.velocity.dot(mass_matrix(p, s.rotation) * s.velocity);
+        energy.strain += p.area * strain_energy_density(p.elasticity, s.stress);
+      }
+    Springs springs;
+    springs.collect(model, state);
+    for (const Springs::Spring &spring : springs.springs)
+      energy.springs += spring.length * spring.law->stored_energy({spring.old.gap, spring.old.slip},
+                                                                  spring.old.history);
+    return energy;
+  }
+} // namespace hybrid::dda

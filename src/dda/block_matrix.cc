@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/block_matrix.h>
+
+#include <algorithm>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    void sort_unique(std::vector<BlockMatrix::Pair> &pairs)
+    {
+      std::sort(pairs.begin(), pairs.end());
+      pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    }
+
+
+
+    /// Start of each row's entries in a list sorted by its first member.
+    std::vector<int> row_starts(const std::vector<BlockMatrix::Pair> &sorted, const int n_rows)
+    {
+      std::vector<int> begin(n_rows + 1, 0);
+      for (const auto &pair : sorted)
+        ++begin[pair[0] + 1];
+      for (int i = 0; i < n_rows; ++i)
+        begin[i + 1] += begin[i];
+      return begin;
+    }
+
+
+
+    int find(const std::vector<BlockMatrix::Pair> &sorted,
+             const std::vector<int>               &begin,
+             const BlockMatrix::Pair              &pair)
+    {
+      const auto first = sorted.begin() + begin[pair[0]],
+                 last  = sorted.begin() + begin[pair[0] + 1];
+      const auto found = std::lower_bound(first, last, pair);
+      return found != last && *found == pair ? static_cast<int>(found - sorted.begin()) : -1;
+    }
+  } // namespace
+
+
+
+  void BlockMatrix::set_pattern(const int         n_blocks,
+                                const int         n_nodes,
+                                std::vector<Pair> block_pairs,
+                                std::vector<Pair> node_pairs)
+  {
+    for (auto &pair : block_pairs)
+      if (pair[0] > pair[1])
+        std::swap(pair[0], pair[1]);
+    sort_unique(block_pairs);
+    sort_unique(node_pairs);
+    pairs     = std::move(block_pairs);
+    couplings = std::move(node_pairs);
+
+    pair_begin     = row_starts(pairs, n_blocks);
+    coupling_begin = row_starts(couplings, n_blocks);
+
+    std::vector<Pair> both; // (row, slot or its complement), sorted by row then by the other block
+    std::vector<std::array<int, 3>> entries;
+    for (std::size_t s = 0; s < pairs.size(); ++s)
+      {
+        entries.push_back({pairs[s][0], pairs[s][1], static_cast<int>(s)});
+        entries.push_back({pairs[s][1], pairs[s][0], ~static_cast<int>(s)});
+      }
+    std::sort(entries.begin(), entries.end());
+    row_other.clear();
+    row_slot.clear();
+    for (const auto &e : entries)
+      {
+        both.push_back({e[0], e[1]});
+        row_other.push_back(e[1]);
+        row_slot.push_back(e[2]);
+      }
+    row_begin = row_starts(both, n_blocks);
+
+    std::vector<Pair> by_node;
+    for (std::size_t s = 0; s < couplings.size(); ++s)
+      by_node.push_back({couplings[s][1], static_cast<int>(s)});
+    std::sort(by_node.begin(), by_node.end());
+    node_begin = row_starts(by_node, n_nodes);
+    node_coupling.clear();
+    for (const auto &e : by_node)
+      node_coupling.push_back(e[1]);
+
+    diagonal.resize(n_blocks);
+    off_diagonal.resize(pairs.size());
+    block_node.resize(couplings.size());
+    node_diagonal.resize(n_nodes);
+    node_next.resize(n_nodes);
+    set_zero();
+    ++version;
+  }
+
+
+
+  void BlockMatrix::set_zero()
+  {
+    std::fill(diagonal.begin(), diagonal.end(), Mat6::Zero());
+    std::fill(off_diagonal.begin(), off_diagonal.end(), Mat6::Zero());
+    std::fill(block_node.begin(), block_node.end(), Mat62::Zero());
+    std::fill(node_diagonal.begin(), node_diagonal.end(), Eigen::Matrix2d::Zero());
+    std::fill(node_next.begin(), node_next.end(), Eigen::Matrix2d::Zero());
+  }
+
+
+
+  int BlockMatrix::block_slot(const int i, const int j) const
+  {
+    return find(pairs, pair_begin, {i, j});
+  }
+
+
+
+  int BlockMatrix::node_slot(const int block, const int node) const
+  {
+    return find(couplings, coupling_begin, {block, node});
+  }
+
+
+
+  void BlockMatrix::multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+  {
+    const int     n = n_blocks(), m = n_nodes();
+    const double *nodes = x.data() + 6 * n;
+
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < n; ++i)
+      {
+        Vec6 sum = diagonal[i] * Eigen::Map<const Vec6>(x.data() + 6 * i);
+        for (int k = row_begin[i]; k < row_begin[i + 1]; ++k)
+          {
+            const Eigen::Map<const Vec6> other(x.data() + 6 * row_other[k]);
+            if (row_slot[k] >= 0)
+              sum.noalias() += off_diagonal[row_slot[k]] * other;
+            else
+              sum.noalias() += off_diagonal[~row_slot[k]].transpose() * other;
+          }
+        for (int s = coupling_begin[i]; s < coupling_begin[i + 1]; ++s)
+          sum.noalias() +=
+            block_node[s] * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * couplings[s][1]);
+        Eigen::Map<Vec6>(y.data() + 6 * i) = sum;
+      }
+
+    for (int k = 0; k < m; ++k)
+      {
+        Eigen::Vector2d sum = node_diagonal[k] * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * k);
+        if (k + 1 < m)
+          sum.noalias() += node_next[k] * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * k + 2);
+        if (k > 0)
+          sum.noalias() +=
+            node_next[k - 1].transpose() * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * k - 2);
+        for (int e = node_begin[k]; e < node_begin[k + 1]; ++e)
+          {
+            const int s = node_coupling[e];
+            sum.noalias() +=
+              block_node[s].transpose() * Eigen::Map<const Vec6>(x.data() + 6 * couplings[s][0]);
+          }
+        Eigen::Map<Eigen::Vector2d>(y.data() + 6 * n + 2 * k) = sum;
+      }
+  }
+} // namespace hybrid::dda

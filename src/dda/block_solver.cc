@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/block_solver.h>
+
+#include <algorithm>
+#include <map>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    ContactDetection::Parameters detection_parameters(const Model &model)
+    {
+      double largest = 0., smallest = std::numeric_limits<double>::infinity();
+      for (const BlockProperties &block : model.blocks)
+        {
+          largest  = std::max(largest, block.size);
+          smallest = std::min(smallest, block.size);
+        }
+      // Two bodies that move towards each other by the largest allowed displacement each.
+      const double moved = 2. * model.iteration.maximum_displacement_ratio * largest;
+      return {std::min(moved, 0.25 * smallest), 0.25 * largest, 1e-3, 0.25 * smallest};
+    }
+  } // namespace
+
+
+
+  BlockSolver::BlockSolver(const Model &block_model)
+    : model(block_model)
+    , detection(detection_parameters(block_model))
+  {
+    std::vector<int> offset{0}, list;
+    for (const auto &neighbours : model.neighbours)
+      {
+        list.insert(list.end(), neighbours.begin(), neighbours.end());
+        offset.push_back(static_cast<int>(list.size()));
+      }
+    detection.set_neighbours(offset, list);
+
+    std::map<std::pair<double, double>, int> node_at;
+    for (int k = 0; k < model.n_base_nodes(); ++k)
+      node_at[{model.initial.base_nodes[k].x(), model.initial.base_nodes[k].y()}] = k;
+    for (std::size_t v = 0; v < model.initial.vertices.size(); ++v)
+      {
+        const Vec2 &x    = model.initial.vertices[v];
+        const auto  node = node_at.find({x.x(), x.y()});
+        if (node == node_at.end())
+          continue;
+        for (const int segment : {node->second - 1, node->second})
+          if (segment >= 0 && segment + 1 < model.n_base_nodes())
+            touching_base.push_back({model.initial.block_of[v], segment});
+      }
+  }
+
+
+
+  void BlockSolver::update_skipped_pairs(const DdaState &state)
+  {
+    int now = 0;
+    for (const JointState &joint : state.joints)
+      now += joint.released ? 1 : 0;
+    if (now == released)
+      return;
+    released = now;
+
+    SkippedPairs skipped;
+    skipped.awake.assign(model.blocks.size(), 0);
+    for (std::size_t b = 0; b < model.blocks.size(); ++b)
+      skipped.awake[b] = !model.bonded[b];
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+      {
+        const Joint &joint = model.joints[j];
+        if (state.joints[j].released)
+          {
+            skipped.awake[joint.block] = 1;
+            if (joint.other != base_body)
+              skipped.awake[joint.other] = 1;
+          }
+        else if (joint.other == base_body)
+          skipped.bonded_base.push_back({joint.block, joint.points[0].other_vertex});
+        else
+          skipped.bonded.push_back({joint.block, joint.other});
+      }
+    // A block that only touches the base with a corner is held by its neighbours while it is not
+    // awake.
+    for (const auto &pair : touching_base)
+      if (!skipped.awake[pair.first])
+        skipped.bonded_base.push_back(pair);
+    std::sort(skipped.bonded_base.begin(), skipped.bonded_base.end());
+    skipped.bonded_base.erase(std::unique(skipped.bonded_base.begin(), skipped.bonded_base.end()),
+                              skipped.bonded_base.end());
+    detection.set_skipped_pairs(skipped);
+  }
+
+
+
+  StepResult BlockSolver::solve(DdaState &state, const BaseResponse &base, const double dt)
+  {
+    update_skipped_pairs(state);
+    detection.update(state.geometry, state.contacts);
+    return iteration.solve(model, state, base, dt);
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/joint_law.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    double tan_deg(const double angle)
+    {
+      return std::tan(angle * M_PI / 180.);
+    }
+  } // namespace
+
+
+
+  JointStrength JointStrength::bond(const Material &material,
+                                    const double    fracture_energy,
+                                    const double    softening_slip,
+                                    const bool      residual_is_peak)
+  {
+    JointStrength s;
+    s.tensile           = material.tensile_strength;
+    s.cohesion          = material.cohesion;
+    s.tan_phi           = tan_deg(material.friction_angle);
+    s.residual_cohesion = residual_is_peak ? s.cohesion : material.residual_cohesion;
+    s.residual_tan_phi  = residual_is_peak || material.residual_friction_angle < 0.
+                            ? s.tan_phi
+                            : tan_deg(material.residual_friction_angle);
+    s.fracture_energy   = fracture_energy;
+    s.softening_slip    = softening_slip;
+    return s;
+  }
+
+
+
+  JointStrength JointStrength::unlimited_bond()
+  {
+    JointStrength s = unlimited_friction();
+    s.tensile       = std::numeric_limits<double>::infinity();
+    return s;
+  }
+
+
+
+  JointStrength JointStrength::unlimited_friction()
+  {
+    JointStrength s;
+    s.cohesion = s.residual_cohesion = std::numeric_limits<double>::infinity();
+    return s;
+  }
+
+
+
+  JointStrength JointStrength::broken(const Material &material)
+  {
+    JointStrength s = bond(material, 0., 0., false);
+    s.tensile       = 0.;
+    s.cohesion      = s.residual_cohesion;
+    s.tan_phi       = s.residual_tan_phi;
+    return s;
+  }
+
+
+
+  double JointLaw::damage_at(const double gap) const
+  {
+    const double elastic = strength.tensile / k_n; // opening at the tensile strength
+    if (gap <= elastic)
+      return 0.;
+    const double critical =
+      strength.tensile > 0. ? 2. * strength.fracture_energy / strength.tensile : 0.;
+    if (gap >= critical || critical <= elastic)
+      return 1.;
+    return 1. - elastic * (critical - gap) / (gap * (critical - elastic));
+  }
+
+
+
+  double
+  JointLaw::shear_strength(const double normal, const double softening, const double damage) const
+  {
+    const double w = strength.softening_slip > 0.
+                       ? std::min(softening / strength.softening_slip, 1.)
+                     : softening > 0. ? 1.
+                                      : 0.;
+    const double c =
+      strength.residual_cohesion +
+      (strength.cohesion == strength.residual_cohesion
+         ? 0.
+         : (strength.cohesion - strength.residual_cohesion) * (1. - w) * (1. - damage));
+    const double f = strength.tan_phi + (strength.residual_tan_phi - strength.tan_phi) * w;
+    return std::max(0., c + normal * f);
+  }
+
+
+
+  JointResponse JointLaw::respond(const JointKinematics &kinematics,
+                                  const JointHistory    &history) const
+  {
+    JointResponse r;
+    r.history = history;
+
+    if (kinematics.gap > 0.)
+      r.history.damage = std::max(history.damage, damage_at(kinematics.gap));
+    r.normal_stiffness = kinematics.gap > 0. ? (1. - r.history.damage) * k_n : k_n;
+    r.normal           = -r.normal_stiffness * kinematics.gap;
+
+    if (kinematics.gap > 0. && r.history.damage >= 1.)
+      {
+        // Open for good: no shear; the friction spring starts anew on closing.
+        r.history.plastic_slip = kinematics.slip;
+        r.normal_stiffness     = 0.;
+        r.normal               = 0.;
+        r.state                = ContactState::open;
+        return r;
+      }
+
+    const double trial = -k_s * (kinematics.slip - history.plastic_slip);
+    if (std::abs(trial) <= shear_strength(r.normal, history.softening, r.history.damage))
+      {
+        r.shear           = trial;
+        r.shear_stiffness = k_s;
+        r.state           = ContactState::locked;
+        return r;
+      }
+
+    // Slip: strength and spring both fall linearly with the slip increment x,
+    //   |trial| - k_s x = strength(kappa + x), strength piecewise linear in x.
+    const double now = shear_strength(r.normal, history.softening, r.history.damage);
+    const double end =
+      shear_strength(r.normal, history.softening + strength.softening_slip + 1., r.history.damage);
+    double       x    = (std::abs(trial) - end) / k_s; // residual strength reached
+    const double left = std::max(0., strength.softening_slip - history.softening);
+    if (left > 0. && x < left)
+      {
+        const double slope = (now - end) / left; // fall of strength per slip
+        x                  = slope < k_s ? (std::abs(trial) - now) / (k_s - slope) : x;
+        x                  = std::max(0., std::min(x, (std::abs(trial) - end) / k_s));
+      }
+    r.shear                = std::copysign(std::abs(trial) - k_s * x, trial);
+    r.history.softening    = history.softening + x;
+    r.history.plastic_slip = kinematics.slip + r.shear / k_s;
+    r.state                = ContactState::sliding;
+    return r;
+  }
+
+
+
+  double JointLaw::stored_energy(const JointKinematics &kinematics,
+                                 const JointHistory    &history) const
+  {
+    const double k = kinematics.gap > 0. ? (1. - history.damage) * k_n : k_n;
+    const double e = kinematics.slip - history.plastic_slip;
+    return 0.5 * k * kinematics.gap * kinematics.gap + 0.5 * k_s * e * e;
+  }
+
+
+
+  double JointLaw::fracture_loss(const JointHistory &history) const
+  {
+    if (history.damage <= 0. || strength.tensile <= 0.)
+      return 0.;
+    const double elastic  = strength.tensile / k_n;
+    const double critical = std::max(elastic, 2. * strength.fracture_energy / strength.tensile);
+    // Largest opening g of the linear softening branch that gives this damage.
+    const double a        = elastic / std::max(critical - elastic, 1e-300);
+    const double gap      = std::min(critical, a * critical / (1. - history.damage + a));
+    const double traction = (1. - history.damage) * k_n * gap;
+    return 0.5 * strength.tensile * elastic +
+           0.5 * (strength.tensile + traction) * (gap - elastic) - 0.5 * traction * gap;
+  }
+
+
+
+  bool JointLaw::broken_in_tension(const JointHistory &history) const
+  {
+    return history.damage >= 1.;
+  }
+
+
+
+  bool JointLaw::broken_in_shear(const JointHistory &history) const
+  {
+    return history.softening > 0. && history.softening >= strength.softening_slip;
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/block_energy.h>
+#include <hybrid/dda/open_close_iteration.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace hybrid::dda
+{
+  void OpenCloseIteration::predict(const Model        &model,
+                                   const DdaState     &state,
+                                   const BaseResponse &base,
+                                   const double        dt)
+  {
+    const int    n = model.n_blocks(), m = model.n_base_nodes();
+    const double beta = model.newmark.beta, gamma = model.newmark.gamma;
+    trial.dt = dt;
+    trial.increment.resize(n);
+    trial.rate.resize(n);
+    trial.motion.resize(n);
+    trial.displacement.resize(state.geometry.vertices.size());
+    mass.resize(n);
+    predicted.resize(n);
+    predicted_rate.resize(n);
+    acceleration.resize(n);
+    scale.setOnes(6 * n + 2 * m);
+    for (int b = 0; b < n; ++b)
+      {
+        const BlockState &block = state.blocks[b];
+        const Vec6        v     = model.dynamic_coefficient * block.velocity;
+        mass[b]                 = mass_matrix(model.blocks[b], block.rotation);
+        predicted[b]            = dt * v + dt * dt * (0.5 - beta) * block.acceleration;
+        predicted_rate[b]       = v + dt * (1. - gamma) * block.acceleration;
+        trial.increment[b]      = predicted[b] + beta * dt * dt * block.acceleration;
+        scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
+      }
+    assert(base.displacement.size() == 2 * m);
+    trial.base = base.displacement;
+  }
+
+
+
+  void OpenCloseIteration::move(const DdaState &state)
+  {
+    const int n = static_cast<int>(trial.increment.size());
+#pragma omp parallel for schedule(static)
+    for (int b = 0; b < n; ++b)
+      {
+        trial.motion[b] = BlockMotion(state.blocks[b].centroid, trial.increment[b]);
+        for (int v = state.geometry.offset[b]; v < state.geometry.offset[b + 1]; ++v)
+          trial.displacement[v] = trial.motion[b].displacement(state.geometry.vertices[v]);
+      }
+  }
+
+
+
+  double
+  OpenCloseIteration::evaluate(const Model &model, const DdaState &state, const BaseResponse &base)
+  {
+    const int    n = model.n_blocks(), m = model.n_base_nodes();
+    const double dt = trial.dt, beta = model.newmark.beta, gamma = model.newmark.gamma;
+    for (int b = 0; b < n; ++b)
+      trial.rate[b] = predicted_rate[b] + gamma / (beta * dt) * (trial.increment[b] - predicted[b]);
+    move(state);
+    springs.evaluate(model, state, trial);
+
+    residual.setZero(6 * n + 2 * m);
+    absolute.setZero(n);
+    for (int b = 0; b < n; ++b)
+      {
+        const BlockProperties &p = model.blocks[b];
+        const Vec6 inertia = mass[b] * ((trial.increment[b] - predicted[b]) / (beta * dt * dt));
+        const Eigen::Vector3d stress =
+          state.blocks[b].stress +
+          p.elasticity * (trial.increment[b].tail<3>() + p.damping_time * trial.rate[b].tail<3>());
+        Eigen::Map<Vec6> r(residual.data() + 6 * b);
+        r = -inertia;
+        r[1] -= p.weight * model.gravity;
+        r.tail<3>() -= p.area * stress;
+        absolute[b] = inertia.head<2>().norm() + p.weight * model.gravity + p.size * stress.norm();
+      }
+    springs.add_forces(trial, residual, absolute);
+
+    force_increment = residual.tail(2 * m) - state.static_force;
+    if (base.prescribed)
+      residual.tail(2 * m).setZero();
+    else
+      residual.tail(2 * m) = base.load + force_increment - *base.stiffness * trial.base;
+    reference = absolute.norm();
+    return residual.cwiseQuotient(scale).norm() / std::max(reference, 1e-300);
+  }
+
+
+
+  void OpenCloseIteration::assemble(const Model &model, const BaseResponse &base)
+  {
+    const double dt = trial.dt, beta = model.newmark.beta, gamma = model.newmark.gamma;
+    springs.connect(model, matrix);
+    matrix.set_zero();
+    for (int b = 0; b < model.n_blocks(); ++b)
+      {
+        const BlockProperties &p = model.blocks[b];
+        matrix.diagonal[b]       = mass[b] / (beta * dt * dt);
+        matrix.diagonal[b].bottomRightCorner<3, 3>() +=
+          p.area * (1. + p.damping_time * gamma / (beta * dt)) * p.elasticity;
+      }
+    springs.add_stiffness(model, trial, gamma / (beta * dt), matrix);
+    if (base.prescribed)
+      {
+        // Prescribed nodes: no coupling, unit diagonal.
+        std::fill(matrix.block_node.begin(), matrix.block_node.end(), BlockMatrix::Mat62::Zero());
+        std::fill(matrix.node_diagonal.begin(),
+                  matrix.node_diagonal.end(),
+                  Eigen::Matrix2d::Identity());
+        std::fill(matrix.node_next.begin(), matrix.node_next.end(), Eigen::Matrix2d::Zero());
+      }
+    solver.matrix_changed(matrix);
+    tangent_dt      = dt;
+    tangent_pattern = matrix.pattern_version();
+  }
+
+
+
+  void OpenCloseIteration::judge(const Model &model, StepResult &result) const
+  {
+    double unbalanced = 0.;
+    for (int b = 0; b < model.n_blocks(); ++b)
+      {
+        const Vec6  &d    = trial.increment[b];
+        const double size = model.blocks[b].size;
+        const double ratio =
+          d.head<2>().norm() / size + std::abs(d[2]) + d.tail<3>().lpNorm<Eigen::Infinity>();
+        if (ratio > result.displacement_ratio || result.largest_block < 0)
+          {
+            result.displacement_ratio = ratio;
+            result.largest_block      = b;
+          }
+        const Vec6 inertia = mass[b] * acceleration[b];
+        unbalanced +=
+          inertia.head<2>().squaredNorm() + inertia.tail<4>().squaredNorm() / (size * size);
+      }
+    result.unbalanced = std::sqrt(unbalanced) / std::max(reference, 1e-300);
+  }
+
+
+
+  StepResult OpenCloseIteration::solve(const Model        &model,
+                                       const DdaState     &state,
+                                       const BaseResponse &base,
+                                       const double        dt)
+  {
+    StepResult result;
+    springs.collect(model, state);
+    predict(model, state, base, dt);
+    solver.set_base_stiffness(base.prescribed ? nullptr : base.stiffness);
+
+    double previous = std::numeric_limits<double>::infinity();
+    result.residual = evaluate(model, state, base);
+    springs.connect(model, matrix);
+    bool stale = tangent_dt != dt || tangent_pattern != matrix.pattern_version();
+    for (; result.iterations < model.iteration.maximum_iterations; ++result.iterations)
+      {
+        if (!std::isfinite(result.residual))
+          return result;
+        if (result.iterations > 0 && result.residual <= model.iteration.tolerance)
+          {
+            result.converged = true;
+            break;
+          }
+        // A kept tangent that no longer takes most of the residual away is made anew.
+        if (stale || (result.iterations > 0 && result.residual > 1e-3 * previous))
+          assemble(model, base);
+        stale = false;
+
+        const double               target = 0.2 * model.iteration.tolerance * reference;
+        const LinearSolver::Result linear = solver.solve(matrix, residual, scale, target, update);
+        result.solver_iterations += linear.iterations;
+        result.factorizations += linear.factored ? 1 : 0;
+        for (int b = 0; b < model.n_blocks(); ++b)
+          trial.increment[b] += update.segment<6>(6 * b);
+        if (!base.prescribed)
+          trial.base += update.tail(trial.base.size());
+        previous        = result.residual;
+        result.residual = evaluate(model, state, base);
+      }
+    if (!result.converged)
+      return result;
+    for (int b = 0; b < model.n_blocks(); ++b)
+      acceleration[b] =
+        (trial.increment[b] - predicted[b]) / (model.newmark.beta * trial.dt * trial.dt);
+    judge(model, result);
+    result.converged = result.displacement_ratio <= model.iteration.maximum_displacement_ratio;
+    return result;
+  }
+
+
+
+  namespace
+  {
+    /// Bond of a joint after the step: failure is complete when both ends are broken.
+    void update_failure(const Joint &joint, JointState &state, const double time)
+    {
+      const auto broken = [&](const SpringState &point) {
+        return joint.law.broken_in_tension(point.history) ||
+               joint.law.broken_in_shear(point.history);
+      };
+      if (state.failure == FailureKind::none && broken(state.points[0]) && broken(state.points[1]))
+        {
+          const bool tensile = joint.law.broken_in_tension(state.points[0].history) ||
+                               joint.law.broken_in_tension(state.points[1].history);
+          state.failure      = tensile ? FailureKind::tensile : FailureKind::shear;
+          state.failure_time = time;
+        }
+      // Far apart, the ends of the edge no longer stand for the contact: vertices and edges take
+      // over.
+      constexpr double released_part = 0.1;
+      const double     reach         = released_part * joint.length;
+      if (state.failure != FailureKind::none &&
+          (std::max(state.points[0].jump.norm(), state.points[1].jump.norm()) > reach))
+        state.released = true;
+    }
+  } // namespace
+
+
+
+  void OpenCloseIteration::accept(const Model &model, DdaState &state) const
+  {
+    const int    n  = model.n_blocks();
+    const double dt = trial.dt;
+    state.energy    = audit_step({model, state, trial, springs, mass, acceleration});
+    state.energy.base_work -= ((1. - model.newmark.gamma) * state.base_force +
+                               model.newmark.gamma * (force_increment + state.static_force))
+                                .dot(trial.base - state.base_displacement);
+    state.time += dt;
+
+    for (int b = 0; b < n; ++b)
+      {
+        BlockState        &block = state.blocks[b];
+        const BlockMotion &move  = trial.motion[b];
+        block.centroid           = move.centroid;
+        block.rotation += trial.increment[b][2];
+        block.velocity     = rotated_rates(trial.rate[b], move.cosine, move.sine);
+        block.acceleration = rotated_rates(acceleration[b], move.cosine, move.sine);
+        block.stress =
+          rotated_stress(block.stress + model.blocks[b].elasticity * trial.increment[b].tail<3>(),
+                         move.cosine,
+                         move.sine);
+      }
+    for (std::size_t v = 0; v < state.geometry.vertices.size(); ++v)
+      state.geometry.vertices[v] += trial.displacement[v];
+    state.base_displacement = trial.base;
+    state.base_force        = force_increment + state.static_force;
+    for (int k = 0; k < model.n_base_nodes(); ++k)
+      state.geometry.base_nodes[k] = model.initial.base_nodes[k] + trial.base.segment<2>(2 * k);
+
+    for (std::size_t s = 0; s < springs.springs.size(); ++s)
+      {
+        const Springs::Spring   &spring   = springs.springs[s];
+        const Springs::Response &response = springs.responses[s];
+        if (spring.joint >= 0)
+          {
+            JointState &joint        = state.joints[spring.joint];
+            joint.points[spring.end] = response.now;
+            if (spring.end == 1)
+              update_failure(model.joints[spring.joint], joint, state.time);
+            continue;
+          }
+        Contact &contact      = state.contacts[spring.contact];
+        contact.edge_position = response.edge_position;
+        contact.slip          = response.now.slip;
+        contact.plastic_slip  = response.now.history.plastic_slip;
+        contact.state         = response.now.state;
+      }
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/springs.h>
+
+#include <algorithm>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    Vec2 base_displacement(const Eigen::VectorXd &w, const int node)
+    {
+      return {w[2 * node], w[2 * node + 1]};
+    }
+
+
+
+    /// Gap and slip of a vertex at x in front of the edge from a to b.
+    struct ContactFrame
+    {
+      Vec2   outward;       ///< unit normal out of the edge's body
+      Vec2   along;         ///< unit vector along the edge
+      double edge_position; ///< projection of x on the edge [-]
+      double gap;           ///< [m]
+      double slip;          ///< [m]
+
+      ContactFrame(const Contact &contact, const Vec2 &x, const Vec2 &a, const Vec2 &b)
+      {
+        const double length = (b - a).norm();
+        along               = (b - a) / length;
+        // Blocks run counter-clockwise, so their outside is on the right; the base's is on the
+        // left.
+        outward       = contact.edge_body == base_body ? Vec2(-along.y(), along.x())
+                                                       : Vec2(along.y(), -along.x());
+        edge_position = along.dot(x - a) / length;
+        gap           = outward.dot(x - a);
+        slip          = contact.slip + (edge_position - contact.edge_position) * length;
+      }
+    };
+
+
+
+    /// Fill response, state and tangents of one spring from its kinematics.
+    void apply_law(const Springs::Spring &spring, Springs::Response &response)
+    {
+      SpringState        &now = response.now;
+      const JointResponse r   = spring.law->respond({now.gap, now.slip}, spring.old.history);
+      now.history             = r.history;
+      now.state               = r.state;
+      now.normal = now.elastic_normal = r.normal;
+      now.shear = now.elastic_shear = r.shear;
+      response.normal_stiffness     = r.normal_stiffness;
+      response.shear_stiffness      = r.shear_stiffness;
+    }
+  } // namespace
+
+
+
+  void Springs::collect(const Model &model, const DdaState &state)
+  {
+    springs.clear();
+    block_pairs.clear();
+    node_pairs.clear();
+    collect_joints(model, state);
+    collect_contacts(model, state);
+    responses.resize(springs.size());
+  }
+
+
+
+  void Springs::collect_joints(const Model &model, const DdaState &state)
+  {
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+      {
+        const Joint &joint = model.joints[j];
+        if (state.joints[j].released)
+          continue;
+        for (int end = 0; end < 2; ++end)
+          {
+            Spring s;
+            s.block  = joint.block;
+            s.other  = joint.other;
+            s.joint  = static_cast<int>(j);
+            s.end    = end;
+            s.law    = &joint.law;
+            s.length = 0.5 * joint.length;
+            s.old    = state.joints[j].points[end];
+            if (joint.other == base_body)
+              {
+                s.node[0] = s.node[1] = joint.points[end].other_vertex;
+                node_pairs.push_back({s.block, s.node[0]});
+              }
+            else
+              block_pairs.push_back({s.block, s.other});
+            springs.push_back(s);
+          }
+      }
+  }
+
+
+
+  void Springs::collect_contacts(const Model &model, const DdaState &state)
+  {
+    const Geometry &geometry = state.geometry;
+    for (std::size_t c = 0; c < state.contacts.size(); ++c)
+      {
+        const Contact    &contact       = state.contacts[c];
+        const bool        node_on_block = contact.vertex_body == base_body;
+        const bool        on_base       = node_on_block || contact.edge_body == base_body;
+        const int         owner         = node_on_block ? contact.edge_body : contact.vertex_body;
+        const ContactLaw &law = on_base ? model.base_contact[owner] : model.block_contact[owner];
+        Spring            s;
+        s.block   = owner;
+        s.other   = on_base ? base_body : contact.edge_body;
+        s.contact = static_cast<int>(c);
+        s.law     = &law.law;
+        s.length  = law.length;
+        if (on_base)
+          {
+            s.node[0] = node_on_block ? contact.vertex : contact.edge;
+            s.node[1] = node_on_block ? contact.vertex : contact.edge + 1;
+            node_pairs.push_back({s.block, s.node[0]});
+            node_pairs.push_back({s.block, s.node[1]});
+          }
+        else
+          block_pairs.push_back({s.block, s.other});
+
+        const bool         edge_on_base = contact.edge_body == base_body;
+        const ContactFrame frame(contact,
+                                 node_on_block ? geometry.base_nodes[contact.vertex]
+                                               : geometry.vertices[contact.vertex],
+                                 edge_on_base ? geometry.base_nodes[contact.edge]
+                                              : geometry.vertices[contact.edge],
+                                 edge_on_base ? geometry.base_nodes[contact.edge + 1]
+                                              : geometry.vertices[geometry.next(contact.edge)]);
+        s.old.history.plastic_slip = contact.plastic_slip;
+        s.old.gap                  = frame.gap;
+        s.old.slip                 = frame.slip;
+        const JointResponse r      = law.law.respond({frame.gap, frame.slip}, s.old.history);
+        s.old.history              = r.history;
+        s.old.normal = s.old.elastic_normal = r.normal;
+        s.old.shear = s.old.elastic_shear = r.shear;
+        s.old.state                       = r.state;
+        springs.push_back(s);
+      }
+  }
+
+
+
+  void Springs::connect(const Model &model, BlockMatrix &matrix)
+  {
+    const auto find_slots = [&]() {
+      for (Spring &s : springs)
+        if (s.other == base_body)
+          {
+            for (int k = 0; k < 2; ++k)
+              if ((s.slot[k] = matrix.node_slot(s.block, s.node[k])) < 0)
+                return false;
+          }
+        else if ((s.slot[0] =
+                    matrix.block_slot(std::min(s.block, s.other), std::max(s.block, s.other))) < 0)
+          return false;
+      return true;
+    };
+    const bool same_size =
+      matrix.n_blocks() == model.n_blocks() && matrix.n_nodes() == model.n_base_nodes();
+    if (same_size && matrix.pairs.size() <= 2 * block_pairs.size() + 64 && find_slots())
+      return;
+    matrix.set_pattern(model.n_blocks(), model.n_base_nodes(), block_pairs, node_pairs);
+    find_slots();
+  }
+
+
+
+  void Springs::evaluate(const Model &model, const DdaState &state, const Trial &trial)
+  {
+#pragma omp parallel for schedule(static)
+    for (std::size_t s = 0; s < springs.size(); ++s)
+      if (springs[s].joint >= 0)
+        evaluate_joint(model, state, trial, s);
+      else
+        evaluate_contact(state, trial, s);
+  }
+
+
+
+  void Springs::evaluate_joint(const Model      &model,
+                               const DdaState   &state,
+                               const Trial      &trial,
+                               const std::size_t s)
+  {
+    const Spring   &spring   = springs[s];
+    Response       &response = responses[s];
+    const Joint    &joint    = model.joints[spring.joint];
+    const Geometry &geometry = state.geometry;
+    const int       a = joint.edge, b = geometry.next(a);
+
+    const auto other_place = [&](const int v) -> Vec2 {
+      return joint.other == base_body
+               ? Vec2(model.initial.base_nodes[v] + base_displacement(trial.base, v))
+               : Vec2(geometry.vertices[v] + trial.displacement[v]);
+    };
+    const Vec2 pa     = geometry.vertices[a] + trial.displacement[a];
+    const Vec2 pb     = geometry.vertices[b] + trial.displacement[b];
+    const Vec2 q0     = other_place(joint.points[0].other_vertex),
+               q1     = other_place(joint.points[1].other_vertex);
+    const double part = joint.points[1].position - joint.points[0].position;
+    response.tangent  = (part * (pb - pa) + (q1 - q0)).normalized();
+    response.normal   = Vec2(response.tangent.y(), -response.tangent.x());
+
+    const Joint::Point &point = joint.points[spring.end];
+    const Vec2          moved_p =
+      (1. - point.position) * trial.displacement[a] + point.position * trial.displacement[b];
+    const int  v = point.other_vertex;
+    const Vec2 moved_q =
+      joint.other == base_body
+        ? Vec2(base_displacement(trial.base, v) - base_displacement(state.base_displacement, v))
+        : trial.displacement[v];
+    // The jump is summed over the steps: differences of places would cost digits far from the
+    // origin.
+    SpringState &now   = response.now;
+    now.jump           = spring.old.jump + moved_q - moved_p;
+    now.gap            = response.normal.dot(now.jump);
+    now.slip           = response.tangent.dot(now.jump);
+    response.place     = (1. - point.position) * pa + point.position * pb + 0.5 * now.jump;
+    response.weight[0] = 1.;
+    response.weight[1] = 0.;
+    apply_law(spring, response);
+
+    if (model.joint_damping_time > 0.)
+      {
+        const BlockMotion &mp        = trial.motion[spring.block];
+        const Vec6        &vp        = trial.rate[spring.block];
+        double             gap_rate  = -mp.gradient(response.place, response.normal).dot(vp);
+        double             slip_rate = -mp.gradient(response.place, response.tangent).dot(vp);
+        if (joint.other != base_body)
+          {
+            const BlockMotion &mq = trial.motion[joint.other];
+            const Vec6        &vq = trial.rate[joint.other];
+            gap_rate += mq.gradient(response.place, response.normal).dot(vq);
+            slip_rate += mq.gradient(response.place, response.tangent).dot(vq);
+          }
+        else
+          {
+            const Vec2 vq = moved_q / trial.dt;
+            gap_rate += response.normal.dot(vq);
+            slip_rate += response.tangent.dot(vq);
+          }
+        now.normal -= model.joint_damping_time * response.normal_stiffness * gap_rate;
+        now.shear -= model.joint_damping_time * response.shear_stiffness * slip_rate;
+      }
+  }
+
+
+
+  void Springs::evaluate_contact(const DdaState &state, const Trial &trial, const std::size_t s)
+  {
+    const Spring   &spring     = springs[s];
+    Response       &response   = responses[s];
+    const Contact  &contact    = state.contacts[spring.contact];
+    const Geometry &geometry   = state.geometry;
+    const auto      base_place = [&](const int k) -> Vec2 {
+      return geometry.base_nodes[k] + base_displacement(trial.base, k) -
+             base_displacement(state.base_displacement, k);
+    };
+    const auto block_place = [&](const int v) -> Vec2 {
+      return geometry.vertices[v] + trial.displacement[v];
+    };
+
+    const bool node_on_block = contact.vertex_body == base_body;
+    const bool edge_on_base  = contact.edge_body == base_body;
+    const Vec2 x = node_on_block ? base_place(contact.vertex) : block_place(contact.vertex);
+    const Vec2 a = edge_on_base ? base_place(contact.edge) : block_place(contact.edge);
+    const Vec2 b =
+      edge_on_base ? base_place(contact.edge + 1) : block_place(geometry.next(contact.edge));
+    const ContactFrame frame(contact, x, a, b);
+
+    response.normal        = node_on_block ? frame.outward : Vec2(-frame.outward);
+    response.tangent       = node_on_block ? frame.along : Vec2(-frame.along);
+    response.place         = x;
+    response.edge_position = frame.edge_position;
+    const double xi        = std::min(1., std::max(0., frame.edge_position));
+    response.weight[0]     = edge_on_base ? 1. - xi : 1.;
+    response.weight[1]     = edge_on_base ? xi : 0.;
+    response.now.gap       = frame.gap;
+    response.now.slip      = frame.slip;
+    apply_law(spring, response);
+  }
+
+
+
+  void Springs::add_forces(const Trial     &trial,
+                           Eigen::VectorXd &residual,
+                           Eigen::VectorXd &absolute) const
+  {
+    const int nodes = 6 * static_cast<int>(trial.motion.size());
+    for (std::size_t s = 0; s < springs.size(); ++s)
+      {
+        const Spring   &spring   = springs[s];
+        const Response &response = responses[s];
+        if (response.now.normal == 0. && response.now.shear == 0.)
+          continue;
+        const Vec2   force = spring.length * (response.now.normal * response.normal +
+                                            response.now.shear * response.tangent);
+        const double size  = force.norm();
+        Eigen::Map<Vec6>(residual.data() + 6 * spring.block) -=
+          trial.motion[spring.block].gradient(response.place, force);
+        absolute[spring.block] += size;
+        if (spring.other != base_body)
+          {
+            Eigen::Map<Vec6>(residual.data() + 6 * spring.other) +=
+              trial.motion[spring.other].gradient(response.place, force);
+            absolute[spring.other] += size;
+          }
+        else
+          for (int k = 0; k < 2; ++k)
+            {
+              residual[nodes + 2 * spring.node[k]] += response.weight[k] * force.x();
+              residual[nodes + 2 * spring.node[k] + 1] += response.weight[k] * force.y();
+            }
+      }
+  }
+
+
+
+  void Springs::add_stiffness(const Model &model,
+                              const Trial &trial,
+                              const double damping_factor,
+                              BlockMatrix &matrix) const
+  {
+    for (std::size_t s = 0; s < springs.size(); ++s)
+      {
+        const Spring   &spring   = springs[s];
+        const Response &response = responses[s];
+        const double    damping =
+          spring.joint >= 0 ? 1. + model.joint_damping_time * damping_factor : 1.;
+        for (int direction = 0; direction < 2; ++direction)
+          {
+            const double k =
+              damping * spring.length *
+              (direction == 0 ? response.normal_stiffness : response.shear_stiffness);
+            if (k == 0.)
+              continue;
+            const Vec2 &axis = direction == 0 ? response.normal : response.tangent;
+            const Vec6  gp   = trial.motion[spring.block].gradient(response.place, axis);
+            matrix.diagonal[spring.block].noalias() += (k * gp) * gp.transpose();
+            if (spring.other != base_body)
+              {
+                const Vec6 gq = trial.motion[spring.other].gradient(response.place, axis);
+                matrix.diagonal[spring.other].noalias() += (k * gq) * gq.transpose();
+                if (spring.block < spring.other)
+                  matrix.off_diagonal[spring.slot[0]].noalias() -= (k * gp) * gq.transpose();
+                else
+                  matrix.off_diagonal[spring.slot[0]].noalias() -= (k * gq) * gp.transpose();
+                continue;
+              }
+            const Eigen::Matrix2d axes = k * axis * axis.transpose();
+            for (int i = 0; i < 2; ++i)
+              {
+                matrix.block_node[spring.slot[i]].noalias() -=
+                  (k * response.weight[i]) * gp * axis.transpose();
+                matrix.node_diagonal[spring.node[i]] +=
+                  response.weight[i] * response.weight[i] * axes;
+              }
+            if (spring.node[1] == spring.node[0] + 1)
+              matrix.node_next[spring.node[0]] += response.weight[0] * response.weight[1] * axes;
+          }
+      }
+  }
+} // namespace hybrid::dda
