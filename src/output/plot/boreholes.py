@@ -50,5 +50,5 @@ def draw(run, directory):
     for axis, name in zip(axes[0], names):
         draw_profile(run, axis, name)
     axes[0, 0].set_ylabel("depth [m]")
-    figure.suptitle("Boreholes: " + run.title(), fontweight="bold", x=0.01, ha="left")
+    style.title(figure, "Boreholes: " + run.title())
     style.save(figure, directory, "boreholes")

@@ -15,7 +15,10 @@ def read_terms(run):
     if not terms:
         raise MissingData("no energy terms in run.h5")
     n = min([len(time)] + [len(v) for v in terms.values()])
-    return time[:n], {name: values[:n] for name, values in terms.items()}
+    terms = {name: values[:n] for name, values in terms.items()}
+    if n < 2 or not any(values.any() for values in terms.values()):
+        raise MissingData("nothing in the energy terms of run.h5")
+    return time[:n], terms
 
 
 def draw_terms(axes, time, terms):
@@ -44,5 +47,5 @@ def draw(run, directory):
         axes[1, 0].semilogy(time[: len(residual)], np.maximum(100 * residual, 1e-12), color=style.TENSILE, lw=0.9)
         axes[1, 0].axhline(1, color="#8a8a8a", lw=0.8, ls="--")
         axes[1, 0].set_ylabel("residual [%]")
-    figure.suptitle("Energy audit: " + run.title(), fontweight="bold", x=0.01, ha="left")
+    style.title(figure, "Energy audit: " + run.title())
     style.save(figure, directory, "energy")

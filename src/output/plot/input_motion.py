@@ -64,5 +64,5 @@ def draw(run, directory):
     draw_spectrum(axes[3], time, acceleration)
     if len(moving_components(acceleration)) > 1:
         axes[0].legend(loc="upper left", ncol=2)
-    figure.suptitle("Input motion (outcrop): " + run.title(), fontweight="bold", x=0.01, ha="left")
+    style.title(figure, "Input motion (outcrop): " + run.title())
     style.save(figure, directory, "input_motion")

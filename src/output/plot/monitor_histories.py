@@ -11,15 +11,23 @@ GROUP_TITLES = {"S": "Monitors on the surface", "D": "Monitors at depth", "other
 
 def position_text(run, name):
     position = run.attribute("monitors/" + name, "position")
-    return "" if position is None else "x = %.0f m, y = %.1f m" % tuple(position)
+    text = "" if position is None else "x = %.0f m, y = %.1f m" % tuple(position)
+    return text + (", absolute" if name == run.base else "")
+
+
+def displacement(run, name):
+    """Relative to the base; that of the base monitor itself is absolute."""
+    if name == run.base:
+        return run.history("monitors/" + name + "/displacement")
+    return run.relative_displacement(name)
 
 
 def draw_group(run, group, names, directory):
-    height = 0.95 * len(names) + 1.25
+    height = 0.95 * len(names) + 1.1
     figure, axes = plt.subplots(len(names), 3, figsize=(12, max(height, 2.6)), sharex=True, sharey="col",
                                 squeeze=False, constrained_layout=True)
     figure.set_constrained_layout_pads(h_pad=0.02, w_pad=0.04)
-    relative = [run.relative_displacement(name) for name in names]
+    relative = [displacement(run, name) for name in names]
     factor, unit = style.length_unit(max(np.abs(u).max() for u in relative))
     for row, name in enumerate(names):
         time, velocity = run.filtered("monitors/" + name + "/velocity")
@@ -29,7 +37,6 @@ def draw_group(run, group, names, directory):
             axis.plot(t, values[:, 1], color=style.VERTICAL, lw=0.7, label="vertical (up)")
             axis.plot(t, values[:, 0], color=style.HORIZONTAL, lw=0.8,
                       label="horizontal (%s)" % ("uphill" if run.downhill < 0 else "downhill"))
-            axis.margins(y=0.08)
             largest = np.abs(values).max(axis=0)
             axis.text(0.995, 0.97, "peak |x| %.3g, |y| %.3g" % tuple(largest), transform=axis.transAxes, fontsize=7,
                       ha="right", va="top", color="#555555", bbox={"fc": "white", "ec": "none", "alpha": 0.75, "pad": 0.8})
@@ -41,11 +48,14 @@ def draw_group(run, group, names, directory):
     low_pass = " below %g Hz" % run.corner if run.corner > 0 else ""
     axes[0, 1].set_title("velocity%s [m/s]" % low_pass)
     axes[0, 2].set_title("acceleration%s [m/s²]" % low_pass)
+    for axis in axes[0]:  # room for the words in the upper corners
+        low, high = axis.get_ylim()
+        axis.set_ylim(low, high + 0.3 * (high - low))
     for axis in axes[-1]:
         axis.set_xlabel("time [s]")
         axis.set_xlim(run.time[0], run.time[-1])
     handles, labels = axes[0, 0].get_legend_handles_labels()
-    figure.suptitle(GROUP_TITLES[group] + ": " + run.title(), fontweight="bold", x=0.01, ha="left")
+    style.title(figure, GROUP_TITLES[group] + ": " + run.title())
     figure.legend(handles[::-1], labels[::-1], loc="upper right", ncol=2)
     style.save(figure, directory, "monitors_" + group)
 

@@ -28,6 +28,13 @@ def facts(run):
     return "\n".join(lines)
 
 
+def shrink_legend(axes):
+    """The legend at the right takes its room from the axes."""
+    box = axes.get_position()
+    axes.set_position([box.x0, box.y0, 0.82 * box.width, box.height])
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=7, handlelength=1.2, borderaxespad=0.3)
+
+
 def draw_section(run, axes):
     section_view.draw_main(section_view.Section(run), axes)
     axes.set_xlabel("x [m]")
@@ -46,13 +53,30 @@ def draw_displacements(run, axes):
         raise MissingData("no monitors in run.h5")
     names = groups.get("S") or groups.get("D") or groups["other"]
     monitor_histories.draw_overlay(run, axes, names)
+    shrink_legend(axes)
     axes.set_title("monitors" + (" relative to " + run.base if run.base else ""))
 
 
 def draw_energy(run, axes):
     energy_balance.draw_terms(axes, *energy_balance.read_terms(run))
+    shrink_legend(axes)
     axes.set_xlabel("time [s]")
     axes.set_title("energy")
+
+
+class Profile:
+    """The panel of one borehole."""
+
+    def __init__(self, name):
+        self.name = name
+
+    def __call__(self, run, axes):
+        boreholes.draw_profile(run, axes, self.name, with_legend=False)
+        axes.set_ylabel("depth [m]")
+
+
+def is_profile(function):
+    return isinstance(function, Profile)
 
 
 def possible(run, function):
@@ -71,23 +95,33 @@ def draw(run, directory):
     holes = [n for n in run.names("profiles") if run.has("profiles/%s/displacement" % n) and len(run.file["profiles/%s/displacement" % n])][:2]
     small = [f for f in (draw_motion, draw_displacements, draw_energy) if possible(run, f)]
     for name in holes:
-        small.append(lambda r, axes, n=name: (boreholes.draw_profile(r, axes, n, False), axes.set_ylabel("depth [m]")))
+        small.append(Profile(name))
     with_section = possible(run, draw_section)
     if not small and not with_section:
         raise MissingData("nothing recorded yet")
-    rows = (len(small) + 2) // 3 if holes else (len(small) + 1) // 2
-    columns = 6
-    heights = ([1.55] if with_section else []) + [1.0] * rows
-    figure = plt.figure(figsize=(13, 2.9 * sum(heights) + 0.8), constrained_layout=True)
-    figure.set_constrained_layout_pads(h_pad=0.08, w_pad=0.08)
-    grid = figure.add_gridspec(len(heights), columns, height_ratios=heights)
+    draw_page(run, small, with_section, directory)
+
+
+def rows_of(small):
+    """Histories two in a row, boreholes beside the energy."""
+    if len(small) <= 3:
+        return [small] if small else []
+    return [small[:2], small[2:]]
+
+
+def draw_page(run, small, with_section, directory):
+    rows = rows_of(small)
+    heights = ([4.1] if with_section else []) + [3.0] * len(rows)
+    figure = plt.figure(figsize=(13, sum(heights) + 0.75))
+    head, *parts = figure.subfigures(len(heights) + 1, 1, height_ratios=[0.75] + heights, squeeze=False)[:, 0]
+    head.text(0.012, 0.9, run.title(), ha="left", va="top", fontsize=13, fontweight="bold")
+    head.text(0.012, 0.52, facts(run), ha="left", va="top", fontsize=9, color="#444444")
     if with_section:
-        draw_section(run, figure.add_subplot(grid[0, :]))
-    first = 1 if with_section else 0
-    for row in range(rows):
-        here = small[row * len(small) // rows : (row + 1) * len(small) // rows]
-        width = columns // len(here)
-        for i, function in enumerate(here):
-            function(run, figure.add_subplot(grid[first + row, i * width : (i + 1) * width]))
-    figure.suptitle(run.title() + "\n" + facts(run), x=0.01, ha="left", fontsize=10)
+        axes = parts[0].add_axes([0.06, 0.13, 0.86, 0.79])
+        draw_section(run, axes)
+    for part, row in zip(parts[len(parts) - len(rows) :], rows):
+        ratios = [1.0 if is_profile(function) else 2.0 for function in row]
+        grid = part.add_gridspec(1, len(row), width_ratios=ratios, left=0.06, right=0.955, bottom=0.17, top=0.9, wspace=0.3)
+        for i, function in enumerate(row):
+            function(run, part.add_subplot(grid[i]))
     style.save(figure, directory, "overview")

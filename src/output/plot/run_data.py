@@ -85,8 +85,8 @@ class RunData:
 
     def history(self, path):
         values = self.get(path)
-        if self.n == 0:
-            raise MissingData("no steps in run.h5")
+        if self.n < 2:
+            raise MissingData("fewer than two steps in run.h5")
         return values[: self.n]
 
     def equal_steps(self, values):

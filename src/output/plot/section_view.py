@@ -7,8 +7,8 @@ import numpy as np
 import style
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize
-from run_data import MissingData
 
+OUTLINE = [effects.withStroke(linewidth=2.6, foreground="#ffffffb0")]
 HALO = [effects.withStroke(linewidth=2.2, foreground="white")]
 
 
@@ -73,10 +73,10 @@ def draw_blocks(axes, blocks, values, title, scale):
     factor, unit, norm = scale
     width = np.ptp(np.vstack(blocks), axis=0)[0]
     edge = 0.12 if len(blocks) > 300 or width > 200 else 0.4
-    collection = PolyCollection(blocks, array=factor * values, cmap=style.DAMAGE_MAP, norm=norm, edgecolors="#5b4a3a", lw=edge, zorder=3)
+    collection = PolyCollection(blocks, array=factor * values, cmap=style.DISPLACEMENT_MAP, norm=norm, edgecolors="#5b4a3a", lw=edge, zorder=3)
     axes.add_collection(collection)
-    bar = axes.figure.colorbar(collection, ax=axes, pad=0.01, shrink=0.85, aspect=18)
-    bar.set_label("[%s]" % unit)
+    bar = axes.figure.colorbar(collection, cax=axes.inset_axes([1.012, 0.0, 0.014, 1.0]))
+    bar.set_label("displacement [%s]" % unit)
     bar.outline.set_linewidth(0.5)
     axes.set_title(title)
 
@@ -93,7 +93,7 @@ def draw_joints(section, axes):
             continue
         label = "%s: %d" % (label, chosen.sum())
         if ends is not None:
-            axes.add_collection(LineCollection(ends[chosen].reshape(-1, 2, 2), colors=colour, lw=1.7, zorder=5, label=label, capstyle="round"))
+            axes.add_collection(LineCollection(ends[chosen].reshape(-1, 2, 2), colors=colour, lw=1.7, zorder=5, label=label, capstyle="round", path_effects=OUTLINE))
         else:
             axes.plot(position[chosen, 0], position[chosen, 1], ".", color=colour, ms=3.5, zorder=5, label=label, mew=0)
     legend = axes.legend(loc="lower right", title="failed joints", markerscale=2.0, frameon=True, framealpha=0.9,
@@ -109,7 +109,7 @@ def draw_labels(section, axes):
     for name, (head, foot) in section.boreholes:
         axes.plot([head[0], foot[0]], [head[1], foot[1]], color=style.TEXT, lw=1.3, zorder=6)
         if left < head[0] < right and bottom < head[1] < top:
-            axes.annotate(name, head, (0, 15), textcoords="offset points", ha="center", fontsize=8, fontweight="bold", zorder=8,
+            axes.annotate(name, head, (0, 24), textcoords="offset points", ha="center", fontsize=8, fontweight="bold", zorder=8,
                           path_effects=HALO, arrowprops={"arrowstyle": "-", "lw": 0.6, "color": style.TEXT, "shrinkA": 0, "shrinkB": 0})
     for name, p in section.monitors:
         if not (left < p[0] < right and bottom < p[1] < top):
@@ -146,11 +146,13 @@ def draw_whole(section, axes):
 def draw_main(section, axes):
     """Blocks at their first place, coloured by the largest displacement, with all marks."""
     values = section.peak if section.peak is not None else section.final
-    if values is None:
-        raise MissingData("no displacement of blocks in run.h5")
     draw_rock(section, axes)
-    label = "largest displacement" if section.peak is not None else "displacement at the end"
-    draw_blocks(axes, section.blocks, values, label + " relative to the base, at the initial place", scale_of(values))
+    if values is None:  # a run that goes on or was killed
+        axes.add_collection(PolyCollection(section.blocks, facecolors="#f3dfb5", edgecolors="#5b4a3a", lw=0.12, zorder=3))
+        axes.set_title("blocks at their initial place (displacements are written at the end of a run)")
+    else:
+        label = "largest displacement" if section.peak is not None else "displacement at the end"
+        draw_blocks(axes, section.blocks, values, label + " relative to the base (blocks at their initial place)", scale_of(values))
     set_view(axes, section.low, section.high, 0.05)
     draw_water(section, axes)
     draw_joints(section, axes)
@@ -160,7 +162,7 @@ def draw_main(section, axes):
 def draw_final(section, axes):
     """Blocks where they lie at the end, drawn to scale."""
     draw_rock(section, axes)
-    draw_blocks(axes, section.final_blocks, section.final, "displacement at the end, blocks where they lie then", scale_of(section.final))
+    draw_blocks(axes, section.final_blocks, section.final, "displacement at the end (blocks where they lie then)", scale_of(section.final))
     points = np.vstack(section.final_blocks)
     inside = np.abs(points - 0.5 * (section.low + section.high)) < 1.5 * (section.high - section.low)
     points = points[inside.all(axis=1)]
@@ -184,12 +186,12 @@ def draw(run, directory):
     panels.append((draw_main, 1.0))
     if section.final_blocks is not None and section.final is not None and section.final.max() > 0.01 * size.max():
         panels.append((draw_final, 1.0))
-    aspect = np.clip(1.3 * size[1] / size[0], 0.25, 1.2)
-    heights = [max(11 * aspect * weight, 2.0) for _, weight in panels]
-    figure, axes = plt.subplots(len(panels), 1, figsize=(12, sum(heights) + 0.7 * len(panels)), squeeze=False,
+    aspect = np.clip(1.25 * size[1] / size[0], 0.2, 1.2)
+    heights = [max(10.5 * aspect * weight, 2.0) for _, weight in panels]
+    figure, axes = plt.subplots(len(panels), 1, figsize=(12, sum(heights) + 0.5 * len(panels) + 0.4), squeeze=False,
                                 gridspec_kw={"height_ratios": heights}, constrained_layout=True)
     for axis, (function, _) in zip(axes[:, 0], panels):
         function(section, axis)
     axes[-1, 0].set_xlabel("x [m]")
-    figure.suptitle("Section: " + run.title(), fontweight="bold", x=0.01, ha="left")
+    style.title(figure, "Section: " + run.title())
     style.save(figure, directory, "section")

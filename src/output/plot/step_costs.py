@@ -4,6 +4,22 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import style
+from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
+from run_data import MissingData
+
+
+def log_axis(axis, values):
+    """Plain numbers on a logarithmic axis: the values themselves if they are few, else 1, 2, 5."""
+    axis.set_yscale("log")
+    few = np.unique(np.round(values, 9))
+    if len(few) <= 9:
+        axis.set_yticks(few)
+    else:
+        axis.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.yaxis.set_major_formatter(FormatStrFormatter("%g"))
+    axis.yaxis.set_minor_formatter(NullFormatter())
+    low, high = values.min(), values.max()
+    axis.set_ylim(low / 1.3, high * max(1.3, (high / low) ** 0.25))
 
 
 def draw(run, directory):
@@ -16,6 +32,8 @@ def draw(run, directory):
         panels.append((run.get("steps/wall_time") * 1e3, "wall time\nper step [ms]", "log"))
     time = run.get("time")
     n = min([len(time)] + [len(p[0]) for p in panels])
+    if n < 2:
+        raise MissingData("fewer than two steps in run.h5")
     figure, axes = plt.subplots(len(panels), 1, figsize=(9, 1.7 * len(panels) + 0.6), sharex=True, squeeze=False,
                                 constrained_layout=True)
     for axis, (values, label, scale) in zip(axes[:, 0], panels):
@@ -25,7 +43,7 @@ def draw(run, directory):
         mean = np.convolve(values, np.ones(window) / window, mode="valid")
         axis.plot(time[window - 1 : n], mean, color=style.TEXT, lw=1.0, label="mean of %d steps" % window)
         if scale == "log" and values.min() > 0:
-            axis.set_yscale("log")
+            log_axis(axis, values)
         elif scale == "linear":
             axis.set_ylim(bottom=0)
         axis.set_ylabel(label)
@@ -34,5 +52,5 @@ def draw(run, directory):
     axes[0, 0].legend(loc="lower left")
     axes[-1, 0].set_xlabel("time [s]")
     axes[-1, 0].set_xlim(time[0], time[n - 1])
-    figure.suptitle("Steps: " + run.title(), fontweight="bold", x=0.01, ha="left")
+    style.title(figure, "Steps: " + run.title())
     style.save(figure, directory, "steps")

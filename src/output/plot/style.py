@@ -6,6 +6,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.colors import ListedColormap
 
 HORIZONTAL = "#1f5a94"  # x component
 VERTICAL = "#d98b2b"  # y component
@@ -13,12 +14,13 @@ TENSILE = "#c8202f"
 SHEAR = "#1f4fd8"
 TENSILE_PALE = "#f0a5a8"
 SHEAR_PALE = "#a5b8f0"
-ROCK = "#e4e0d8"
 ROCK_EDGE = "#6f6a60"
 WATER = "#3a8fc7"
 SLIP = "#7a3b10"
 TEXT = "#262626"
-DAMAGE_MAP = "YlOrRd"
+
+# Ends before brown, so that red and blue marks of joints stand out on it.
+DISPLACEMENT_MAP = ListedColormap(plt.get_cmap("YlOrBr")(np.linspace(0.02, 0.66, 256)))
 
 DPI = 130
 
@@ -70,6 +72,14 @@ def scaled(values, largest, steps):
         if largest < limit:
             return values * factor, unit
     return values * steps[-1][1], steps[-1][2]
+
+
+def title(figure, text, lines=1):
+    """Title at the upper left; the rest of the figure keeps clear of it."""
+    height = figure.get_size_inches()[1]
+    figure.suptitle(text, fontweight="bold" if lines == 1 else "normal", x=0.01, y=1 - 0.07 / height, ha="left", va="top", fontsize=11)
+    reserved = (0.14 + 0.2 * lines) / height
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - reserved))
 
 
 def save(figure, directory, name):
