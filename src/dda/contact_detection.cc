@@ -80,6 +80,8 @@ namespace hybrid::dda
     const std::vector<ContactCandidate> &list = candidates.list();
 
     trials.clear();
+    first_of_vertex.assign(geometry.vertices.size(), -1);
+    first_of_node.assign(geometry.base_nodes.size(), -1);
     selection.begin_step(geometry, frames);
     auto old = previous.begin();
     for (std::size_t i = 0, end; i < list.size(); i = end)
@@ -114,7 +116,10 @@ namespace hybrid::dda
                   ++last.lost;
               }
           }
+        const std::size_t first = trials.size();
         selection.end_vertex(trials);
+        if (trials.size() > first)
+          (body == base_body ? first_of_node : first_of_vertex)[vertex] = static_cast<int>(first);
       }
   }
 
@@ -158,12 +163,9 @@ namespace hybrid::dda
 
   ContactDetection::Range ContactDetection::trials_of(const int body, const int vertex) const
   {
-    const auto less = [](const ContactTrial &t, const Contact &key) {
-      return contact_order(t.contact, key);
-    };
-    Range range;
-    range.first =
-      std::lower_bound(trials.begin(), trials.end(), Contact{body, vertex, base_body, -1}, less);
+    const int first = body == base_body ? first_of_node[vertex] : first_of_vertex[vertex];
+    Range     range;
+    range.first  = first < 0 ? trials.end() : trials.begin() + first;
     range.second = range.first;
     while (range.second != trials.end() && range.second->contact.vertex_body == body &&
            range.second->contact.vertex == vertex)

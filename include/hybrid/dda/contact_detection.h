@@ -129,9 +129,10 @@ namespace hybrid::dda
     ContactSelection        selection;
     OutlineFrames           frames;
 
-    std::vector<Contact>      previous; ///< contacts of the step before
-    std::vector<ContactTrial> trials;   ///< sorted
-    std::vector<char>         dropped;  ///< per trial
+    std::vector<Contact>      previous;                       ///< contacts of the step before
+    std::vector<ContactTrial> trials;                         ///< sorted
+    std::vector<int>          first_of_vertex, first_of_node; ///< first trial of a vertex, or -1
+    std::vector<char>         dropped;                        ///< per trial
     Report                    last;
   };
 } // namespace hybrid::dda
