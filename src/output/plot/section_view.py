@@ -129,6 +129,11 @@ def set_view(axes, low, high, margin):
     axes.set_ylabel("elevation [m]")
 
 
+def margin_of(section):
+    """Few blocks are shown with what they stand on."""
+    return 0.05 if len(section.blocks) > 20 else 0.4
+
+
 def draw_whole(section, axes):
     """The whole model, small: where the sliding mass lies in it."""
     draw_rock(section, axes)
@@ -152,8 +157,10 @@ def draw_main(section, axes):
         axes.set_title("blocks at their initial place (displacements are written at the end of a run)")
     else:
         label = "largest displacement" if section.peak is not None else "displacement at the end"
-        draw_blocks(axes, section.blocks, values, label + " relative to the base (blocks at their initial place)", scale_of(values))
-    set_view(axes, section.low, section.high, 0.05)
+        place = "\n" if len(section.blocks) <= 20 else " "
+        place += "(blocks at their initial place)"
+        draw_blocks(axes, section.blocks, values, label + " relative to the base" + place, scale_of(values))
+    set_view(axes, section.low, section.high, margin_of(section))
     draw_water(section, axes)
     draw_joints(section, axes)
     draw_labels(section, axes)
@@ -166,7 +173,7 @@ def draw_final(section, axes):
     points = np.vstack(section.final_blocks)
     inside = np.abs(points - 0.5 * (section.low + section.high)) < 1.5 * (section.high - section.low)
     points = points[inside.all(axis=1)]
-    set_view(axes, np.minimum(section.low, points.min(axis=0)), np.maximum(section.high, points.max(axis=0)), 0.05)
+    set_view(axes, np.minimum(section.low, points.min(axis=0)), np.maximum(section.high, points.max(axis=0)), margin_of(section))
     draw_water(section, axes)
 
 
@@ -187,8 +194,9 @@ def draw(run, directory):
     if section.final_blocks is not None and section.final is not None and section.final.max() > 0.01 * size.max():
         panels.append((draw_final, 1.0))
     aspect = np.clip(1.25 * size[1] / size[0], 0.2, 1.2)
-    heights = [max(10.5 * aspect * weight, 2.0) for _, weight in panels]
-    figure, axes = plt.subplots(len(panels), 1, figsize=(12, sum(heights) + 0.5 * len(panels) + 0.4), squeeze=False,
+    heights = [np.clip(10.5 * aspect * weight, 2.0, 5.0) for _, weight in panels]
+    width = 12 if aspect < 0.6 else 8
+    figure, axes = plt.subplots(len(panels), 1, figsize=(width, sum(heights) + 0.5 * len(panels) + 0.4), squeeze=False,
                                 gridspec_kw={"height_ratios": heights}, constrained_layout=True)
     for axis, (function, _) in zip(axes[:, 0], panels):
         function(section, axis)

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/coupling/coupled_state.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hybrid::output
+{
+  /**
+   * The energy audit of the whole model.
+   *
+   * All terms relative to the start of the dynamic stage: energy held (blocks,
+   * springs, bedrock), energy lost, less the work put in. Their sum is zero if
+   * nothing is created or forgotten; the residual is |sum| over the largest
+   * total of absolute terms so far (floor 1e-9 J/m).
+   */
+  class EnergyLedger
+  {
+  public:
+    explicit EnergyLedger(bool with_continuum)
+      : has_continuum(with_continuum)
+    {}
+
+    /// Names of the terms, in the order of values().
+    std::vector<std::string>
+    names() const;
+
+    /// Terms now [J/m]; the first call sets the start.
+    const std::vector<double> &
+    update(const coupling::CoupledState &state);
+
+    const std::vector<double> &
+    values() const
+    {
+      return terms;
+    }
+
+    /// Relative residual now [-].
+    double
+    residual() const
+    {
+      return imbalance;
+    }
+
+    /// Largest relative residual so far [-].
+    double
+    largest_residual() const
+    {
+      return largest;
+    }
+
+  private:
+    bool                has_continuum;
+    std::vector<double> start, terms;
+    double              exchanged = 1e-9, imbalance = 0., largest = 0.;
+  };
+} // namespace hybrid::output

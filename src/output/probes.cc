@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/block_motion.h>
+#include <hybrid/dda/polygon.h>
+#include <hybrid/output/probes.h>
+#include <hybrid/scene/input_error.h>
+
+#include <limits>
+#include <sstream>
+
+namespace hybrid::output
+{
+  Probes::Probes(const dda::Model *blocks, continuum::Continuum *bedrock)
+    : model(blocks)
+    , continuum(bedrock)
+  {}
+
+
+
+  int
+  Probes::block_at(const Vec2 &x) const
+  {
+    if (model == nullptr)
+      return -1;
+    const dda::Geometry &g = model->initial;
+    for (int b = 0; b < g.n_blocks(); ++b)
+      if (dda::contains(&g.vertices[g.offset[b]], g.offset[b + 1] - g.offset[b], x))
+        return b;
+    return -1;
+  }
+
+
+
+  int
+  Probes::nearest_block(const Vec2 &x) const
+  {
+    int    nearest  = -1;
+    double distance = std::numeric_limits<double>::infinity();
+    if (model == nullptr)
+      return nearest;
+    const dda::Geometry &g = model->initial;
+    for (int b = 0; b < g.n_blocks(); ++b)
+      {
+        const double d = dda::distance_to_outline(&g.vertices[g.offset[b]], g.offset[b + 1] - g.offset[b], x);
+        if (d < distance && d < 0.5 * model->blocks[b].size)
+          {
+            distance = d;
+            nearest  = b;
+          }
+      }
+    return nearest;
+  }
+
+
+
+  void
+  Probes::attach(Probe &probe, const int block, const Vec2 &x) const
+  {
+    const dda::Geometry &g = model->initial;
+    probe.block            = block;
+    // The first three vertices that are not in a line; a block stays an affine image of itself.
+    const int first = g.offset[block], last = g.offset[block + 1] - 1;
+    for (int v = first + 1; v < last; ++v)
+      {
+        const Vec2   a = g.vertices[v] - g.vertices[first], b = g.vertices[v + 1] - g.vertices[first];
+        const double area = cross(a, b);
+        if (std::abs(area) < 1e-6 * a.norm() * b.norm())
+          continue;
+        const Vec2   p  = x - g.vertices[first];
+        const double wa = cross(p, b) / area, wb = cross(a, p) / area;
+        probe.vertices[0] = first;
+        probe.vertices[1] = v;
+        probe.vertices[2] = v + 1;
+        probe.weights[0]  = 1. - wa - wb;
+        probe.weights[1]  = wa;
+        probe.weights[2]  = wb;
+        return;
+      }
+  }
+
+
+
+  int
+  Probes::add(const Vec2 &x, const std::string &name)
+  {
+    Probe probe;
+    int   block = block_at(x);
+    if (block < 0 && continuum != nullptr)
+      try
+        {
+          probe.point = continuum->add_point(x, name);
+        }
+      catch (const InputError &)
+        {
+          block = nearest_block(x);
+          if (block < 0)
+            throw;
+        }
+    else if (block < 0)
+      block = nearest_block(x);
+    if (block >= 0)
+      attach(probe, block, x);
+    else if (probe.point < 0 && (model == nullptr || model->n_base_nodes() == 0))
+      {
+        std::ostringstream text;
+        text << "the point '" << name << "' at (" << x.x() << ", " << x.y()
+             << ") is in no block and there is no bedrock";
+        throw InputError(text.str());
+      }
+    probes.push_back(probe);
+    return static_cast<int>(probes.size()) - 1;
+  }
+
+
+
+  Vec2
+  Probes::position(const dda::DdaState &state, const Probe &probe) const
+  {
+    Vec2 x = Vec2::Zero();
+    for (int k = 0; k < 3; ++k)
+      x += probe.weights[k] * state.geometry.vertices[probe.vertices[k]];
+    return x;
+  }
+
+
+
+  void
+  Probes::set_reference(const coupling::CoupledState &state)
+  {
+    for (Probe &probe : probes)
+      if (probe.block >= 0)
+        probe.reference = position(state.blocks, probe);
+  }
+
+
+
+  PointMotion
+  Probes::sample(const coupling::CoupledState &state, const int number) const
+  {
+    const Probe &probe = probes[number];
+    PointMotion  motion;
+    if (probe.point >= 0)
+      {
+        const auto s        = continuum->sample(state.continuum, probe.point);
+        motion.displacement = s.displacement;
+        motion.velocity     = s.velocity;
+        motion.acceleration = s.acceleration;
+      }
+    else if (probe.block >= 0)
+      {
+        const dda::BlockState &block = state.blocks.blocks[probe.block];
+        const Vec2             x     = position(state.blocks, probe);
+        const dda::BlockMotion at_rest(block.centroid, dda::Vec6::Zero());
+        const dda::Vec6 gx = at_rest.gradient(x, Vec2::UnitX()), gy = at_rest.gradient(x, Vec2::UnitY());
+        motion.displacement = x - probe.reference;
+        motion.velocity     = {gx.dot(block.velocity), gy.dot(block.velocity)};
+        motion.acceleration = {gx.dot(block.acceleration), gy.dot(block.acceleration)};
+      }
+    else if (state.blocks.base_displacement.size() > 0)
+      motion.displacement = state.blocks.base_displacement.head<2>();
+    return motion;
+  }
+} // namespace hybrid::output
