@@ -14,28 +14,67 @@ namespace hybrid::dda
 
 
 
-    /// Gap and slip of a vertex at x in front of the edge from a to b.
+    /**
+     * Gap and slip of a vertex in front of an edge. Everything is measured from the point q of the
+     * edge where the vertex projected when last accepted: differences of places far from the
+     * origin, or along a long edge, would cost the digits that the residual needs.
+     */
     struct ContactFrame
     {
       Vec2   outward;       ///< unit normal out of the edge's body
       Vec2   along;         ///< unit vector along the edge
-      double edge_position; ///< projection of x on the edge [-]
+      double edge_position; ///< projection of the vertex on the edge [-]
       double gap;           ///< [m]
       double slip;          ///< [m]
 
-      ContactFrame(const Contact &contact, const Vec2 &x, const Vec2 &a, const Vec2 &b)
+      /// @param from_q vertex less q.  @param edge second end less first end of the edge [m].
+      ContactFrame(const Contact &contact, const Vec2 &from_q, const Vec2 &edge)
       {
-        const double length = (b - a).norm();
-        along               = (b - a) / length;
+        const double length = edge.norm();
+        along               = edge / length;
         // Blocks run counter-clockwise, so their outside is on the right; the base's is on the
         // left.
-        outward       = contact.edge_body == base_body ? Vec2(-along.y(), along.x())
-                                                       : Vec2(along.y(), -along.x());
-        edge_position = along.dot(x - a) / length;
-        gap           = outward.dot(x - a);
-        slip          = contact.slip + (edge_position - contact.edge_position) * length;
+        outward           = contact.edge_body == base_body ? Vec2(-along.y(), along.x())
+                                                           : Vec2(along.y(), -along.x());
+        const double slid = along.dot(from_q);
+        edge_position     = contact.edge_position + slid / length;
+        gap               = outward.dot(from_q);
+        slip              = contact.slip + slid;
       }
     };
+
+
+
+    /// Places of a contact's vertex and of both ends of its edge.
+    struct ContactPlaces
+    {
+      Vec2 vertex, first, second;
+
+      Vec2 from_q(const Contact &contact) const
+      {
+        return vertex - first - contact.edge_position * (second - first);
+      }
+    };
+
+
+
+    ContactPlaces places(const Contact &contact, const Geometry &geometry)
+    {
+      ContactPlaces p;
+      p.vertex = contact.vertex_body == base_body ? geometry.base_nodes[contact.vertex]
+                                                  : geometry.vertices[contact.vertex];
+      if (contact.edge_body == base_body)
+        {
+          p.first  = geometry.base_nodes[contact.edge];
+          p.second = geometry.base_nodes[contact.edge + 1];
+        }
+      else
+        {
+          p.first  = geometry.vertices[contact.edge];
+          p.second = geometry.vertices[geometry.next(contact.edge)];
+        }
+      return p;
+    }
 
 
 
@@ -124,14 +163,8 @@ namespace hybrid::dda
         else
           block_pairs.push_back({s.block, s.other});
 
-        const bool         edge_on_base = contact.edge_body == base_body;
-        const ContactFrame frame(contact,
-                                 node_on_block ? geometry.base_nodes[contact.vertex]
-                                               : geometry.vertices[contact.vertex],
-                                 edge_on_base ? geometry.base_nodes[contact.edge]
-                                              : geometry.vertices[contact.edge],
-                                 edge_on_base ? geometry.base_nodes[contact.edge + 1]
-                                              : geometry.vertices[geometry.next(contact.edge)]);
+        const ContactPlaces start = places(contact, geometry);
+        const ContactFrame  frame(contact, start.from_q(contact), start.second - start.first);
         s.old.history.plastic_slip = contact.plastic_slip;
         s.old.gap                  = frame.gap;
         s.old.slip                 = frame.slip;
@@ -258,25 +291,25 @@ namespace hybrid::dda
     Response       &response   = responses[s];
     const Contact  &contact    = state.contacts[spring.contact];
     const Geometry &geometry   = state.geometry;
-    const auto      base_place = [&](const int k) -> Vec2 {
-      return geometry.base_nodes[k] + base_displacement(trial.base, k) -
-             base_displacement(state.base_displacement, k);
-    };
-    const auto block_place = [&](const int v) -> Vec2 {
-      return geometry.vertices[v] + trial.displacement[v];
+    const auto      base_moved = [&](const int k) -> Vec2 {
+      return base_displacement(trial.base, k) - base_displacement(state.base_displacement, k);
     };
 
-    const bool node_on_block = contact.vertex_body == base_body;
-    const bool edge_on_base  = contact.edge_body == base_body;
-    const Vec2 x = node_on_block ? base_place(contact.vertex) : block_place(contact.vertex);
-    const Vec2 a = edge_on_base ? base_place(contact.edge) : block_place(contact.edge);
-    const Vec2 b =
-      edge_on_base ? base_place(contact.edge + 1) : block_place(geometry.next(contact.edge));
-    const ContactFrame frame(contact, x, a, b);
+    const bool    node_on_block = contact.vertex_body == base_body;
+    const bool    edge_on_base  = contact.edge_body == base_body;
+    ContactPlaces moved;
+    moved.vertex = node_on_block ? base_moved(contact.vertex) : trial.displacement[contact.vertex];
+    moved.first  = edge_on_base ? base_moved(contact.edge) : trial.displacement[contact.edge];
+    moved.second =
+      edge_on_base ? base_moved(contact.edge + 1) : trial.displacement[geometry.next(contact.edge)];
+    const ContactPlaces start = places(contact, geometry);
+    const ContactFrame  frame(contact,
+                             start.from_q(contact) + moved.from_q(contact),
+                             (start.second - start.first) + (moved.second - moved.first));
 
     response.normal        = node_on_block ? frame.outward : Vec2(-frame.outward);
     response.tangent       = node_on_block ? frame.along : Vec2(-frame.along);
-    response.place         = x;
+    response.place         = start.vertex + moved.vertex;
     response.edge_position = frame.edge_position;
     const double xi        = std::min(1., std::max(0., frame.edge_position));
     response.weight[0]     = edge_on_base ? 1. - xi : 1.;
