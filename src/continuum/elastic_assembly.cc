@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <deal.II/base/quadrature_lib.h>
 
-#include <deal.II/dofs/dof_tools.h>
-
 #include <deal.II/fe/fe_values.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/sparsity_tools.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <hybrid/continuum/elastic_assembly.h>
@@ -215,7 +212,14 @@ namespace hybrid::continuum
 
     // Every rank knows every cell: each builds the whole pattern and keeps its rows.
     DynamicSparsityPattern pattern(space.dof_handler.n_dofs());
-    DoFTools::make_sparsity_pattern(space.dof_handler, pattern);
+    std::vector<Index>     dofs(space.fe.n_dofs_per_cell());
+    for (const auto &cell : space.dof_handler.active_cell_iterators())
+      {
+        cell->get_dof_indices(dofs);
+        for (const Index i : dofs)
+          for (const Index j : dofs)
+            pattern.add(i, j);
+      }
     for (const auto &joint : joints)
       for (const Index i : joint.dofs)
         for (const Index j : joint.dofs)
