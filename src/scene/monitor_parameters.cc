@@ -2,6 +2,7 @@
 #include <hybrid/scene/nearest_name.h>
 #include <hybrid/scene/parameter_declarations.h>
 
+#include <algorithm>
 #include <set>
 
 namespace hybrid::scene
@@ -43,6 +44,20 @@ namespace hybrid::scene
           monitors.boreholes.push_back(borehole);
         }
     }
+
+    void add_measured_values(const std::string &text, MonitorParameters &monitors)
+    {
+      for (const auto &row : parse_rows(text, 2))
+        {
+          const auto hole = std::find_if(monitors.boreholes.begin(),
+                                         monitors.boreholes.end(),
+                                         [&](const Borehole &b) { return b.name == row.first; });
+          if (hole == monitors.boreholes.end())
+            throw InputError("'" + row.first + "' is no borehole of Boreholes/Lines");
+          hole->measured_depth.push_back(row.second[0]);
+          hole->measured_mm.push_back(row.second[1]);
+        }
+    }
   } // namespace
 
   void declare(ParameterTable &table, MonitorParameters &monitors)
@@ -79,6 +94,11 @@ namespace hybrid::scene
       "'name: x, top, x, bottom; ...' [m]",
       [&monitors](const std::string &text) { add_boreholes(text, monitors); },
       "Vertical lines along which displacement is recorded.");
+    boreholes.value(
+      "Measured",
+      "'name: depth, displacement; ...' [m, mm downhill]",
+      [&monitors](const std::string &text) { add_measured_values(text, monitors); },
+      "Measured values that are drawn beside the computed profiles; nothing else uses them.");
   }
 
   void check(const MonitorParameters &monitors, const ParameterTable &table)

@@ -166,6 +166,8 @@ namespace hybrid::scene
     Vec2        top;    ///< [m]
     Vec2        bottom; ///< [m]
     int         samples = 21;
+    std::vector<double> measured_depth; ///< depths of measured values below the top [m]
+    std::vector<double> measured_mm;    ///< measured downhill displacements there [mm]; only drawn
   };
 
   /// Section "Monitors" and section "Boreholes".

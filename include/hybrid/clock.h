@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace hybrid
+{
+  /**
+   * Simulated time in steps of dt / 2^k.
+   *
+   * Counts whole ticks of the smallest step, so time does not drift. A step
+   * that failed is halved; after a few good steps the clock tries the next
+   * longer step again, where it ends on a multiple of itself.
+   */
+  class Clock
+  {
+  public:
+    /// @param time_step dt [s].  @param end_time [s].  @param maximum_halvings largest k.
+    Clock(double time_step, double end_time, int maximum_halvings);
+
+    /// Time now [s].
+    double
+    time() const
+    {
+      return static_cast<double>(ticks) * tick;
+    }
+
+    bool
+    at_end() const
+    {
+      return ticks >= end_ticks;
+    }
+
+    /// The step to try next [s].
+    double
+    next_step() const
+    {
+      return tick * static_cast<double>(step_ticks());
+    }
+
+    /// The step was accepted.
+    void
+    accept();
+
+    /// The step failed: halve it. @return false if it was the smallest allowed.
+    bool
+    shorten_step();
+
+    /// Steps that were halved so far.
+    long
+    cuts() const
+    {
+      return n_cuts;
+    }
+
+  private:
+    static constexpr int growth_delay = 8; ///< good steps before a longer one is tried
+
+    const int    deepest;   ///< largest number of halvings
+    const double tick;      ///< smallest step [s]
+    std::int64_t end_ticks; ///< rounded to whole steps of dt
+    std::int64_t ticks      = 0;
+    int          halvings   = 0;
+    int          good_steps = 0;
+    long         n_cuts     = 0;
+
+    std::int64_t
+    step_ticks() const
+    {
+      return std::int64_t{1} << (deepest - halvings);
+    }
+  };
+} // namespace hybrid

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/continuum/continuum.h>
+#include <hybrid/dda/base_response.h>
+#include <hybrid/scene/types.h>
+
+#include <vector>
+
+namespace hybrid::coupling
+{
+  /**
+   * What the blocks stand on: the condensed continuum, or a rigid base.
+   *
+   * A step from state.time to state.time + dt is
+   *   1. predict(): what the blocks see of the base in this step;
+   *   2. the blocks and the surface are solved together;
+   *   3. correct(): the base's interior follows the surface.
+   * predict() changes no state, so a step that does not converge leaves no trace.
+   *
+   * To add a base: derive from this class in a file of its own and construct
+   * it in Simulation's constructor.
+   */
+  class Base
+  {
+  public:
+    virtual ~Base() = default;
+
+    /// Nodes of the contact surface [m], left to right.
+    virtual const std::vector<Vec2> &
+    surface_nodes() const = 0;
+
+    virtual const dda::BaseResponse &
+    predict(const continuum::ContinuumState &state, double dt) = 0;
+
+    /// @param displacement of the surface nodes at the end of the step [m].
+    /// @param force increments of the blocks' forces on them at the end of the step [N/m].
+    virtual void
+    correct(continuum::ContinuumState &state,
+            double                     dt,
+            const Eigen::VectorXd     &displacement,
+            const Eigen::VectorXd     &force) = 0;
+  };
+} // namespace hybrid::coupling

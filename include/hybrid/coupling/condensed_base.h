@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/coupling/base.h>
+
+namespace hybrid::coupling
+{
+  /**
+   * The bedrock as one more block: its surface unknowns with the condensed
+   * dynamic stiffness S (continuum/continuum.h). Solving blocks and surface
+   * together is then the monolithic implicit solution, stable for any
+   * stiffness ratio.
+   */
+  class CondensedBase final : public Base
+  {
+  public:
+    /// The continuum must outlive the base.
+    explicit CondensedBase(continuum::Continuum &bedrock)
+      : continuum(bedrock)
+    {}
+
+    const std::vector<Vec2> &
+    surface_nodes() const override
+    {
+      return continuum.surface_nodes();
+    }
+
+    const dda::BaseResponse &
+    predict(const continuum::ContinuumState &state, double dt) override;
+
+    void
+    correct(continuum::ContinuumState &state,
+            double                     dt,
+            const Eigen::VectorXd     &displacement,
+            const Eigen::VectorXd     &force) override
+    {
+      continuum.correct(state, dt, displacement, force);
+      last_displacement = displacement;
+    }
+
+  private:
+    continuum::Continuum &continuum;
+    dda::BaseResponse     response;
+    Eigen::VectorXd       last_displacement; ///< where the iteration starts [m]
+  };
+} // namespace hybrid::coupling

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/coupling/base.h>
+#include <hybrid/coupling/coupled_state.h>
+#include <hybrid/dda/block_solver.h>
+
+namespace hybrid::coupling
+{
+  /// Wall time of the parts of a step, summed [s].
+  struct StepTimings
+  {
+    double continuum = 0.; ///< forward and backward substitution
+    double blocks    = 0.; ///< contact search, open-close iteration
+  };
+
+
+  /**
+   * One step of everything: blocks and base together, or only one of them.
+   *
+   * The result says whether the step converged; if not, the state is that of
+   * before (but for the list of contact candidates, which depends on
+   * geometry alone).
+   */
+  class CoupledStep
+  {
+  public:
+    /// @param blocks may be nullptr (site response); @param continuum may be nullptr (pure DDA);
+    /// with blocks there is always a base. All must outlive the step.
+    CoupledStep(dda::BlockSolver *blocks, Base *base, continuum::Continuum *continuum);
+
+    dda::StepResult
+    solve(CoupledState &state, double dt);
+
+    const StepTimings &
+    timings() const
+    {
+      return elapsed;
+    }
+
+  private:
+    dda::BlockSolver     *blocks;
+    Base                 *base;
+    continuum::Continuum *continuum;
+    StepTimings           elapsed;
+  };
+} // namespace hybrid::coupling

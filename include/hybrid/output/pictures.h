@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/coupling/coupled_state.h>
+#include <hybrid/dda/model.h>
+#include <hybrid/output/pvd_series.h>
+
+#include <memory>
+#include <string>
+
+namespace hybrid::output
+{
+  /// The VTU series of a run for ParaView: continuum.pvd, blocks.pvd, joints.pvd.
+  class Pictures
+  {
+  public:
+    /// Parts that are nullptr are left out. They must outlive the pictures.
+    Pictures(const std::string &directory, const dda::Model *blocks, const continuum::Continuum *bedrock);
+
+    /// Displacements of blocks count from @p reference (the end of the static stage).
+    void
+    set_reference(const dda::DdaState &reference);
+
+    void
+    add(const coupling::CoupledState &state);
+
+  private:
+    const dda::Model           *model;
+    const continuum::Continuum *continuum;
+    dda::Geometry               reference;
+    VtuWriter                   writer;
+    std::unique_ptr<PvdSeries>  block_series, joint_series, continuum_series;
+
+    void
+    add_blocks(const coupling::CoupledState &state);
+
+    void
+    add_joints(const coupling::CoupledState &state);
+
+    void
+    add_continuum(const coupling::CoupledState &state);
+  };
+} // namespace hybrid::output

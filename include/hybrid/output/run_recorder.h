@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/open_close_iteration.h>
+#include <hybrid/output/energy_ledger.h>
+#include <hybrid/output/history_file.h>
+#include <hybrid/output/pictures.h>
+#include <hybrid/output/probes.h>
+#include <hybrid/output/summary.h>
+#include <hybrid/scene/motion.h>
+#include <hybrid/scene/scene_parameters.h>
+#include <hybrid/scene/section_mesh.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hybrid::output
+{
+  /// The parts of a run that output reads; what a scene does not have is nullptr.
+  struct RunParts
+  {
+    const scene::SceneParameters &scene;
+    const scene::SectionMesh     &mesh;
+    const scene::Motion          &motion;    ///< outcrop motion
+    const dda::Model             *blocks;
+    continuum::Continuum         *continuum; ///< points are registered in it
+  };
+
+
+  /// Records a run: run.h5, the pictures, and at the end the figures of summary.json.
+  class RunRecorder
+  {
+  public:
+    /// Makes run.h5 in the output directory. @throws InputError.
+    explicit RunRecorder(const RunParts &parts);
+
+    /// The state after the static stage: displacements count from here. Writes the first picture.
+    void
+    start(coupling::CoupledState &state);
+
+    /// After an accepted step of @p dt [s] that took @p wall_time [s].
+    void
+    record_step(coupling::CoupledState &state, const dda::StepResult &step, double dt, double wall_time);
+
+    /// Last picture, joints, section, and what the histories say for the summary.
+    void
+    finish(coupling::CoupledState &state, Summary &summary);
+
+    const EnergyLedger &
+    energy() const
+    {
+      return ledger;
+    }
+
+    /// Flush run.h5.
+    void
+    flush()
+    {
+      file.flush();
+    }
+
+  private:
+    /// Numbers of the three series of one monitor, and its histories for the summary.
+    struct MonitorSeries
+    {
+      std::string         name;
+      int                 probe;
+      int                 series[3];
+      std::vector<double> histories[3]; ///< displacement, velocity, acceleration; pairs
+    };
+
+    struct Profile
+    {
+      int                 series;
+      std::vector<int>    probes;
+      std::vector<double> row;
+    };
+
+    RunParts                   parts;
+    Probes                     probes;
+    HistoryFile                file;
+    Pictures                   pictures;
+    EnergyLedger               ledger;
+    std::vector<MonitorSeries> monitors;
+    std::vector<Profile>       profiles;
+    int                        base_monitor = -1; ///< index in monitors
+    int                        time_series = -1, input_series[3] = {-1, -1, -1}, step_series[4] = {-1, -1, -1, -1};
+    int                        energy_time = -1, energy_residual = -1, interface_time = -1, interface_force = -1;
+    std::vector<int>           energy_series;
+    std::vector<double>        times, input_acceleration;
+    std::vector<Vec2>          reference_centroids;
+    std::vector<double>        peak_displacement; ///< of each block relative to the base [m]
+    double                     next_picture = 0., next_audit = 0.;
+    std::chrono::steady_clock::time_point last_flush;
+
+    void
+    add_monitors();
+    void
+    add_boreholes();
+    void
+    add_series();
+    void
+    record_motion(const coupling::CoupledState &state);
+    void
+    record_energy(coupling::CoupledState &state);
+    void
+    record_picture(const coupling::CoupledState &state);
+    void
+    update_peaks(const coupling::CoupledState &state);
+    void
+    write_section(const coupling::CoupledState &state);
+    void
+    write_joints(const coupling::CoupledState &state);
+    Vec2
+    base_displacement() const;
+  };
+} // namespace hybrid::output

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/continuum/continuum.h>
+#include <hybrid/dda/model.h>
+#include <hybrid/scene/motion.h>
+#include <hybrid/scene/scene_parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace hybrid::output
+{
+  /// What a scene is, in a few lines for its user, and what looks wrong with it.
+  struct SceneCard
+  {
+    std::string              text;
+    std::vector<std::string> warnings; ///< one sentence each
+  };
+
+
+  /// Parts that a scene does not have are nullptr. @param motion the outcrop motion.
+  SceneCard
+  make_scene_card(const scene::SceneParameters &scene,
+                  const scene::Motion          &motion,
+                  const dda::Model             *blocks,
+                  const continuum::Continuum   *continuum);
+
+
+  /// Frequency below which a motion has the part @p share of its squared acceleration spectrum [Hz].
+  double
+  highest_frequency(const scene::Motion &motion, double share = 0.95);
+} // namespace hybrid::output

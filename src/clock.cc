@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/clock.h>
+
+#include <cmath>
+
+namespace hybrid
+{
+  Clock::Clock(const double time_step, const double end_time, const int maximum_halvings)
+    : deepest(maximum_halvings)
+    , tick(std::ldexp(time_step, -maximum_halvings))
+    , end_ticks(static_cast<std::int64_t>(std::ceil(end_time / time_step - 1e-9)) << maximum_halvings)
+  {}
+
+
+
+  void
+  Clock::accept()
+  {
+    ticks += step_ticks();
+    ++good_steps;
+    if (halvings > 0 && good_steps >= growth_delay && ticks % (2 * step_ticks()) == 0)
+      {
+        --halvings;
+        good_steps = 0;
+      }
+  }
+
+
+
+  bool
+  Clock::shorten_step()
+  {
+    ++n_cuts;
+    good_steps = 0;
+    if (halvings == deepest)
+      return false;
+    ++halvings;
+    return true;
+  }
+} // namespace hybrid

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/command_line.h>
+#include <hybrid/scene/input_error.h>
+
+namespace hybrid
+{
+  std::string
+  usage()
+  {
+    return "hybrid: landslides in earthquakes, finite elements coupled with discontinuous deformation analysis\n"
+           "\n"
+           "  hybrid PARAMS.prm              run a scene\n"
+           "  hybrid --check PARAMS.prm      read and mesh it, print its card and what looks wrong, run nothing\n"
+           "  hybrid --print-parameters      every parameter with default, range, unit and help\n"
+           "  hybrid plot DIRECTORY          all pictures of a run, in DIRECTORY/figures\n"
+           "  -s \"Section/Name=value\"        override one parameter (repeatable)\n"
+           "\n"
+           "Exit code 0: done; 1: the run stopped early; 2: a mistake in the input; 3: another failure.\n"
+           "Not finished yet: --resume, compare, study.\n";
+  }
+
+
+
+  CommandLine
+  parse_command_line(const int argc, const char *const *argv)
+  {
+    CommandLine              result;
+    std::vector<std::string> words(argv + 1, argv + argc), targets;
+    result.action = Action::run;
+    for (std::size_t i = 0; i < words.size(); ++i)
+      {
+        const std::string &word = words[i];
+        if (word == "-h" || word == "--help")
+          return {};
+        if (word == "-s")
+          {
+            if (++i == words.size() || words[i].find('=') == std::string::npos)
+              throw InputError("-s needs \"Section/Name=value\" after it" +
+                               (i < words.size() ? ", not '" + words[i] + "'" : std::string()));
+            result.overrides.push_back(words[i]);
+          }
+        else if (word == "--check")
+          result.action = Action::check;
+        else if (word == "--print-parameters")
+          result.action = Action::print_parameters;
+        else if (word == "plot" && targets.empty() && result.action == Action::run)
+          result.action = Action::plot;
+        else if (word == "--resume" || word == "compare" || word == "study")
+          throw InputError("'" + word + "' is not finished in this version");
+        else if (!word.empty() && word[0] == '-')
+          throw InputError("unknown option '" + word + "'; hybrid --help lists the options");
+        else
+          targets.push_back(word);
+      }
+    if (words.empty())
+      return {};
+    if (result.action == Action::print_parameters)
+      return result;
+    if (targets.size() != 1)
+      throw InputError(targets.empty() ? "no parameter file or directory is named; see hybrid --help" :
+                                         "one parameter file or directory is expected, but '" + targets[1] +
+                                           "' was given too");
+    result.target = targets[0];
+    return result;
+  }
+} // namespace hybrid

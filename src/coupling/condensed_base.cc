@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/coupling/condensed_base.h>
+
+namespace hybrid::coupling
+{
+  const dda::BaseResponse &
+  CondensedBase::predict(const continuum::ContinuumState &state, const double dt)
+  {
+    response.prescribed = false;
+    response.stiffness  = &continuum.surface_stiffness(dt);
+    response.load       = continuum.predict(state, dt);
+    if (last_displacement.size() != response.load.size())
+      last_displacement = Eigen::VectorXd::Zero(response.load.size());
+    response.displacement = last_displacement;
+    return response;
+  }
+} // namespace hybrid::coupling

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/coupling/rigid_base.h>
+
+namespace hybrid::coupling
+{
+  RigidBase::RigidBase(std::vector<Vec2>    surface,
+                       const scene::Motion &base_motion,
+                       const Vec2          &shaking_direction,
+                       const double         motion_start)
+    : nodes(std::move(surface))
+    , motion(base_motion)
+    , direction(shaking_direction)
+    , start_time(motion_start)
+  {
+    response.prescribed   = true;
+    response.displacement = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(nodes.size()));
+  }
+
+
+
+  const dda::BaseResponse &
+  RigidBase::predict(const continuum::ContinuumState &state, const double dt)
+  {
+    if (!motion.empty())
+      {
+        const Vec2 u = motion.displacement(state.time + dt - start_time) * direction;
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+          response.displacement.segment<2>(2 * static_cast<Eigen::Index>(k)) = u;
+      }
+    return response;
+  }
+
+
+
+  void
+  RigidBase::correct(continuum::ContinuumState &state,
+                     const double               dt,
+                     const Eigen::VectorXd &,
+                     const Eigen::VectorXd &)
+  {
+    state.time += dt;
+  }
+} // namespace hybrid::coupling

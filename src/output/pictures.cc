@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/block_motion.h>
+#include <hybrid/output/pictures.h>
+
+namespace hybrid::output
+{
+  Pictures::Pictures(const std::string          &directory,
+                     const dda::Model           *blocks,
+                     const continuum::Continuum *bedrock)
+    : model(blocks)
+    , continuum(bedrock)
+  {
+    if (model != nullptr)
+      {
+        block_series = std::make_unique<PvdSeries>(directory, "blocks");
+        joint_series = std::make_unique<PvdSeries>(directory, "joints");
+        reference    = model->initial;
+      }
+    if (continuum != nullptr)
+      continuum_series = std::make_unique<PvdSeries>(directory, "continuum");
+  }
+
+
+
+  void
+  Pictures::set_reference(const dda::DdaState &state)
+  {
+    reference = state.geometry;
+  }
+
+
+
+  void
+  Pictures::add(const coupling::CoupledState &state)
+  {
+    if (model != nullptr)
+      {
+        add_blocks(state);
+        add_joints(state);
+      }
+    if (continuum != nullptr)
+      add_continuum(state);
+  }
+
+
+
+  void
+  Pictures::add_blocks(const coupling::CoupledState &state)
+  {
+    const dda::Geometry &g = state.blocks.geometry;
+    writer.clear();
+    std::vector<double> displacement, velocity, stress, rotation, region;
+    std::vector<int>    nodes;
+    for (int b = 0; b < g.n_blocks(); ++b)
+      {
+        const dda::BlockState &block = state.blocks.blocks[b];
+        const dda::BlockMotion at_rest(block.centroid, dda::Vec6::Zero());
+        nodes.clear();
+        for (int v = g.offset[b]; v < g.offset[b + 1]; ++v)
+          {
+            nodes.push_back(writer.add_point(g.vertices[v]));
+            const Vec2 u = g.vertices[v] - reference.vertices[v];
+            displacement.insert(displacement.end(), {u.x(), u.y()});
+            velocity.push_back(at_rest.gradient(g.vertices[v], Vec2::UnitX()).dot(block.velocity));
+            velocity.push_back(at_rest.gradient(g.vertices[v], Vec2::UnitY()).dot(block.velocity));
+          }
+        writer.add_cell(nodes.size() == 3 ? CellShape::triangle : CellShape::polygon, nodes);
+        stress.insert(stress.end(), block.stress.data(), block.stress.data() + 3);
+        rotation.push_back(block.rotation);
+        region.push_back(model->blocks[b].region);
+      }
+    writer.add_point_field("displacement [m]", 2, std::move(displacement));
+    writer.add_point_field("velocity [m/s]", 2, std::move(velocity));
+    writer.add_cell_field("stress xx, yy, xy [Pa]", 3, std::move(stress));
+    writer.add_cell_field("rotation [rad]", 1, std::move(rotation));
+    writer.add_cell_field("region", 1, std::move(region));
+    block_series->add(state.time, writer);
+  }
+
+
+
+  void
+  Pictures::add_joints(const coupling::CoupledState &state)
+  {
+    const dda::Geometry &g = state.blocks.geometry;
+    writer.clear();
+    std::vector<double> failure, time, opening, slip, normal, shear;
+    for (std::size_t j = 0; j < model->joints.size(); ++j)
+      {
+        const dda::Joint      &joint = model->joints[j];
+        const dda::JointState &s     = state.blocks.joints[j];
+        const Vec2 &a = g.vertices[joint.edge], &b = g.vertices[g.next(joint.edge)];
+        int         nodes[2];
+        for (int k = 0; k < 2; ++k)
+          nodes[k] = writer.add_point(a + joint.points[k].position * (b - a));
+        writer.add_cell(CellShape::line, nodes, 2);
+        const auto mean = [&](double dda::SpringState::*value) {
+          return 0.5 * (s.points[0].*value + s.points[1].*value);
+        };
+        failure.push_back(static_cast<double>(s.failure));
+        time.push_back(s.failure_time);
+        opening.push_back(mean(&dda::SpringState::gap));
+        slip.push_back(mean(&dda::SpringState::slip));
+        normal.push_back(mean(&dda::SpringState::normal));
+        shear.push_back(mean(&dda::SpringState::shear));
+      }
+    writer.add_cell_field("failure (1 tensile, 2 shear)", 1, std::move(failure));
+    writer.add_cell_field("failure time [s]", 1, std::move(time));
+    writer.add_cell_field("opening [m]", 1, std::move(opening));
+    writer.add_cell_field("slip [m]", 1, std::move(slip));
+    writer.add_cell_field("normal stress (compression positive) [Pa]", 1, std::move(normal));
+    writer.add_cell_field("shear stress [Pa]", 1, std::move(shear));
+    joint_series->add(state.time, writer);
+  }
+
+
+
+  void
+  Pictures::add_continuum(const coupling::CoupledState &state)
+  {
+    const continuum::Continuum::Picture picture = continuum->picture(state.continuum);
+    writer.clear();
+    for (const Vec2 &p : picture.points)
+      writer.add_point(p);
+    for (const auto &cell : picture.cells)
+      writer.add_cell(CellShape::quad, cell.data(), 4);
+    const auto pairs = [](const std::vector<Vec2> &values) {
+      std::vector<double> flat;
+      for (const Vec2 &v : values)
+        flat.insert(flat.end(), {v.x(), v.y()});
+      return flat;
+    };
+    const auto triples = [](const std::vector<std::array<double, 3>> &values) {
+      std::vector<double> flat;
+      for (const auto &v : values)
+        flat.insert(flat.end(), v.begin(), v.end());
+      return flat;
+    };
+    writer.add_point_field("displacement [m]", 2, pairs(picture.displacement));
+    writer.add_point_field("velocity [m/s]", 2, pairs(picture.velocity));
+    writer.add_cell_field("stress increment xx, yy, xy [Pa]", 3, triples(picture.stress));
+    if (picture.static_stress.size() == picture.cells.size())
+      writer.add_cell_field("static stress xx, yy, xy [Pa]", 3, triples(picture.static_stress));
+    writer.add_cell_field("region",
+                          1,
+                          std::vector<double>(picture.region.begin(), picture.region.end()));
+    continuum_series->add(state.time, writer);
+  }
+} // namespace hybrid::output

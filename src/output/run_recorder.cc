@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/monitor_summary.h>
+#include <hybrid/output/run_recorder.h>
+#include <hybrid/scene/input_error.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    Vec2
+    shaking_direction(const scene::MotionParameters &motion)
+    {
+      const double angle = motion.angle * M_PI / 180.;
+      return {std::cos(angle), std::sin(angle)};
+    }
+  } // namespace
+
+
+
+  RunRecorder::RunRecorder(const RunParts &run)
+    : parts(run)
+    , probes(run.blocks, run.continuum)
+    , file(run.scene.output.directory + "/run.h5")
+    , pictures(run.scene.output.directory, run.blocks, run.continuum)
+    , ledger(run.continuum != nullptr)
+    , last_flush(std::chrono::steady_clock::now())
+  {
+    file.set_attribute("/", "title", parts.scene.title);
+    file.set_attribute("/", "base_monitor", parts.scene.monitors.base_monitor);
+    add_series();
+    add_monitors();
+    add_boreholes();
+  }
+
+
+
+  void
+  RunRecorder::add_series()
+  {
+    time_series            = file.add_series("time", "s", 1, "end of each step");
+    const char *names[3]   = {"acceleration", "velocity", "displacement"};
+    const char *units[3]   = {"m/s2", "m/s", "m"};
+    for (int k = 0; k < 3; ++k)
+      input_series[k] = file.add_series(std::string("input/") + names[k], units[k], 2, "outcrop motion");
+    step_series[0] = file.add_series("steps/dt", "s", 1, "step size");
+    step_series[1] = file.add_series("steps/iterations", "1", 1, "open-close iterations");
+    step_series[2] = file.add_series("steps/solver_iterations", "1", 1, "conjugate gradient iterations");
+    step_series[3] = file.add_series("steps/wall_time", "s", 1, "wall time of the step");
+    energy_time     = file.add_series("energy/time", "s", 1, "times of the audits");
+    energy_residual = file.add_series("energy/residual", "1", 1, "relative residual of the audit");
+    for (const std::string &name : ledger.names())
+      energy_series.push_back(file.add_series("energy/" + name, "J/m", 1, "since the static state"));
+
+    if (parts.blocks == nullptr || parts.blocks->n_base_nodes() == 0)
+      return;
+    std::vector<double> position;
+    for (const Vec2 &node : parts.blocks->initial.base_nodes)
+      position.insert(position.end(), {node.x(), node.y()});
+    const std::size_t nodes = position.size() / 2;
+    file.write_table("interface/position", "m", position.data(), nodes, 2, "contact surface of the base");
+    interface_time  = file.add_series("interface/time", "s", 1, "times of the pictures");
+    interface_force = file.add_series("interface/force", "N/m", 2 * nodes, "of the blocks on each node");
+  }
+
+
+
+  void
+  RunRecorder::add_monitors()
+  {
+    const char *names[3] = {"displacement", "velocity", "acceleration"};
+    const char *units[3] = {"m", "m/s", "m/s2"};
+    for (const scene::Monitor &m : parts.scene.monitors.monitors)
+      {
+        MonitorSeries series;
+        series.name  = m.name;
+        series.probe = probes.add(m.position, m.name);
+        for (int k = 0; k < 3; ++k)
+          series.series[k] = file.add_series("monitors/" + m.name + "/" + names[k], units[k], 2, "absolute, raw");
+        file.set_attribute("monitors/" + m.name, "position", std::vector<double>{m.position.x(), m.position.y()});
+        if (m.name == parts.scene.monitors.base_monitor)
+          base_monitor = static_cast<int>(monitors.size());
+        monitors.push_back(std::move(series));
+      }
+  }
+
+
+
+  void
+  RunRecorder::add_boreholes()
+  {
+    for (const scene::Borehole &hole : parts.scene.monitors.boreholes)
+      {
+        Profile             profile;
+        std::vector<double> depth;
+        for (int k = 0; k < hole.samples; ++k)
+          {
+            const double part = hole.samples > 1 ? static_cast<double>(k) / (hole.samples - 1) : 0.;
+            const Vec2   x    = hole.top + part * (hole.bottom - hole.top);
+            profile.probes.push_back(probes.add(x, hole.name + " sample " + std::to_string(k)));
+            depth.push_back(hole.top.y() - x.y());
+          }
+        const std::string path = "profiles/" + hole.name;
+        file.write_table(path + "/depth", "m", depth.data(), depth.size(), 1, "below the top");
+        profile.row.resize(2 * depth.size());
+        profile.series =
+          file.add_series(path + "/displacement", "m", profile.row.size(), "relative to the base, pairs");
+        file.set_attribute(path, "position",
+                           std::vector<double>{hole.top.x(), hole.top.y(), hole.bottom.x(), hole.bottom.y()});
+        if (!hole.measured_mm.empty())
+          {
+            file.set_attribute(path, "measured_mm", hole.measured_mm);
+            file.set_attribute(path, "measured_depth_m", hole.measured_depth);
+          }
+        profiles.push_back(std::move(profile));
+      }
+  }
+
+
+
+  void
+  RunRecorder::start(coupling::CoupledState &state)
+  {
+    probes.set_reference(state);
+    if (parts.blocks != nullptr)
+      {
+        pictures.set_reference(state.blocks);
+        for (const dda::BlockState &block : state.blocks.blocks)
+          reference_centroids.push_back(block.centroid);
+        peak_displacement.assign(reference_centroids.size(), 0.);
+      }
+    record_energy(state);
+    record_picture(state);
+    next_picture = parts.scene.output.picture_interval;
+    next_audit   = parts.scene.output.audit_interval;
+    file.flush();
+  }
+
+
+
+  Vec2
+  RunRecorder::base_displacement() const
+  {
+    if (base_monitor < 0 || monitors[base_monitor].histories[0].empty())
+      return Vec2::Zero();
+    const auto &u = monitors[base_monitor].histories[0];
+    return {u[u.size() - 2], u[u.size() - 1]};
+  }
+
+
+
+  void
+  RunRecorder::record_motion(const coupling::CoupledState &state)
+  {
+    const double t = state.time - parts.scene.motion.start;
+    const Vec2   d = shaking_direction(parts.scene.motion);
+    const double values[3] = {parts.motion.acceleration(t), parts.motion.velocity(t), parts.motion.displacement(t)};
+    for (int k = 0; k < 3; ++k)
+      {
+        const Vec2 pair = values[k] * d;
+        file.append(input_series[k], pair.data());
+      }
+    input_acceleration.insert(input_acceleration.end(), {values[0] * d.x(), values[0] * d.y()});
+
+    for (MonitorSeries &monitor : monitors)
+      {
+        const PointMotion m       = probes.sample(state, monitor.probe);
+        const Vec2        pair[3] = {m.displacement, m.velocity, m.acceleration};
+        for (int k = 0; k < 3; ++k)
+          {
+            file.append(monitor.series[k], pair[k].data());
+            monitor.histories[k].insert(monitor.histories[k].end(), {pair[k].x(), pair[k].y()});
+          }
+      }
+    const Vec2 base = base_displacement();
+    for (Profile &profile : profiles)
+      {
+        for (std::size_t k = 0; k < profile.probes.size(); ++k)
+          {
+            const Vec2 u           = probes.sample(state, profile.probes[k]).displacement - base;
+            profile.row[2 * k]     = u.x();
+            profile.row[2 * k + 1] = u.y();
+          }
+        file.append(profile.series, profile.row.data());
+      }
+  }
+
+
+
+  void
+  RunRecorder::record_energy(coupling::CoupledState &state)
+  {
+    if (parts.continuum != nullptr)
+      parts.continuum->audit_energy(state.continuum, parts.scene.time.time_step);
+    const std::vector<double> &terms = ledger.update(state);
+    const double               residual = ledger.residual();
+    file.append(energy_time, &state.time);
+    file.append(energy_residual, &residual);
+    for (std::size_t k = 0; k < terms.size(); ++k)
+      file.append(energy_series[k], &terms[k]);
+  }
+
+
+
+  void
+  RunRecorder::record_picture(const coupling::CoupledState &state)
+  {
+    pictures.add(state);
+    if (interface_time < 0)
+      return;
+    file.append(interface_time, &state.time);
+    file.append(interface_force, state.blocks.base_force.data());
+  }
+
+
+
+  void
+  RunRecorder::update_peaks(const coupling::CoupledState &state)
+  {
+    const Vec2 base = base_displacement();
+    for (std::size_t b = 0; b < peak_displacement.size(); ++b)
+      peak_displacement[b] =
+        std::max(peak_displacement[b],
+                 (state.blocks.blocks[b].centroid - reference_centroids[b] - base).norm());
+  }
+
+
+
+  void
+  RunRecorder::record_step(coupling::CoupledState &state,
+                           const dda::StepResult  &step,
+                           const double            dt,
+                           const double            wall_time)
+  {
+    const double iterations = step.iterations, solver_iterations = step.solver_iterations;
+    times.push_back(state.time);
+    file.append(time_series, &state.time);
+    file.append(step_series[0], &dt);
+    file.append(step_series[1], &iterations);
+    file.append(step_series[2], &solver_iterations);
+    file.append(step_series[3], &wall_time);
+    record_motion(state);
+    update_peaks(state);
+
+    const double early = 1e-9 * dt;
+    if (state.time >= next_audit - early)
+      {
+        record_energy(state);
+        while (next_audit <= state.time + early)
+          next_audit += std::max(parts.scene.output.audit_interval, dt);
+      }
+    if (parts.scene.output.picture_interval > 0. && state.time >= next_picture - early)
+      {
+        record_picture(state);
+        while (next_picture <= state.time + early)
+          next_picture += std::max(parts.scene.output.picture_interval, dt);
+      }
+    const auto now = std::chrono::steady_clock::now();
+    if (std::chrono::duration<double>(now - last_flush).count() > parts.scene.output.flush_interval)
+      {
+        file.flush();
+        last_flush = now;
+      }
+  }
+
+
+
+  void
+  RunRecorder::write_section(const coupling::CoupledState &state)
+  {
+    std::vector<double> outline, surface;
+    for (const auto &line : parts.mesh.lines)
+      {
+        if (line.first.rfind("bedding", 0) == 0 || line.first == "mass_surface")
+          continue;
+        for (const auto &edge : line.second)
+          for (const int node : edge)
+            outline.insert(outline.end(), {parts.mesh.nodes[node].x(), parts.mesh.nodes[node].y()});
+      }
+    if (!outline.empty())
+      file.write_table("section/outline", "m", outline.data(), outline.size() / 4, 4, "edges of the bedrock");
+    const auto sliding = parts.mesh.lines.find("sliding_surface");
+    if (sliding != parts.mesh.lines.end() && !sliding->second.empty())
+      {
+        for (const auto &edge : sliding->second)
+          surface.insert(surface.end(), {parts.mesh.nodes[edge[0]].x(), parts.mesh.nodes[edge[0]].y()});
+        const Vec2 &last = parts.mesh.nodes[sliding->second.back()[1]];
+        surface.insert(surface.end(), {last.x(), last.y()});
+        file.write_table("section/surface", "m", surface.data(), surface.size() / 2, 2, "sliding surface");
+      }
+    if (parts.blocks == nullptr)
+      return;
+    const Vec2           base = base_displacement();
+    const dda::Geometry &g    = parts.blocks->initial;
+    std::vector<double>  offsets(g.offset.begin(), g.offset.end()), points, final_points, displacement;
+    for (const Vec2 &v : g.vertices)
+      points.insert(points.end(), {v.x(), v.y()});
+    for (const Vec2 &v : state.blocks.geometry.vertices)
+      final_points.insert(final_points.end(), {v.x(), v.y()});
+    for (std::size_t b = 0; b < reference_centroids.size(); ++b)
+      {
+        const Vec2 u = state.blocks.blocks[b].centroid - reference_centroids[b] - base;
+        displacement.insert(displacement.end(), {u.x(), u.y()});
+      }
+    file.write_table("section/blocks_offsets", "1", offsets.data(), offsets.size(), 1, "first vertex");
+    file.write_table("section/blocks_points", "m", points.data(), g.vertices.size(), 2, "initial");
+    file.write_table("section/blocks_points_final", "m", final_points.data(), g.vertices.size(), 2, "at the end");
+    file.write_table("section/blocks_displacement", "m", displacement.data(), displacement.size() / 2, 2,
+                     "of centroids at the end, relative to the base");
+    file.write_table("section/blocks_peak_displacement", "m", peak_displacement.data(), peak_displacement.size(), 1,
+                     "largest magnitude relative to the base");
+    if (parts.scene.environment.water_level > -1e299)
+      file.set_attribute("section", "water_level", std::vector<double>{parts.scene.environment.water_level});
+  }
+
+
+
+  void
+  RunRecorder::write_joints(const coupling::CoupledState &state)
+  {
+    std::vector<double>  time, kind, position, ends;
+    const dda::Geometry &g = parts.blocks->initial;
+    for (std::size_t j = 0; j < parts.blocks->joints.size(); ++j)
+      {
+        const dda::JointState &s = state.blocks.joints[j];
+        if (s.failure == dda::FailureKind::none)
+          continue;
+        const dda::Joint &joint = parts.blocks->joints[j];
+        const Vec2 &a = g.vertices[joint.edge], &b = g.vertices[g.next(joint.edge)];
+        const Vec2  p = a + joint.points[0].position * (b - a), q = a + joint.points[1].position * (b - a);
+        time.push_back(s.failure_time);
+        kind.push_back(s.failure == dda::FailureKind::tensile ? 1. : 2.);
+        position.insert(position.end(), {0.5 * (p.x() + q.x()), 0.5 * (p.y() + q.y())});
+        ends.insert(ends.end(), {p.x(), p.y(), q.x(), q.y()});
+      }
+    file.write_table("joints/failure_time", "s", time.data(), time.size(), 1, "negative: static stage");
+    file.write_table("joints/failure_kind", "1", kind.data(), kind.size(), 1, "1 tensile, 2 shear");
+    file.write_table("joints/position", "m", position.data(), time.size(), 2, "middle, initial");
+    file.write_table("joints/ends", "m", ends.data(), time.size(), 4, "initial");
+  }
+
+
+
+  void
+  RunRecorder::finish(coupling::CoupledState &state, Summary &summary)
+  {
+    record_energy(state);
+    record_picture(state);
+    write_section(state);
+    if (parts.blocks != nullptr)
+      {
+        write_joints(state);
+        for (const dda::JointState &joint : state.blocks.joints)
+          {
+            if (joint.failure == dda::FailureKind::none)
+              continue;
+            const bool             settled = joint.failure_time < 0.;
+            Summary::FailedJoints &count   = settled ? summary.static_joints : summary.joints;
+            ++(joint.failure == dda::FailureKind::tensile ? count.tensile : count.shear);
+            if (!settled)
+              summary.first_failure_time = std::isnan(summary.first_failure_time) ?
+                                             joint.failure_time :
+                                             std::min(summary.first_failure_time, joint.failure_time);
+          }
+      }
+    file.flush();
+
+    summary.energy_residual = ledger.largest_residual();
+    const auto names        = ledger.names();
+    for (std::size_t k = 0; k < names.size(); ++k)
+      summary.energy[names[k]] = ledger.values()[k];
+    if (times.empty())
+      return;
+    MonitorReference reference;
+    reference.time                 = times;
+    reference.outcrop_acceleration = parts.motion.empty() ? std::vector<double>{} : input_acceleration;
+    if (base_monitor >= 0)
+      reference.base_displacement = monitors[base_monitor].histories[0];
+    reference.filter_frequency   = parts.scene.monitors.filter_frequency;
+    reference.first_failure_time = summary.first_failure_time;
+    const MonitorSummarizer summarizer(reference);
+    summary.filter_frequency          = reference.filter_frequency;
+    summary.outcrop_peak_acceleration = summarizer.outcrop_peak();
+    for (const MonitorSeries &m : monitors)
+      summary.monitors[m.name] = summarizer.summarize(m.histories[0], m.histories[1], m.histories[2]);
+  }
+} // namespace hybrid::output

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/coupling/condensed_base.h>
+#include <hybrid/coupling/rigid_base.h>
+#include <hybrid/dda/block_energy.h>
+#include <hybrid/dda/model_builder.h>
+#include <hybrid/output/progress.h>
+#include <hybrid/output/scene_card.h>
+#include <hybrid/scene/mesh_check.h>
+#include <hybrid/scene/motion_reader.h>
+#include <hybrid/scene/section_mesh_reader.h>
+#include <hybrid/simulation.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+namespace hybrid
+{
+  namespace
+  {
+    using SteadyClock = std::chrono::steady_clock;
+
+    double
+    seconds_since(const SteadyClock::time_point start)
+    {
+      return std::chrono::duration<double>(SteadyClock::now() - start).count();
+    }
+
+
+
+    /// The polyline of a rigid base: sliding surface and ground of the mesh, left to right.
+    std::vector<Vec2>
+    surface_of(const scene::SectionMesh &mesh)
+    {
+      std::vector<scene::SectionMesh::Edge> edges;
+      for (const char *name : {"ground", "sliding_surface"})
+        {
+          const auto line = mesh.lines.find(name);
+          if (line != mesh.lines.end())
+            edges.insert(edges.end(), line->second.begin(), line->second.end());
+        }
+      std::map<int, int> next;
+      std::map<int, int> arrivals;
+      for (const auto &edge : edges)
+        {
+          next[edge[0]] = edge[1];
+          ++arrivals[edge[1]];
+        }
+      std::vector<Vec2> nodes;
+      for (const auto &link : next)
+        if (arrivals[link.first] == 0 &&
+            (nodes.empty() || mesh.nodes[link.first].x() < nodes.front().x()))
+          {
+            nodes.clear();
+            int node = link.first;
+            nodes.push_back(mesh.nodes[node]);
+            for (auto at = next.find(node); at != next.end(); at = next.find(node))
+              nodes.push_back(mesh.nodes[node = at->second]);
+          }
+      return nodes;
+    }
+  } // namespace
+
+
+
+  Simulation::Simulation(const scene::SceneParameters &parameters, output::Log &run_log, MPI_Comm communicator)
+    : scene(parameters)
+    , log(run_log)
+    , mesh(scene::read_section_mesh(parameters.mesh))
+    , motion(scene::make_motion(parameters.motion, parameters.time.time_step))
+  {
+    scene::check_section_mesh(mesh, scene);
+    if (!scene.motion.outcrop)
+      motion = motion.scaled(2.); // an outcrop moves twice as much as the incident wave
+    if (scene.continuum_model == scene::ContinuumModel::elastic)
+      continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
+    if (!scene.blocks.enabled)
+      {
+        if (continuum != nullptr)
+          state.continuum = continuum->initial_state();
+        return;
+      }
+    if (continuum != nullptr)
+      {
+        base            = std::make_unique<coupling::CondensedBase>(*continuum);
+        state.continuum = continuum->initial_state();
+      }
+    else
+      {
+        const double angle = scene.motion.angle * M_PI / 180.;
+        base = std::make_unique<coupling::RigidBase>(surface_of(mesh),
+                                                     motion,
+                                                     Vec2(std::cos(angle), std::sin(angle)),
+                                                     scene.motion.start);
+      }
+    blocks       = std::make_unique<dda::Model>(dda::build_model(mesh, scene, base->surface_nodes()));
+    state.blocks = dda::initial_state(*blocks);
+  }
+
+
+
+  void
+  Simulation::print_card() const
+  {
+    const output::SceneCard card = output::make_scene_card(scene, motion, blocks.get(), continuum.get());
+    log.info(card.text);
+    for (const std::string &warning : card.warnings)
+      log.warning(warning);
+  }
+
+
+
+  void
+  Simulation::settle()
+  {
+    if (blocks == nullptr)
+      {
+        if (continuum != nullptr && scene.environment.gravity > 0.)
+          continuum->solve_static_state(
+            Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(continuum->surface_nodes().size())),
+            scene.environment.gravity);
+        return;
+      }
+    if (scene.environment.static_stage == scene::StaticStage::none || scene.environment.gravity == 0.)
+      {
+        state.blocks.energy = dda::held_energy(*blocks, state.blocks);
+        return;
+      }
+    settled = dda::settle(*blocks, state.blocks, scene.environment.static_stage == scene::StaticStage::held);
+    report_static_stage();
+    if (continuum != nullptr)
+      continuum->solve_static_state(state.blocks.static_force, scene.environment.gravity);
+  }
+
+
+
+  void
+  Simulation::report_static_stage() const
+  {
+    int tensile = 0, shear = 0;
+    for (const dda::JointState &joint : state.blocks.joints)
+      {
+        tensile += joint.failure == dda::FailureKind::tensile ? 1 : 0;
+        shear += joint.failure == dda::FailureKind::shear ? 1 : 0;
+      }
+    char text[300];
+    std::snprintf(text,
+                  sizeof(text),
+                  "Static stage: relative residual %.1e after %d steps (%d iterations), largest settlement %.3g m; "
+                  "joints failed: %d tensile, %d shear",
+                  settled.residual, settled.steps, settled.iterations, settled.largest_displacement, tensile, shear);
+    log.info(text);
+    if (settled.equilibrium)
+      return;
+    std::string where;
+    if (settled.moving_block >= 0)
+      {
+        const Vec2 &c = state.blocks.blocks[settled.moving_block].centroid;
+        std::snprintf(text, sizeof(text), ", most of all block %d at (%.2f, %.2f)", settled.moving_block, c.x(), c.y());
+        where = text;
+      }
+    log.warning("no static equilibrium was found: the mass moves under its own weight" + where +
+                "; the dynamic stage starts from rest there");
+  }
+
+
+
+  RunStatus
+  Simulation::run()
+  {
+    const auto          start = SteadyClock::now();
+    output::Summary     summary;
+    output::RunRecorder recorder({scene, mesh, motion, blocks.get(), continuum.get()});
+    settle();
+    summary.timings["static_stage"] = seconds_since(start);
+
+    std::unique_ptr<dda::BlockSolver> solver;
+    if (blocks != nullptr)
+      solver = std::make_unique<dda::BlockSolver>(*blocks);
+    coupling::CoupledStep step(solver.get(), base.get(), continuum.get());
+    Clock                 clock(scene.time.time_step, scene.time.end_time, scene.time.maximum_halvings);
+    recorder.start(state);
+    const RunStatus status = advance(clock, step, recorder, summary);
+
+    recorder.finish(state, summary);
+    summary.title              = scene.title;
+    summary.finished           = status == RunStatus::finished;
+    summary.simulated_time     = clock.time();
+    summary.blocks             = blocks != nullptr ? blocks->n_blocks() : 0;
+    summary.continuum_unknowns = continuum != nullptr ? static_cast<long>(continuum->n_unknowns()) : 0;
+    summary.interface_unknowns = base != nullptr ? 2 * static_cast<long>(base->surface_nodes().size()) : 0;
+    summary.cuts               = clock.cuts();
+    summary.timings["continuum"] = step.timings().continuum;
+    summary.timings["blocks"]    = step.timings().blocks;
+    summary.wall_time            = seconds_since(start);
+    output::write_summary(summary, scene.output.directory + "/summary.json");
+
+    char text[300];
+    std::snprintf(text, sizeof(text),
+                  "%s: %ld steps, %.4g s simulated, %ld cuts, joints failed %ld tensile %ld shear, energy residual %.2e",
+                  summary.finished ? "Finished" : "Stopped", summary.steps, summary.simulated_time, summary.cuts,
+                  summary.joints.tensile, summary.joints.shear, summary.energy_residual);
+    log.info(text);
+    return status;
+  }
+
+
+
+  RunStatus
+  Simulation::advance(Clock                 &clock,
+                      coupling::CoupledStep &step,
+                      output::RunRecorder   &recorder,
+                      output::Summary       &summary)
+  {
+    output::Progress progress(std::cout, output::standard_output_is_terminal(), 0., scene.time.end_time);
+    double           output_time = 0.;
+    while (!clock.at_end())
+      {
+        const auto            begin  = SteadyClock::now();
+        const double          dt     = clock.next_step();
+        const dda::StepResult result = step.solve(state, dt);
+        summary.iterations += result.iterations;
+        if (!result.converged)
+          {
+            if (clock.shorten_step())
+              continue;
+            progress.finish();
+            say_why(result, clock.time());
+            return RunStatus::no_convergence;
+          }
+        clock.accept();
+        state.time = state.blocks.time = state.continuum.time = clock.time();
+        ++summary.steps;
+
+        const auto accepted = SteadyClock::now();
+        recorder.record_step(state, result, dt, std::chrono::duration<double>(accepted - begin).count());
+        progress.update(state.time, summary.steps, summary.iterations);
+        output_time += seconds_since(accepted);
+      }
+    progress.finish();
+    summary.timings["output"] = output_time;
+    return RunStatus::finished;
+  }
+
+
+
+  void
+  Simulation::say_why(const dda::StepResult &result, const double time) const
+  {
+    char text[400];
+    std::snprintf(text, sizeof(text),
+                  "stopped at t = %.6g s: the open-close iteration does not settle at the smallest step %.3g s "
+                  "(relative residual %.2e after %d iterations, largest displacement ratio %.3g)",
+                  time, std::ldexp(scene.time.time_step, -scene.time.maximum_halvings), result.residual,
+                  result.iterations, result.displacement_ratio);
+    log.warning(text);
+  }
+} // namespace hybrid
