@@ -12,6 +12,10 @@ namespace hybrid::continuum
    * Supernodal Cholesky factor A = P^T L L^T P with the surface unknowns last, so that the trailing
    * block of L gives the condensed matrix: S = A_GG - A_GI A_II^-1 A_IG = L_GG L_GG^T.
    *
+   * Every rank factors the whole matrix on its own: at the sizes of a section (1e4 to 1e5 unknowns)
+   * two triangular solves take a few milliseconds, less than a distributed factor would spend on
+   * messages.
+   *
    * One object holds the ordering and the symbolic analysis of one sparsity pattern;
    * each Factor made from it holds the numbers of one matrix.
    */

@@ -53,6 +53,12 @@ namespace hybrid::continuum
    *   2. the caller solves for u_G (with blocks: S u_G = g + lambda);
    *   3. correct(state, dt, u_G, lambda): backward substitution; the state is that of t + dt.
    * Without blocks step(state, dt) does all three with lambda = 0.
+   *
+   * A rigid base takes the motion's acceleration; its velocity and displacement are those of the
+   * Newmark scheme (the discrete integral of the record), so that no step excites high frequencies.
+   * In the energy balance
+   *   kinetic + newmark + strain = input_work + surface_work - boundary_loss - damping_loss -
+   * integration_loss the free-field columns stand outside: what they send in is input work.
    */
   class Continuum
   {
