@@ -110,10 +110,12 @@ namespace hybrid::dda
       {
         // Prescribed nodes: no coupling, unit diagonal.
         std::fill(matrix.block_node.begin(), matrix.block_node.end(), BlockMatrix::Mat62::Zero());
+        std::fill(matrix.node_block.begin(), matrix.node_block.end(), BlockMatrix::Mat26::Zero());
         std::fill(matrix.node_diagonal.begin(),
                   matrix.node_diagonal.end(),
                   Eigen::Matrix2d::Identity());
         std::fill(matrix.node_next.begin(), matrix.node_next.end(), Eigen::Matrix2d::Zero());
+        std::fill(matrix.node_previous.begin(), matrix.node_previous.end(), Eigen::Matrix2d::Zero());
       }
     solver.matrix_changed(matrix);
     tangent_dt      = dt;
@@ -141,6 +143,49 @@ namespace hybrid::dda
           inertia.head<2>().squaredNorm() + inertia.tail<4>().squaredNorm() / (size * size);
       }
     result.unbalanced = std::sqrt(unbalanced) / std::max(reference, 1e-300);
+  }
+
+
+
+  double OpenCloseIteration::search_line(const Model        &model,
+                                         const DdaState     &state,
+                                         const BaseResponse &base)
+  {
+    // Work of the residual along the update; zero at the best place. Falling work is followed to
+    // its end: only a spring that grew stiffer on the way can turn its sign.
+    constexpr double good_part    = 0.3;
+    constexpr int    maximum_cuts = 10;
+    const double     start        = residual.dot(update);
+    double           lower = 0., upper = 1., work_lower = start, work_upper = 0.;
+    double           part = 1., done = 0.;
+    for (int cut = 0;; ++cut)
+      {
+        for (int b = 0; b < model.n_blocks(); ++b)
+          trial.increment[b] += (part - done) * update.segment<6>(6 * b);
+        if (!base.prescribed)
+          trial.base += (part - done) * update.tail(trial.base.size());
+        done              = part;
+        const double norm = evaluate(model, state, base);
+        const double work = residual.dot(update);
+        if (cut == maximum_cuts || !std::isfinite(norm) || std::abs(work) <= good_part * start ||
+            (cut == 0 && work > 0.))
+          return norm;
+        // Regula falsi; an end that stays is given half its weight (Illinois).
+        if (work > 0.)
+          {
+            lower      = part;
+            work_lower = work;
+            work_upper *= 0.5;
+          }
+        else
+          {
+            upper      = part;
+            work_upper = work;
+            work_lower *= cut > 0 ? 0.5 : 1.;
+          }
+        const double zero = work_lower / (work_lower - work_upper);
+        part              = lower + std::min(0.95, std::max(0.05, zero)) * (upper - lower);
+      }
   }
 
 
@@ -177,12 +222,8 @@ namespace hybrid::dda
         const LinearSolver::Result linear = solver.solve(matrix, residual, scale, target, update);
         result.solver_iterations += linear.iterations;
         result.factorizations += linear.factored ? 1 : 0;
-        for (int b = 0; b < model.n_blocks(); ++b)
-          trial.increment[b] += update.segment<6>(6 * b);
-        if (!base.prescribed)
-          trial.base += update.tail(trial.base.size());
         previous        = result.residual;
-        result.residual = evaluate(model, state, base);
+        result.residual = search_line(model, state, base);
       }
     if (!result.converged)
       return result;

@@ -33,8 +33,8 @@ namespace hybrid::dda
    *   M a(d) + A_0 (s + D e(d) + b_K D e'(d)) = W + sum G^T f(d, w),
    *   S w = g + f_base - f_static,
    * with gaps and slips of the exact finite motion and contact states that
-   * agree with the forces. Newton's method with the symmetric tangent; the
-   * tangent is kept as long as it serves. Not converged is a status: the
+   * agree with the forces. Newton's method with the symmetric tangent and a
+   * line search; the tangent is kept as long as it serves. Not converged is a status: the
    * state is changed only by accept().
    */
   class OpenCloseIteration
@@ -81,6 +81,11 @@ namespace hybrid::dda
     double evaluate(const Model &model, const DdaState &state, const BaseResponse &base);
 
     void assemble(const Model &model, const BaseResponse &base);
+
+    /// Move the trial along the update, as far as the residual allows: a contact that locks, closes
+    /// or slides back on the way would otherwise make the iteration cycle. Returns the residual
+    /// norm.
+    double search_line(const Model &model, const DdaState &state, const BaseResponse &base);
 
     void judge(const Model &model, StepResult &result) const;
   };
