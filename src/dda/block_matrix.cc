@@ -86,9 +86,12 @@ namespace hybrid::dda
 
     diagonal.resize(n_blocks);
     off_diagonal.resize(pairs.size());
+    lower.resize(pairs.size());
     block_node.resize(couplings.size());
+    node_block.resize(couplings.size());
     node_diagonal.resize(n_nodes);
     node_next.resize(n_nodes);
+    node_previous.resize(n_nodes);
     set_zero();
     ++version;
   }
@@ -99,9 +102,13 @@ namespace hybrid::dda
   {
     std::fill(diagonal.begin(), diagonal.end(), Mat6::Zero());
     std::fill(off_diagonal.begin(), off_diagonal.end(), Mat6::Zero());
+    std::fill(lower.begin(), lower.end(), Mat6::Zero());
     std::fill(block_node.begin(), block_node.end(), Mat62::Zero());
+    std::fill(node_block.begin(), node_block.end(), Mat26::Zero());
     std::fill(node_diagonal.begin(), node_diagonal.end(), Eigen::Matrix2d::Zero());
     std::fill(node_next.begin(), node_next.end(), Eigen::Matrix2d::Zero());
+    std::fill(node_previous.begin(), node_previous.end(), Eigen::Matrix2d::Zero());
+    symmetric = true;
   }
 
 
@@ -135,7 +142,7 @@ namespace hybrid::dda
             if (row_slot[k] >= 0)
               sum.noalias() += off_diagonal[row_slot[k]] * other;
             else
-              sum.noalias() += off_diagonal[~row_slot[k]].transpose() * other;
+              sum.noalias() += lower[~row_slot[k]] * other;
           }
         for (int s = coupling_begin[i]; s < coupling_begin[i + 1]; ++s)
           sum.noalias() +=
@@ -150,12 +157,12 @@ namespace hybrid::dda
           sum.noalias() += node_next[k] * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * k + 2);
         if (k > 0)
           sum.noalias() +=
-            node_next[k - 1].transpose() * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * k - 2);
+            node_previous[k - 1] * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * k - 2);
         for (int e = node_begin[k]; e < node_begin[k + 1]; ++e)
           {
             const int s = node_coupling[e];
             sum.noalias() +=
-              block_node[s].transpose() * Eigen::Map<const Vec6>(x.data() + 6 * couplings[s][0]);
+              node_block[s] * Eigen::Map<const Vec6>(x.data() + 6 * couplings[s][0]);
           }
         Eigen::Map<Eigen::Vector2d>(y.data() + 6 * n + 2 * k) = sum;
       }

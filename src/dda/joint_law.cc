@@ -66,13 +66,35 @@ namespace hybrid::dda
 
 
 
+  double JointLaw::critical_opening() const
+  {
+    return strength.tensile > 0. ? 2. * strength.fracture_energy / strength.tensile : 0.;
+  }
+
+
+
+  double JointLaw::friction_at(const double softening) const
+  {
+    return strength.tan_phi + (strength.residual_tan_phi - strength.tan_phi) * softened_part(softening);
+  }
+
+
+
+  double JointLaw::softened_part(const double softening) const
+  {
+    if (strength.softening_slip > 0.)
+      return std::min(softening / strength.softening_slip, 1.);
+    return softening > 0. ? 1. : 0.;
+  }
+
+
+
   double JointLaw::damage_at(const double gap) const
   {
     const double elastic = strength.tensile / k_n; // opening at the tensile strength
     if (gap <= elastic)
       return 0.;
-    const double critical =
-      strength.tensile > 0. ? 2. * strength.fracture_energy / strength.tensile : 0.;
+    const double critical = critical_opening();
     if (gap >= critical || critical <= elastic)
       return 1.;
     return 1. - elastic * (critical - gap) / (gap * (critical - elastic));
@@ -83,17 +105,13 @@ namespace hybrid::dda
   double
   JointLaw::shear_strength(const double normal, const double softening, const double damage) const
   {
-    const double w = strength.softening_slip > 0.
-                       ? std::min(softening / strength.softening_slip, 1.)
-                     : softening > 0. ? 1.
-                                      : 0.;
+    const double w = softened_part(softening);
     const double c =
       strength.residual_cohesion +
       (strength.cohesion == strength.residual_cohesion
          ? 0.
          : (strength.cohesion - strength.residual_cohesion) * (1. - w) * (1. - damage));
-    const double f = strength.tan_phi + (strength.residual_tan_phi - strength.tan_phi) * w;
-    return std::max(0., c + normal * f);
+    return std::max(0., c + normal * friction_at(softening));
   }
 
 
@@ -103,49 +121,74 @@ namespace hybrid::dda
   {
     JointResponse r;
     r.history = history;
-
-    if (kinematics.gap > 0.)
-      r.history.damage = std::max(history.damage, damage_at(kinematics.gap));
-    r.normal_stiffness = kinematics.gap > 0. ? (1. - r.history.damage) * k_n : k_n;
-    r.normal           = -r.normal_stiffness * kinematics.gap;
-
+    normal_response(kinematics.gap, r);
     if (kinematics.gap > 0. && r.history.damage >= 1.)
       {
         // Open for good: no shear; the friction spring starts anew on closing.
         r.history.plastic_slip = kinematics.slip;
-        r.normal_stiffness     = 0.;
-        r.normal               = 0.;
         r.state                = ContactState::open;
         return r;
       }
-
     const double trial = -k_s * (kinematics.slip - history.plastic_slip);
-    if (std::abs(trial) <= shear_strength(r.normal, history.softening, r.history.damage))
+    if (std::abs(trial) > shear_strength(r.normal, history.softening, r.history.damage))
       {
-        r.shear           = trial;
-        r.shear_stiffness = k_s;
-        r.state           = ContactState::locked;
+        slide(kinematics, trial, r);
         return r;
       }
+    r.shear           = trial;
+    r.shear_stiffness = r.shear_by_slip = k_s;
+    r.state                             = ContactState::locked;
+    return r;
+  }
 
-    // Slip: strength and spring both fall linearly with the slip increment x,
+
+
+  void JointLaw::normal_response(const double gap, JointResponse &r) const
+  {
+    if (gap > 0.)
+      {
+        const double damage  = damage_at(gap);
+        const bool   cracks  = damage > r.history.damage;
+        r.history.damage     = std::max(r.history.damage, damage);
+        r.normal_stiffness   = (1. - r.history.damage) * k_n;
+        const double elastic = strength.tensile / k_n;
+        r.normal_by_gap =
+          cracks && damage < 1. ? -strength.tensile / (critical_opening() - elastic) : r.normal_stiffness;
+      }
+    else
+      r.normal_stiffness = r.normal_by_gap = k_n;
+    r.normal = r.normal_stiffness == 0. ? 0. : -r.normal_stiffness * gap;
+  }
+
+
+
+  void JointLaw::slide(const JointKinematics &kinematics, const double trial, JointResponse &r) const
+  {
+    // Strength and spring both fall linearly with the slip increment x,
     //   |trial| - k_s x = strength(kappa + x), strength piecewise linear in x.
-    const double now = shear_strength(r.normal, history.softening, r.history.damage);
-    const double end =
-      shear_strength(r.normal, history.softening + strength.softening_slip + 1., r.history.damage);
-    double       x    = (std::abs(trial) - end) / k_s; // residual strength reached
-    const double left = std::max(0., strength.softening_slip - history.softening);
+    const double kappa = r.history.softening, damage = r.history.damage;
+    const double now = shear_strength(r.normal, kappa, damage);
+    const double end = shear_strength(r.normal, kappa + strength.softening_slip + 1., damage);
+    double       x   = (std::abs(trial) - end) / k_s; // residual strength reached
+    double       slope = 0.;
+    const double left  = std::max(0., strength.softening_slip - kappa);
     if (left > 0. && x < left)
       {
-        const double slope = (now - end) / left; // fall of strength per slip
-        x                  = slope < k_s ? (std::abs(trial) - now) / (k_s - slope) : x;
-        x                  = std::max(0., std::min(x, (std::abs(trial) - end) / k_s));
+        slope = (now - end) / left; // fall of strength per slip
+        if (slope < k_s)
+          x = std::max(0., std::min((std::abs(trial) - now) / (k_s - slope), x));
+        else
+          slope = 0.; // brittle: straight to the residual
       }
     r.shear                = std::copysign(std::abs(trial) - k_s * x, trial);
-    r.history.softening    = history.softening + x;
+    r.history.softening    = kappa + x;
     r.history.plastic_slip = kinematics.slip + r.shear / k_s;
     r.state                = ContactState::sliding;
-    return r;
+
+    r.shear_by_slip       = -slope * k_s / (k_s - slope);
+    const double friction = r.shear == 0. ? 0. : friction_at(r.history.softening);
+    r.shear_by_gap =
+      std::copysign(friction * k_s / (k_s - slope) * r.normal_by_gap, trial);
   }
 
 
@@ -165,7 +208,7 @@ namespace hybrid::dda
     if (history.damage <= 0. || strength.tensile <= 0.)
       return 0.;
     const double elastic  = strength.tensile / k_n;
-    const double critical = std::max(elastic, 2. * strength.fracture_energy / strength.tensile);
+    const double critical = std::max(elastic, critical_opening());
     // Largest opening g of the linear softening branch that gives this damage.
     const double a        = elastic / std::max(critical - elastic, 1e-300);
     const double gap      = std::min(critical, a * critical / (1. - history.damage + a));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/linear_solver.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,6 +33,13 @@ namespace hybrid::dda
 
     /// Entries below this part of the diagonal are lost in round-off anyway.
     constexpr double round_off = 1e-16;
+
+
+
+    double weighted_norm(const Eigen::VectorXd &v, const Eigen::VectorXd &scale)
+    {
+      return v.cwiseQuotient(scale).norm();
+    }
 
 
 
@@ -89,7 +98,7 @@ namespace hybrid::dda
     inverse_diagonal.resize(matrix.n_blocks());
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < matrix.n_blocks(); ++i)
-      inverse_diagonal[i] = matrix.diagonal[i].llt().solve(Mat6::Identity());
+      inverse_diagonal[i] = matrix.diagonal[i].partialPivLu().inverse();
   }
 
 
@@ -146,22 +155,13 @@ namespace hybrid::dda
 
 
 
-  LinearSolver::Result LinearSolver::iterate(const BlockMatrix     &matrix,
-                                             const Eigen::VectorXd &b,
-                                             const Eigen::VectorXd &scale,
-                                             const double           tolerance,
-                                             const int              limit,
-                                             Eigen::VectorXd       &x)
+  LinearSolver::Result LinearSolver::conjugate_gradients(const BlockMatrix     &matrix,
+                                                         const Eigen::VectorXd &scale,
+                                                         const double           tolerance,
+                                                         const int              limit,
+                                                         Eigen::VectorXd       &x)
   {
-    const auto norm = [&](const Eigen::VectorXd &v) { return v.cwiseQuotient(scale).norm(); };
-    Result     result;
-    x.setZero();
-    r = b;
-    if (norm(r) <= tolerance)
-      {
-        result.converged = true;
-        return result;
-      }
+    Result result;
     precondition(r, z);
     p          = z;
     double rho = r.dot(z);
@@ -174,7 +174,7 @@ namespace hybrid::dda
           return result;
         x += alpha * p;
         r -= alpha * q;
-        if (norm(r) <= tolerance)
+        if (weighted_norm(r, scale) <= tolerance)
           {
             result.converged = true;
             return result;
@@ -189,6 +189,76 @@ namespace hybrid::dda
 
 
 
+  LinearSolver::Result LinearSolver::stabilised_gradients(const BlockMatrix     &matrix,
+                                                          const Eigen::VectorXd &scale,
+                                                          const double           tolerance,
+                                                          const int              limit,
+                                                          Eigen::VectorXd       &x)
+  {
+    // BiCGStab (van der Vorst 1992), preconditioned from the right.
+    Result result;
+    shadow       = r;
+    double rho   = r.dot(shadow);
+    p            = r;
+    while (result.iterations < limit)
+      {
+        ++result.iterations;
+        precondition(p, z);
+        multiply(matrix, z, q);
+        const double alpha = rho / q.dot(shadow);
+        if (!std::isfinite(alpha))
+          return result;
+        x += alpha * z;
+        r -= alpha * q;
+        if (weighted_norm(r, scale) <= tolerance)
+          {
+            result.converged = true;
+            return result;
+          }
+        precondition(r, z);
+        multiply(matrix, z, t);
+        const double omega = t.dot(r) / t.squaredNorm();
+        if (!std::isfinite(omega) || omega == 0.)
+          return result;
+        x += omega * z;
+        r -= omega * t;
+        if (weighted_norm(r, scale) <= tolerance)
+          {
+            result.converged = true;
+            return result;
+          }
+        const double next = r.dot(shadow);
+        const double beta = next / rho * alpha / omega;
+        if (!std::isfinite(beta))
+          return result;
+        p   = r + beta * (p - omega * q);
+        rho = next;
+      }
+    return result;
+  }
+
+
+
+  LinearSolver::Result LinearSolver::iterate(const BlockMatrix     &matrix,
+                                             const Eigen::VectorXd &b,
+                                             const Eigen::VectorXd &scale,
+                                             const double           tolerance,
+                                             const int              limit,
+                                             Eigen::VectorXd       &x)
+  {
+    x.setZero();
+    r = b;
+    if (weighted_norm(r, scale) <= tolerance)
+      {
+        Result result;
+        result.converged = true;
+        return result;
+      }
+    return matrix.symmetric ? conjugate_gradients(matrix, scale, tolerance, limit, x)
+                            : stabilised_gradients(matrix, scale, tolerance, limit, x);
+  }
+
+
   LinearSolver::Result LinearSolver::solve(const BlockMatrix     &matrix,
                                            const Eigen::VectorXd &b,
                                            const Eigen::VectorXd &scale,
@@ -201,6 +271,8 @@ namespace hybrid::dda
     z.resize(size);
     p.resize(size);
     q.resize(size);
+    t.resize(size);
+    shadow.resize(size);
 
     int spent  = 0;
     use_factor = use_factor && factor.ready(matrix.n_blocks());

@@ -1,119 +1,246 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/sparse_factor.h>
 
-#include <cholmod.h>
-
 #include <algorithm>
+#include <cholmod.h>
 #include <cstring>
+#include <umfpack.h>
 #include <vector>
 
 namespace hybrid::dda
 {
-  struct SparseFactor::Implementation
+  namespace
   {
-    cholmod_common   common;
-    cholmod_sparse  *matrix          = nullptr; ///< upper triangle, columns sorted
-    cholmod_factor  *factor          = nullptr;
-    cholmod_dense   *x               = nullptr; ///< kept workspaces of cholmod_solve2
-    cholmod_dense   *y               = nullptr;
-    cholmod_dense   *e               = nullptr;
-    int              pattern_version = -1;
-    bool             ready           = false;
-    std::vector<int> column_slot; ///< per matrix block in column order: slot in off_diagonal
+    /// One 6x6 block of a block column.
+    struct Entry
+    {
+      int row;  ///< block row
+      int slot; ///< in off_diagonal; bit-complement: in lower; the diagonal's is its number
 
-    Implementation()
+      bool operator<(const Entry &other) const
+      {
+        return row < other.row;
+      }
+    };
+
+    using Columns = std::vector<std::vector<Entry>>;
+
+
+
+    /// Blocks of each block column, rows increasing; the diagonal block is the one with row = column.
+    Columns block_columns(const BlockMatrix &matrix, const bool upper_only)
+    {
+      Columns columns(matrix.n_blocks());
+      for (int b = 0; b < matrix.n_blocks(); ++b)
+        columns[b].push_back({b, b});
+      for (std::size_t s = 0; s < matrix.pairs.size(); ++s)
+        {
+          const int i = matrix.pairs[s][0], j = matrix.pairs[s][1];
+          columns[j].push_back({i, static_cast<int>(s)});
+          if (!upper_only)
+            columns[i].push_back({j, ~static_cast<int>(s)});
+        }
+      for (auto &column : columns)
+        std::sort(column.begin(), column.end());
+      return columns;
+    }
+
+
+
+    const Mat6 &block_of(const BlockMatrix &matrix, const int column, const Entry &entry)
+    {
+      if (entry.row == column)
+        return matrix.diagonal[column];
+      return entry.slot >= 0 ? matrix.off_diagonal[entry.slot] : matrix.lower[~entry.slot];
+    }
+
+
+
+    /// A compressed-column copy of the blocks' part of a matrix.
+    struct CompressedColumns
+    {
+      Columns             columns;
+      bool                upper_only = false;
+      std::vector<int>    start, rows;
+      std::vector<double> values;
+
+      void set_pattern(const BlockMatrix &matrix, const bool upper)
+      {
+        upper_only = upper;
+        columns    = block_columns(matrix, upper);
+        start.assign(1, 0);
+        rows.clear();
+        for (int j = 0; j < matrix.n_blocks(); ++j)
+          for (int c = 0; c < 6; ++c)
+            {
+              for (const Entry &entry : columns[j])
+                for (int r = 0; r < rows_in(entry, j, c); ++r)
+                  rows.push_back(6 * entry.row + r);
+              start.push_back(static_cast<int>(rows.size()));
+            }
+        values.resize(rows.size());
+      }
+
+      void set_values(const BlockMatrix &matrix)
+      {
+        std::size_t at = 0;
+        for (int j = 0; j < matrix.n_blocks(); ++j)
+          for (int c = 0; c < 6; ++c)
+            for (const Entry &entry : columns[j])
+              {
+                const Mat6 &block = block_of(matrix, j, entry);
+                for (int r = 0; r < rows_in(entry, j, c); ++r)
+                  values[at++] = block(r, c);
+              }
+      }
+
+    private:
+      int rows_in(const Entry &entry, const int block_column, const int column) const
+      {
+        return upper_only && entry.row == block_column ? column + 1 : 6;
+      }
+    };
+  } // namespace
+
+
+
+  struct SparseFactor::Cholesky
+  {
+    cholmod_common    common;
+    CompressedColumns matrix;
+    cholmod_factor   *factor          = nullptr;
+    cholmod_dense    *x               = nullptr; ///< kept workspaces of cholmod_solve2
+    cholmod_dense    *y               = nullptr;
+    cholmod_dense    *e               = nullptr;
+    int               pattern_version = -1;
+
+    Cholesky()
     {
       cholmod_start(&common);
       common.supernodal = CHOLMOD_AUTO;
       common.print      = 0;
     }
 
-    ~Implementation()
+    ~Cholesky()
     {
-      release();
+      cholmod_free_factor(&factor, &common);
       cholmod_free_dense(&x, &common);
       cholmod_free_dense(&y, &common);
       cholmod_free_dense(&e, &common);
       cholmod_finish(&common);
     }
 
-    void release()
+    cholmod_sparse view()
     {
-      cholmod_free_sparse(&matrix, &common);
-      cholmod_free_factor(&factor, &common);
-      ready = false;
+      cholmod_sparse a;
+      std::memset(&a, 0, sizeof(a));
+      a.nrow = a.ncol = matrix.start.size() - 1;
+      a.nzmax         = matrix.values.size();
+      a.p             = matrix.start.data();
+      a.i             = matrix.rows.data();
+      a.x             = matrix.values.data();
+      a.stype         = 1; // the upper triangle stands for all
+      a.itype         = CHOLMOD_INT;
+      a.xtype         = CHOLMOD_REAL;
+      a.dtype         = CHOLMOD_DOUBLE;
+      a.sorted = a.packed = 1;
+      return a;
     }
 
-    void make_pattern(const BlockMatrix &source);
+    bool factorize(const BlockMatrix &source)
+    {
+      if (pattern_version != source.pattern_version())
+        {
+          matrix.set_pattern(source, true);
+          cholmod_free_factor(&factor, &common);
+          cholmod_sparse a = view();
+          factor           = cholmod_analyze(&a, &common);
+          pattern_version  = source.pattern_version();
+        }
+      matrix.set_values(source);
+      cholmod_sparse a = view();
+      return cholmod_factorize(&a, factor, &common) && common.status == CHOLMOD_OK;
+    }
 
-    void fill_values(const BlockMatrix &source);
+    void solve(const Eigen::VectorXd &b, Eigen::VectorXd &result)
+    {
+      cholmod_dense right;
+      std::memset(&right, 0, sizeof(right));
+      right.nrow = right.d = right.nzmax = factor->n;
+      right.ncol                         = 1;
+      right.x                            = const_cast<double *>(b.data());
+      right.xtype                        = CHOLMOD_REAL;
+      right.dtype                        = CHOLMOD_DOUBLE;
+      cholmod_solve2(CHOLMOD_A, factor, &right, nullptr, &x, nullptr, &y, &e, &common);
+      std::copy_n(static_cast<const double *>(x->x), right.nrow, result.data());
+    }
   };
 
 
 
-  void SparseFactor::Implementation::make_pattern(const BlockMatrix &source)
+  struct SparseFactor::Lu
   {
-    release();
-    const int n = source.n_blocks();
-    // Upper triangle by columns: block column j holds blocks i < j and its own upper triangle.
-    std::vector<std::vector<std::array<int, 2>>> above(n); // (i, slot)
-    for (std::size_t s = 0; s < source.pairs.size(); ++s)
-      above[source.pairs[s][1]].push_back({source.pairs[s][0], static_cast<int>(s)});
+    CompressedColumns   matrix;
+    void               *symbolic = nullptr;
+    void               *numeric  = nullptr;
+    int                 pattern_version = -1;
+    double              control[UMFPACK_CONTROL];
+    std::vector<int>    int_work;
+    std::vector<double> work;
 
-    const std::size_t nonzeros = 36 * source.pairs.size() + 21 * static_cast<std::size_t>(n);
-    matrix = cholmod_allocate_sparse(6 * n, 6 * n, nonzeros, true, true, 1, CHOLMOD_REAL, &common);
-    int *p = static_cast<int *>(matrix->p);
-    int *rows = static_cast<int *>(matrix->i);
-    int  at   = 0;
-    column_slot.clear();
-    for (int j = 0; j < n; ++j)
-      {
-        std::sort(above[j].begin(), above[j].end());
-        for (const auto &entry : above[j])
-          column_slot.push_back(entry[1]);
-        for (int c = 0; c < 6; ++c)
-          {
-            p[6 * j + c] = at;
-            for (const auto &entry : above[j])
-              for (int r = 0; r < 6; ++r)
-                rows[at++] = 6 * entry[0] + r;
-            for (int r = 0; r <= c; ++r)
-              rows[at++] = 6 * j + r;
-          }
-      }
-    p[6 * n]        = at;
-    factor          = cholmod_analyze(matrix, &common);
-    pattern_version = source.pattern_version();
-  }
+    Lu()
+    {
+      umfpack_di_defaults(control);
+      control[UMFPACK_IRSTEP] = 0; // the iteration around it refines
+    }
 
+    ~Lu()
+    {
+      umfpack_di_free_symbolic(&symbolic);
+      umfpack_di_free_numeric(&numeric);
+    }
 
+    bool factorize(const BlockMatrix &source)
+    {
+      const int n = 6 * source.n_blocks();
+      if (pattern_version != source.pattern_version())
+        {
+          matrix.set_pattern(source, false);
+          umfpack_di_free_symbolic(&symbolic);
+          pattern_version = source.pattern_version();
+          int_work.resize(n);
+          work.resize(n);
+        }
+      matrix.set_values(source);
+      const int *p = matrix.start.data(), *i = matrix.rows.data();
+      if (symbolic == nullptr &&
+          umfpack_di_symbolic(n, n, p, i, matrix.values.data(), &symbolic, control, nullptr) != UMFPACK_OK)
+        return false;
+      umfpack_di_free_numeric(&numeric);
+      return umfpack_di_numeric(p, i, matrix.values.data(), symbolic, &numeric, control, nullptr) == UMFPACK_OK;
+    }
 
-  void SparseFactor::Implementation::fill_values(const BlockMatrix &source)
-  {
-    const int n      = source.n_blocks();
-    double   *values = static_cast<double *>(matrix->x);
-    int      *p      = static_cast<int *>(matrix->p);
-    int       first  = 0;
-    for (int j = 0; j < n; ++j)
-      {
-        const int blocks_above = (p[6 * j + 1] - p[6 * j] - 1) / 6;
-        for (int c = 0; c < 6; ++c)
-          {
-            double *column = values + p[6 * j + c];
-            for (int b = 0; b < blocks_above; ++b)
-              for (int r = 0; r < 6; ++r)
-                *column++ = source.off_diagonal[column_slot[first + b]](r, c);
-            for (int r = 0; r <= c; ++r)
-              *column++ = source.diagonal[j](r, c);
-          }
-        first += blocks_above;
-      }
-  }
+    void solve(const Eigen::VectorXd &b, Eigen::VectorXd &result)
+    {
+      umfpack_di_wsolve(UMFPACK_A,
+                        matrix.start.data(),
+                        matrix.rows.data(),
+                        matrix.values.data(),
+                        result.data(),
+                        b.data(),
+                        numeric,
+                        control,
+                        nullptr,
+                        int_work.data(),
+                        work.data());
+    }
+  };
 
 
 
   SparseFactor::SparseFactor()
-    : impl(std::make_unique<Implementation>())
+    : cholesky(std::make_unique<Cholesky>())
+    , lu(std::make_unique<Lu>())
   {}
 
 
@@ -124,41 +251,28 @@ namespace hybrid::dda
 
   bool SparseFactor::factorize(const BlockMatrix &matrix)
   {
-    if (impl->pattern_version != matrix.pattern_version() || impl->matrix == nullptr)
-      impl->make_pattern(matrix);
-    impl->fill_values(matrix);
-    impl->ready = cholmod_factorize(impl->matrix, impl->factor, &impl->common) &&
-                  impl->common.status == CHOLMOD_OK;
-    return impl->ready;
+    size   = 0;
+    use_lu = !(matrix.symmetric && cholesky->factorize(matrix));
+    if (use_lu && !lu->factorize(matrix))
+      return false;
+    size = 6 * matrix.n_blocks();
+    return true;
   }
 
 
 
   bool SparseFactor::ready(const int n_blocks) const
   {
-    return impl->ready && static_cast<int>(impl->matrix->nrow) == 6 * n_blocks;
+    return size > 0 && size == 6 * n_blocks;
   }
 
 
 
   void SparseFactor::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
   {
-    cholmod_dense right;
-    std::memset(&right, 0, sizeof(right));
-    right.nrow = right.d = right.nzmax = impl->matrix->nrow;
-    right.ncol                         = 1;
-    right.x                            = const_cast<double *>(b.data());
-    right.xtype                        = CHOLMOD_REAL;
-    right.dtype                        = CHOLMOD_DOUBLE;
-    cholmod_solve2(CHOLMOD_A,
-                   impl->factor,
-                   &right,
-                   nullptr,
-                   &impl->x,
-                   nullptr,
-                   &impl->y,
-                   &impl->e,
-                   &impl->common);
-    std::copy_n(static_cast<const double *>(impl->x->x), right.nrow, x.data());
+    if (use_lu)
+      lu->solve(b, x);
+    else
+      cholesky->solve(b, x);
   }
 } // namespace hybrid::dda

@@ -88,6 +88,9 @@ namespace hybrid::dda
       now.normal = now.elastic_normal = r.normal;
       now.shear = now.elastic_shear = r.shear;
       response.normal_stiffness     = r.normal_stiffness;
+      response.normal_by_gap        = r.normal_by_gap;
+      response.shear_by_slip        = r.shear_by_slip;
+      response.shear_by_gap         = r.shear_by_gap;
       response.shear_stiffness      = r.shear_stiffness;
     }
   } // namespace
@@ -365,38 +368,69 @@ namespace hybrid::dda
         const Spring   &spring   = springs[s];
         const Response &response = responses[s];
         const double    damping =
-          spring.joint >= 0 ? 1. + model.joint_damping_time * damping_factor : 1.;
-        for (int direction = 0; direction < 2; ++direction)
+          spring.joint >= 0 ? model.joint_damping_time * damping_factor : 0.;
+        const double nn = spring.length * (response.normal_by_gap + damping * response.normal_stiffness);
+        const double tt = spring.length * (response.shear_by_slip + damping * response.shear_stiffness);
+        const double tn = spring.length * response.shear_by_gap;
+        if (nn == 0. && tt == 0. && tn == 0.)
+          continue;
+        if (tn != 0. || nn < 0. || tt < 0.)
+          matrix.symmetric = false;
+
+        // K = G^T D G with rows of G along normal and tangent; the force has the rows D G.
+        Eigen::Matrix<double, 2, 6> p, dp;
+        p.row(0)  = trial.motion[spring.block].gradient(response.place, response.normal);
+        p.row(1)  = trial.motion[spring.block].gradient(response.place, response.tangent);
+        dp.row(0) = nn * p.row(0);
+        dp.row(1) = tn * p.row(0) + tt * p.row(1);
+        matrix.diagonal[spring.block].noalias() += p.transpose() * dp;
+        if (spring.other == base_body)
           {
-            const double k =
-              damping * spring.length *
-              (direction == 0 ? response.normal_stiffness : response.shear_stiffness);
-            if (k == 0.)
-              continue;
-            const Vec2 &axis = direction == 0 ? response.normal : response.tangent;
-            const Vec6  gp   = trial.motion[spring.block].gradient(response.place, axis);
-            matrix.diagonal[spring.block].noalias() += (k * gp) * gp.transpose();
-            if (spring.other != base_body)
-              {
-                const Vec6 gq = trial.motion[spring.other].gradient(response.place, axis);
-                matrix.diagonal[spring.other].noalias() += (k * gq) * gq.transpose();
-                if (spring.block < spring.other)
-                  matrix.off_diagonal[spring.slot[0]].noalias() -= (k * gp) * gq.transpose();
-                else
-                  matrix.off_diagonal[spring.slot[0]].noalias() -= (k * gq) * gp.transpose();
-                continue;
-              }
-            const Eigen::Matrix2d axes = k * axis * axis.transpose();
-            for (int i = 0; i < 2; ++i)
-              {
-                matrix.block_node[spring.slot[i]].noalias() -=
-                  (k * response.weight[i]) * gp * axis.transpose();
-                matrix.node_diagonal[spring.node[i]] +=
-                  response.weight[i] * response.weight[i] * axes;
-              }
-            if (spring.node[1] == spring.node[0] + 1)
-              matrix.node_next[spring.node[0]] += response.weight[0] * response.weight[1] * axes;
+            add_base_stiffness(spring, response, p, {nn, tt, tn}, matrix);
+            continue;
           }
+        Eigen::Matrix<double, 2, 6> q, dq;
+        q.row(0)  = trial.motion[spring.other].gradient(response.place, response.normal);
+        q.row(1)  = trial.motion[spring.other].gradient(response.place, response.tangent);
+        dq.row(0) = nn * q.row(0);
+        dq.row(1) = tn * q.row(0) + tt * q.row(1);
+        matrix.diagonal[spring.other].noalias() += q.transpose() * dq;
+        const bool ordered = spring.block < spring.other;
+        (ordered ? matrix.off_diagonal : matrix.lower)[spring.slot[0]].noalias() -= p.transpose() * dq;
+        (ordered ? matrix.lower : matrix.off_diagonal)[spring.slot[0]].noalias() -= q.transpose() * dp;
+      }
+  }
+
+
+
+  void Springs::add_base_stiffness(const Spring                      &spring,
+                                   const Response                    &response,
+                                   const Eigen::Matrix<double, 2, 6> &gradient,
+                                   const Eigen::Vector3d             &stiffness,
+                                   BlockMatrix                       &matrix)
+  {
+    Eigen::Matrix2d axes; // rows: normal, tangent
+    axes.row(0) = response.normal;
+    axes.row(1) = response.tangent;
+    Eigen::Matrix2d d;
+    d << stiffness[0], 0., stiffness[2], stiffness[1];
+    const Eigen::Matrix2d             nodal = axes.transpose() * d * axes;
+    const Eigen::Matrix<double, 6, 2> right = gradient.transpose() * d * axes;
+    const Eigen::Matrix<double, 2, 6> left  = axes.transpose() * d * gradient;
+    for (int i = 0; i < 2; ++i)
+      {
+        const double w = response.weight[i];
+        if (w == 0.)
+          continue;
+        matrix.block_node[spring.slot[i]] -= w * right;
+        matrix.node_block[spring.slot[i]] -= w * left;
+        matrix.node_diagonal[spring.node[i]] += w * w * nodal;
+      }
+    if (spring.node[1] == spring.node[0] + 1)
+      {
+        const double w = response.weight[0] * response.weight[1];
+        matrix.node_next[spring.node[0]] += w * nodal;
+        matrix.node_previous[spring.node[0]] += w * nodal;
       }
   }
 } // namespace hybrid::dda

@@ -11,11 +11,11 @@
 namespace hybrid::dda
 {
   /**
-   * The symmetric matrix of blocks and base nodes, in small dense blocks.
+   * The matrix of blocks and base nodes, in small dense blocks.
    *
    * Unknowns: six per block, then two per base node. Stored are the diagonal
-   * 6x6 blocks, one 6x6 block per coupled pair of blocks (lower number is the
-   * row), one 6x2 block per coupled block and node, and the contacts' 2x2
+   * 6x6 blocks, one 6x6 blocks above and below the diagonal per coupled pair of
+   * blocks, 6x2 and 2x6 blocks per coupled block and node, and the contacts' 2x2
    * blocks between a node and itself or the next. The base's own stiffness
    * belongs to the linear solver. The pattern is kept until pairs change.
    */
@@ -23,6 +23,7 @@ namespace hybrid::dda
   {
   public:
     using Mat62 = Eigen::Matrix<double, 6, 2>;
+    using Mat26 = Eigen::Matrix<double, 2, 6>;
     using Pair  = std::array<int, 2>;
 
     /// @param block_pairs (i, j), any order, repetitions allowed.  @param node_pairs (block, node).
@@ -66,9 +67,13 @@ namespace hybrid::dda
 
     std::vector<Mat6>  diagonal;
     std::vector<Mat6>  off_diagonal; ///< rows of block pairs[s][0], columns of pairs[s][1]
+    std::vector<Mat6>  lower;        ///< rows of block pairs[s][1], columns of pairs[s][0]
     std::vector<Mat62> block_node;   ///< rows of the block, columns of the node
+    std::vector<Mat26> node_block;   ///< rows of the node, columns of the block
     std::vector<Eigen::Matrix2d> node_diagonal; ///< contacts' part only
     std::vector<Eigen::Matrix2d> node_next;     ///< rows of node k, columns of node k + 1
+    std::vector<Eigen::Matrix2d> node_previous; ///< rows of node k + 1, columns of node k
+    bool                         symmetric = true; ///< as filled; set_zero() makes it true
     std::vector<Pair>            pairs;         ///< block pairs, sorted
     std::vector<Pair>            couplings;     ///< (block, node), sorted
 
@@ -76,7 +81,7 @@ namespace hybrid::dda
     std::vector<int> pair_begin;     ///< CSR over the first block of pairs
     std::vector<int> row_begin;      ///< CSR over all blocks, both directions
     std::vector<int> row_other;      ///< the other block
-    std::vector<int> row_slot;       ///< slot in off_diagonal; bit-complement if transposed
+    std::vector<int> row_slot;       ///< slot in off_diagonal; bit-complement: slot in lower
     std::vector<int> coupling_begin; ///< CSR over the block of couplings
     std::vector<int> node_begin;     ///< CSR over nodes
     std::vector<int> node_coupling;  ///< coupling of each node entry

@@ -28,8 +28,11 @@ namespace hybrid::dda
   {
     double       normal           = 0.; ///< [Pa], compression positive
     double       shear            = 0.; ///< [Pa], opposes the elastic slip
-    double       normal_stiffness = 0.; ///< [Pa/m], >= 0
-    double       shear_stiffness  = 0.; ///< [Pa/m], >= 0; 0 when sliding
+    double       normal_stiffness = 0.; ///< secant, [Pa/m], >= 0
+    double       shear_stiffness  = 0.; ///< secant, [Pa/m], >= 0; 0 when sliding
+    double       normal_by_gap    = 0.; ///< tangent -dN/dg [Pa/m]; negative on the softening branch
+    double       shear_by_slip    = 0.; ///< tangent -dT/ds [Pa/m]; negative while the strength falls
+    double       shear_by_gap     = 0.; ///< tangent -dT/dg [Pa/m]: friction follows the normal force
     ContactState state            = ContactState::open;
     JointHistory history; ///< what is remembered if the step is accepted
   };
@@ -79,9 +82,9 @@ namespace hybrid::dda
    * its residual.
    *
    * A law is a pure function: history is an argument and a result, so the
-   * open-close iteration may ask as often as it likes. The tangent is the
-   * symmetric part: the dependence of friction on the normal force is left to
-   * the iteration (design: lagged friction).
+   * open-close iteration may ask as often as it likes. The tangent is
+   * consistent, so it is unsymmetric while the joint slides with friction: with
+   * lagged friction the static stage of a slope near its limit did not settle.
    */
   class JointLaw
   {
@@ -130,8 +133,23 @@ namespace hybrid::dda
     double        k_n; ///< [Pa/m]
     double        k_s; ///< [Pa/m]
 
+    /// Opening at which no traction is left [m]; 0 without tensile strength.
+    double critical_opening() const;
+
+    /// Tan of the friction angle after the plastic slip @p softening [-].
+    double friction_at(double softening) const;
+
+    /// Part of the way from peak to residual strength, 0..1 [-].
+    double softened_part(double softening) const;
+
     double damage_at(double gap) const;
 
     double shear_strength(double normal, double softening, double damage) const;
+
+    /// Normal traction, damage and normal tangents.
+    void normal_response(double gap, JointResponse &response) const;
+
+    /// Shear of a joint whose trial traction exceeds its strength.
+    void slide(const JointKinematics &kinematics, double trial, JointResponse &response) const;
   };
 } // namespace hybrid::dda

@@ -12,10 +12,11 @@
 namespace hybrid::dda
 {
   /**
-   * Conjugate gradients for blocks and base nodes.
+   * Krylov solver for blocks and base nodes: conjugate gradients while the
+   * matrix is symmetric, BiCGStab while joints slide with friction or soften.
    *
    * Preconditioner of the blocks: their 6x6 diagonal blocks where inertia
-   * dominates (small steps, soft joints), or a sparse Cholesky factor of an
+   * dominates (small steps, soft joints), or a sparse factor of an
    * earlier matrix, kept until it serves badly (static stage, stiff joints).
    * The choice follows iteration counts only, so results are deterministic.
    * Preconditioner of the base: the Cholesky factor of S.
@@ -58,9 +59,23 @@ namespace hybrid::dda
     SparseFactor      factor;
     bool              use_factor        = false;
     bool              factor_is_current = false;
-    Eigen::VectorXd   r, z, p, q;
+    Eigen::VectorXd   r, z, p, q, t, shadow;
 
     void precondition(const Eigen::VectorXd &residual, Eigen::VectorXd &result);
+
+    /// From x = 0 and r = b.
+    Result conjugate_gradients(const BlockMatrix     &matrix,
+                               const Eigen::VectorXd &scale,
+                               double                 tolerance,
+                               int                    limit,
+                               Eigen::VectorXd       &x);
+
+    /// The same for unsymmetric matrices.
+    Result stabilised_gradients(const BlockMatrix     &matrix,
+                                const Eigen::VectorXd &scale,
+                                double                 tolerance,
+                                int                    limit,
+                                Eigen::VectorXd       &x);
 
     Result iterate(const BlockMatrix     &matrix,
                    const Eigen::VectorXd &b,

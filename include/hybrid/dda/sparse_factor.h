@@ -9,17 +9,20 @@
 
 namespace hybrid::dda
 {
-  /// Sparse Cholesky factor (CHOLMOD) of the blocks' part of a BlockMatrix; the analysis is kept
-  /// with the pattern.
+  /**
+   * Sparse factor of the blocks' part of a BlockMatrix: Cholesky (CHOLMOD)
+   * while the matrix is symmetric and positive definite, LU (UMFPACK) while
+   * joints slide with friction or soften. Analyses are kept with the pattern.
+   */
   class SparseFactor
   {
   public:
     SparseFactor();
     ~SparseFactor();
-    SparseFactor(const SparseFactor &)            = delete;
+    SparseFactor(const SparseFactor &) = delete;
     SparseFactor &operator=(const SparseFactor &) = delete;
 
-    /// @return false if the matrix is not positive definite.
+    /// @return false if the matrix is singular.
     bool factorize(const BlockMatrix &matrix);
 
     /// True if a factor of this size is there.
@@ -29,7 +32,11 @@ namespace hybrid::dda
     void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x);
 
   private:
-    struct Implementation;
-    std::unique_ptr<Implementation> impl;
+    struct Cholesky;
+    struct Lu;
+    std::unique_ptr<Cholesky> cholesky;
+    std::unique_ptr<Lu>       lu;
+    int                       size   = 0;     ///< of the factor there is, 0: none
+    bool                      use_lu = false; ///< which of them it is
   };
 } // namespace hybrid::dda

@@ -57,7 +57,8 @@ namespace hybrid::dda
       double      weight[2]     = {1., 0.}; ///< of the base nodes
       double      edge_position = 0.;       ///< projection on the contact's edge [-]
       SpringState now;                      ///< if the step is accepted
-      double      normal_stiffness = 0., shear_stiffness = 0.; ///< tangents [Pa/m]
+      double      normal_stiffness = 0., shear_stiffness = 0.; ///< secants [Pa/m]
+      double      normal_by_gap = 0., shear_by_slip = 0., shear_by_gap = 0.; ///< tangents [Pa/m]
     };
 
     /// Collect the springs of the step that starts from @p state.
@@ -86,6 +87,14 @@ namespace hybrid::dda
     void collect_joints(const Model &model, const DdaState &state);
 
     void collect_contacts(const Model &model, const DdaState &state);
+
+    /// Base nodes' part of one spring; @p stiffness is (normal, shear, shear by gap) [N/m].
+    static void
+    add_base_stiffness(const Spring                      &spring,
+                       const Response                    &response,
+                       const Eigen::Matrix<double, 2, 6> &gradient,
+                       const Eigen::Vector3d             &stiffness,
+                       BlockMatrix                       &matrix);
 
     void
     evaluate_joint(const Model &model, const DdaState &state, const Trial &trial, std::size_t s);
