@@ -78,7 +78,10 @@ namespace hybrid::dda
         r = -inertia;
         r[1] -= p.weight * model.gravity;
         r.tail<3>() -= p.area * stress;
-        absolute[b] = inertia.head<2>().norm() + p.weight * model.gravity + p.size * stress.norm();
+        // The last term is the round-off of a body that only flies: there no force is left to
+        // compare with.
+        absolute[b] = inertia.head<2>().norm() + p.weight * model.gravity + p.size * stress.norm() +
+                      1e-5 * p.mass * trial.increment[b].head<2>().norm() / (dt * dt);
       }
     springs.add_forces(trial, residual, absolute);
 
@@ -115,7 +118,9 @@ namespace hybrid::dda
                   matrix.node_diagonal.end(),
                   Eigen::Matrix2d::Identity());
         std::fill(matrix.node_next.begin(), matrix.node_next.end(), Eigen::Matrix2d::Zero());
-        std::fill(matrix.node_previous.begin(), matrix.node_previous.end(), Eigen::Matrix2d::Zero());
+        std::fill(matrix.node_previous.begin(),
+                  matrix.node_previous.end(),
+                  Eigen::Matrix2d::Zero());
       }
     solver.matrix_changed(matrix);
     tangent_dt      = dt;
@@ -152,7 +157,8 @@ namespace hybrid::dda
                                          const BaseResponse &base)
   {
     // Work of the residual along the update; zero at the best place. Falling work is followed to
-    // its end: only a spring that grew stiffer on the way can turn its sign.
+    // its end: only a spring that grew stiffer on the way can turn its sign. No search where the
+    // unsymmetric tangent points uphill.
     constexpr double good_part    = 0.3;
     constexpr int    maximum_cuts = 10;
     const double     start        = residual.dot(update);
@@ -167,8 +173,8 @@ namespace hybrid::dda
         done              = part;
         const double norm = evaluate(model, state, base);
         const double work = residual.dot(update);
-        if (cut == maximum_cuts || !std::isfinite(norm) || std::abs(work) <= good_part * start ||
-            (cut == 0 && work > 0.))
+        if (start <= 0. || cut == maximum_cuts || !std::isfinite(norm) || std::abs(work) <= good_part * start ||
+            (cut == 0 && (work > 0. || start <= 0.)))
           return norm;
         // Regula falsi; an end that stays is given half its weight (Illinois).
         if (work > 0.)
@@ -224,6 +230,7 @@ namespace hybrid::dda
         result.factorizations += linear.factored ? 1 : 0;
         previous        = result.residual;
         result.residual = search_line(model, state, base);
+        if (getenv("TRACE")) { int sl=0,op=0,neg=0; for (auto&r: springs.responses){sl+=r.now.state==ContactState::sliding; op+=r.now.state==ContactState::open; neg+= r.now.history.damage>0;} fprintf(stderr,"  dt %g it %d res %.3e lin %d conv %d fact %d sliding %d open %d dam %d sym %d\n",dt,result.iterations,result.residual,linear.iterations,linear.converged,linear.factored,sl,op,neg,matrix.symmetric);}
       }
     if (!result.converged)
       return result;
