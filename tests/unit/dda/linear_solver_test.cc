@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "random_block_matrix.h"
+
+#include <hybrid/dda/linear_solver.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+namespace
+{
+  using namespace hybrid::dda;
+  using hybrid::test::dense;
+  using hybrid::test::random_block_matrix;
+  using hybrid::test::unsymmetric_block_matrix;
+
+  /// Banded stiffness of the base, as of a chain of nodes with neighbours up to three apart.
+  Eigen::MatrixXd base_stiffness(const int n)
+  {
+    Eigen::MatrixXd s = Eigen::MatrixXd::Zero(n, n);
+    for (int i = 0; i < n; ++i)
+      for (int j = std::max(0, i - 3); j <= std::min(n - 1, i + 3); ++j)
+        s(i, j) = i == j ? 5. : -0.5 / std::abs(i - j);
+    return s;
+  }
+
+  /// Solve and compare with a dense factorisation.
+  LinearSolver::Result check(LinearSolver &solver, BlockMatrix &matrix, const Eigen::MatrixXd *base)
+  {
+    Eigen::MatrixXd full = dense(matrix);
+    if (base != nullptr)
+      full.bottomRightCorner(base->rows(), base->cols()) += *base;
+    const Eigen::VectorXd b     = Eigen::VectorXd::Random(matrix.size());
+    const Eigen::VectorXd scale = Eigen::VectorXd::Ones(matrix.size());
+    Eigen::VectorXd       x;
+    solver.set_base_stiffness(base);
+    solver.matrix_changed(matrix);
+    const LinearSolver::Result result = solver.solve(matrix, b, scale, 1e-12 * b.norm(), x);
+    EXPECT_TRUE(result.converged);
+    const Eigen::VectorXd expected = full.lu().solve(b);
+    EXPECT_LT((x - expected).norm(), 1e-9 * expected.norm());
+    return result;
+  }
+} // namespace
+
+
+
+TEST(LinearSolver, inertia_dominates_diagonal_blocks_suffice)
+{
+  BlockMatrix m = random_block_matrix(20, 6);
+  for (Mat6 &block : m.diagonal)
+    block += 10. * Mat6::Identity();
+  LinearSolver solver;
+  EXPECT_FALSE(check(solver, m, nullptr).factored);
+}
+
+
+
+TEST(LinearSolver, no_right_hand_side_no_iterations)
+{
+  BlockMatrix  m = random_block_matrix(3, 0);
+  LinearSolver solver;
+  solver.matrix_changed(m);
+  Eigen::VectorXd            x;
+  const Eigen::VectorXd      zero = Eigen::VectorXd::Zero(18), one = Eigen::VectorXd::Ones(18);
+  const LinearSolver::Result result = solver.solve(m, zero, one, 1e-12, x);
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.iterations, 0);
+  EXPECT_EQ(x.norm(), 0.);
+}
+
+
+
+TEST(LinearSolver, stiff_springs_need_a_factor_which_is_kept)
+{
+  BlockMatrix m       = random_block_matrix(60, 0);
+  const auto  stiffen = [&](const double k) {
+    for (std::size_t s = 0; s < m.pairs.size(); ++s)
+      {
+        Vec6 a = Vec6::Zero(), b = Vec6::Zero();
+        a << 1., 0.5, 0.1, 0.2, 0.3, 0.4;
+        b << 1., 0.4, -0.1, 0.1, 0.3, 0.2;
+        m.diagonal[m.pairs[s][0]] += k * a * a.transpose();
+        m.diagonal[m.pairs[s][1]] += k * b * b.transpose();
+        m.off_diagonal[s] -= k * a * b.transpose();
+        m.lower[s] -= k * b * a.transpose();
+      }
+  };
+  stiffen(1e5);
+  LinearSolver solver;
+  EXPECT_TRUE(check(solver, m, nullptr).factored);
+  stiffen(1e3); // one percent: the old factor still serves
+  const LinearSolver::Result second = check(solver, m, nullptr);
+  EXPECT_FALSE(second.factored);
+  EXPECT_LE(second.iterations, 25);
+}
+
+
+
+TEST(LinearSolver, base_with_a_banded_stiffness_of_its_own)
+{
+  BlockMatrix           m = random_block_matrix(15, 8);
+  const Eigen::MatrixXd s = base_stiffness(16);
+  LinearSolver          solver;
+  check(solver, m, &s);
+  const Eigen::VectorXd x = Eigen::VectorXd::Random(m.size());
+  Eigen::VectorXd       y(m.size());
+  solver.multiply(m, x, y);
+  Eigen::MatrixXd full = dense(m);
+  full.bottomRightCorner(16, 16) += s;
+  EXPECT_LT((y - full * x).norm(), 1e-13 * y.norm());
+}
+
+
+
+TEST(LinearSolver, changed_base_stiffness_at_the_same_address_is_noticed)
+{
+  BlockMatrix     m = random_block_matrix(15, 8);
+  Eigen::MatrixXd s = base_stiffness(16);
+  LinearSolver    solver;
+  check(solver, m, &s);
+  s *= 3.;
+  check(solver, m, &s);
+  check(solver, m, nullptr);
+}
+
+
+
+TEST(LinearSolver, unsymmetric_matrix_with_and_without_a_base)
+{
+  BlockMatrix           m = unsymmetric_block_matrix(15, 8, 0.05);
+  const Eigen::MatrixXd s = base_stiffness(16);
+  LinearSolver          solver;
+  check(solver, m, &s);
+  check(solver, m, nullptr);
+}

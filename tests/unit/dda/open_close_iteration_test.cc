@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <tuple>
+
+namespace
+{
+  using namespace hybrid;
+  using namespace hybrid::dda;
+  using namespace hybrid::test;
+
+  /// Two squares bonded side by side, nothing below.
+  FixedBaseRun bonded_pair(const double tensile_strength, const double fracture_energy)
+  {
+    scene::SceneParameters p             = block_parameters(30.);
+    p.blocks.bonded                      = true;
+    p.blocks.fracture_energy             = fracture_energy;
+    p.materials["rock"].tensile_strength = tensile_strength;
+    p.materials["rock"].cohesion         = 10. * tensile_strength;
+    p.environment.gravity                = 0.;
+    return FixedBaseRun(square_blocks(2, 1), p, {});
+  }
+} // namespace
+
+
+
+TEST(OpenCloseIteration, free_block_needs_one_iteration)
+{
+  FixedBaseRun     run(square_blocks(1, 1), block_parameters(30.), {});
+  const StepResult result = run.solver.solve(run.state, run.base, 1e-3);
+  EXPECT_TRUE(result.converged);
+  EXPECT_LE(result.iterations, 2);
+  EXPECT_LT(result.residual, 1e-8);
+}
+
+
+
+TEST(OpenCloseIteration, unconverged_step_changes_nothing_but_contacts)
+{
+  scene::SceneParameters p    = block_parameters(30.);
+  p.blocks.maximum_iterations = 1;
+  FixedBaseRun run(square_blocks(1, 1), p, straight_base(0., 1., 2.));
+  run.state.blocks[0].velocity[1] = -1.;
+  const BlockState before         = run.state.blocks[0];
+  EXPECT_FALSE(run.solver.solve(run.state, run.base, 1e-3).converged);
+  EXPECT_EQ(run.state.blocks[0].centroid, before.centroid);
+  EXPECT_EQ(run.state.blocks[0].velocity, before.velocity);
+  EXPECT_EQ(run.state.time, 0.);
+}
+
+
+
+TEST(OpenCloseIteration, step_that_moves_too_far_is_refused_and_names_the_block)
+{
+  FixedBaseRun run(square_blocks(2, 1), block_parameters(30.), {});
+  run.state.blocks[1].velocity[0] = 60.; // 0.06 of its size in a step; allowed 0.05
+  const StepResult result         = run.solver.solve(run.state, run.base, 1e-3);
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.largest_block, 1);
+  EXPECT_NEAR(result.displacement_ratio, 0.06, 1e-3);
+}
+
+
+
+TEST(OpenCloseIteration, bond_that_is_torn_is_counted_once_with_kind_and_time)
+{
+  FixedBaseRun run                = bonded_pair(1e4, 0.);
+  run.state.blocks[0].velocity[0] = -0.5;
+  run.state.blocks[1].velocity[0] = 0.5;
+  ASSERT_TRUE(run.run(0.2, 1e-3));
+  const JointState &joint = run.state.joints[0];
+  EXPECT_EQ(joint.failure, FailureKind::tensile);
+  EXPECT_GT(joint.failure_time, 0.);
+  EXPECT_LE(joint.failure_time, 5e-3);
+  EXPECT_TRUE(joint.released); // 0.2 m apart, more than a tenth of the edge
+}
+
+
+
+TEST(OpenCloseIteration, bond_that_is_sheared_is_a_shear_failure)
+{
+  FixedBaseRun run                = bonded_pair(1e4, 0.);
+  run.state.blocks[0].velocity[1] = -1.;
+  run.state.blocks[1].velocity[1] = 1.;
+  for (const int b : {0, 1}) // squeezed, so that it cannot open
+    run.state.blocks[b].velocity[0] = b == 0 ? 0.2 : -0.2;
+  ASSERT_TRUE(run.run(5e-3, 1e-3));
+  EXPECT_EQ(run.state.joints[0].failure, FailureKind::shear);
+}
+
+
+
+TEST(OpenCloseIteration, strong_bond_holds)
+{
+  FixedBaseRun run                = bonded_pair(1e9, 0.);
+  run.state.blocks[0].velocity[0] = -0.5;
+  run.state.blocks[1].velocity[0] = 0.5;
+  ASSERT_TRUE(run.run(0.2, 1e-3));
+  EXPECT_EQ(run.state.joints[0].failure, FailureKind::none);
+  EXPECT_LT((run.state.blocks[1].centroid - run.state.blocks[0].centroid).norm(), 1.05);
+}
+
+
+
+TEST(OpenCloseIteration, base_as_a_body_moves_by_its_stiffness_and_load)
+{
+  // A block that rests on two nodes of a flexible base: S w = g + f - f_static, f = half its
+  // weight.
+  FixedBaseRun run(square_blocks(1, 1), block_parameters(30.), straight_base(0., 0., 1., 1));
+  const Eigen::MatrixXd stiffness = 1e7 * Eigen::MatrixXd::Identity(4, 4);
+  run.base.prescribed             = false;
+  run.base.stiffness              = &stiffness;
+  run.base.load                   = Eigen::VectorXd::Zero(4);
+  run.state.contacts              = {{0, 0, base_body, 0, 0.}, {0, 1, base_body, 0, 1.}};
+  for (int k = 0; k < 60; ++k)
+    {
+      const StepResult result = run.solver.solve(run.state, run.base, 0.05);
+      ASSERT_TRUE(result.converged) << k;
+      run.solver.accept(run.state);
+      for (BlockState &block : run.state.blocks)
+        {
+          block.velocity.setZero();
+          block.acceleration.setZero();
+        }
+      run.base.displacement = run.solver.solved_step().base_displacement();
+    }
+  const double half = 0.5 * 2220. * 9.81;
+  EXPECT_NEAR(run.state.base_displacement[1], -half / 1e7, 1e-6 * half / 1e7);
+  EXPECT_NEAR(run.state.base_displacement[3], -half / 1e7, 1e-6 * half / 1e7);
+  EXPECT_NEAR(run.state.base_force[1], -half, 1e-6 * half);
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block_scenes.h"
+
+#include <hybrid/dda/static_stage.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+  using namespace hybrid;
+  using namespace hybrid::dda;
+  using namespace hybrid::test;
+
+  constexpr double weight = 2220. * 9.81; // of a block of 1 m2 [N/m]
+
+  scene::SceneParameters strong(const double friction_angle)
+  {
+    scene::SceneParameters p             = block_parameters(friction_angle);
+    p.blocks.bonded                      = true;
+    p.blocks.belt_material               = "rock";
+    p.materials["rock"].cohesion         = 1e6;
+    p.materials["rock"].tensile_strength = 1e6;
+    return p;
+  }
+} // namespace
+
+
+
+TEST(StaticStage, bonded_column_carries_its_own_weight)
+{
+  scene::SectionMesh mesh = square_blocks(1, 8);
+  mesh.lines["sliding_surface"].push_back({0, 1});
+  const Model        model = build_model(mesh, strong(30.), straight_base(0., 0., 1., 1));
+  DdaState           state = initial_state(model);
+  const StaticResult r     = settle(model, state);
+  ASSERT_TRUE(r.equilibrium);
+  EXPECT_LE(r.residual, 1e-9);
+  // Vertical stress at mid height of each block, to the change of the section by the strain (1e-3).
+  for (int b = 0; b < 8; ++b)
+    EXPECT_NEAR(state.blocks[b].stress[1], -weight * (8 - b - 0.5), 5e-3 * weight * 8.) << b;
+  EXPECT_NEAR(state.base_force[1] + state.base_force[3], -8. * weight, 1e-7 * weight * 8.);
+  EXPECT_TRUE(state.static_force == state.base_force);
+  EXPECT_EQ(state.time, 0.);
+  for (const BlockState &block : state.blocks)
+    EXPECT_EQ(block.velocity.norm() + block.acceleration.norm(), 0.);
+}
+
+
+
+TEST(StaticStage, loose_column_on_a_slope_below_its_friction_angle_stands)
+{
+  const double       angle = 20. * M_PI / 180.;
+  const Model        model = build_model(square_blocks(1, 2, 1., angle),
+                                  block_parameters(21.),
+                                  straight_base(angle, 5., 5.));
+  DdaState           state = initial_state(model);
+  const StaticResult r     = settle(model, state);
+  EXPECT_TRUE(r.equilibrium);
+  EXPECT_LE(r.residual, 1e-9);
+  EXPECT_LT(r.largest_displacement, 5e-3);
+}
+
+
+
+TEST(StaticStage, block_that_cannot_stand_is_reported_unless_it_is_held)
+{
+  const double       angle = 30. * M_PI / 180.;
+  const Model        model = build_model(square_blocks(1, 1, 1., angle),
+                                  block_parameters(15.),
+                                  straight_base(angle, 500., 50.));
+  DdaState           state = initial_state(model);
+  const StaticResult free  = settle(model, state);
+  EXPECT_FALSE(free.equilibrium);
+  EXPECT_EQ(free.moving_block, 0);
+
+  state                   = initial_state(model);
+  const StaticResult held = settle(model, state, true);
+  EXPECT_TRUE(held.equilibrium);
+  EXPECT_LE(held.residual, 1e-9);
+  // force on the base: the whole weight, normal and along the slope
+  EXPECT_NEAR(state.base_force[1] + state.base_force[3], -weight, 1e-8 * weight);
+  EXPECT_NEAR(state.base_force[0] + state.base_force[2], 0., 1e-8 * weight);
+}
+
+
+
+TEST(StaticStage, what_moves_is_named_in_a_mass_that_partly_stands)
+{
+  // Two loose blocks on the level; a third with nothing below.
+  scene::SectionMesh mesh = square_blocks(3, 1);
+  for (const int node : {3, 7}) // the third block: 5 m to the right
+    mesh.nodes[node].x() += 5.;
+  mesh.nodes.push_back({7., 0.});
+  mesh.nodes.push_back({7., 1.});
+  mesh.blocks[2]           = {8, 3, 7, 9};
+  const Model        model = build_model(mesh, block_parameters(30.), straight_base(0., 1., 4.));
+  DdaState           state = initial_state(model);
+  const StaticResult r     = settle(model, state);
+  EXPECT_FALSE(r.equilibrium);
+  EXPECT_EQ(r.moving_block, 2);
+}
+
+
+
+TEST(StaticStage, failures_of_the_static_stage_have_negative_times_and_are_counted_once)
+{
+  // A cantilever of two squares: the second hangs on its bond, too weak in tension.
+  scene::SectionMesh mesh = square_blocks(2, 1);
+  mesh.lines["sliding_surface"].push_back({0, 1});
+  scene::SceneParameters p             = strong(30.);
+  p.materials["belt"]                  = p.materials["rock"];
+  p.materials["belt"].name             = "belt";
+  p.blocks.belt_material               = "belt";
+  p.materials["rock"].tensile_strength = 1e3;
+  std::vector<Vec2> base{{0., 0.}, {1., 0.}, {1.5, -1.2}, {4., -1.2}};
+  const Model       model = build_model(mesh, p, base);
+  DdaState          state = initial_state(model);
+  settle(model, state);
+  int failed = 0;
+  for (const JointState &joint : state.joints)
+    if (joint.failure != FailureKind::none)
+      {
+        ++failed;
+        EXPECT_EQ(joint.failure, FailureKind::tensile);
+        EXPECT_LT(joint.failure_time, 0.);
+      }
+  EXPECT_EQ(failed, 1);
+}
