@@ -20,6 +20,7 @@ namespace hybrid::dda
     double u = 0., v = 0.;                         ///< displacement of the centroid [m]
     double cosine = 1., sine = 0.;                 ///< of r
     double gxx = 0., gxy = 0., gyx = 0., gyy = 0.; ///< R (I + e) - I, without cancellation
+    double ixx = 1., ixy = 0., iyy = 1.;           ///< (I + e)^-1
 
     BlockMotion() = default;
 
@@ -33,10 +34,14 @@ namespace hybrid::dda
     {
       const double half = std::sin(0.5 * d[2]), cosine_less_one = -2. * half * half;
       const double axx = 1. + d[3], ayy = 1. + d[4], axy = 0.5 * d[5];
-      gxx = cosine_less_one * axx + d[3] - sine * axy;
-      gxy = cosine * axy - sine * ayy;
-      gyx = sine * axx + cosine * axy;
-      gyy = sine * axy + cosine_less_one * ayy + d[4];
+      const double determinant = axx * ayy - axy * axy;
+      ixx                      = ayy / determinant;
+      ixy                      = -axy / determinant;
+      iyy                      = axx / determinant;
+      gxx                      = cosine_less_one * axx + d[3] - sine * axy;
+      gxy                      = cosine * axy - sine * ayy;
+      gyx                      = sine * axx + cosine * axy;
+      gyy                      = sine * axy + cosine_less_one * ayy + d[4];
     }
 
     /// Displacement over the step of the material point that was at @p x [m].
@@ -50,7 +55,8 @@ namespace hybrid::dda
     Vec6 gradient(const Vec2 &x, const Vec2 &a) const
     {
       const Vec2   r  = x - centroid;
-      const double lx = cosine * r.x() + sine * r.y(), ly = cosine * r.y() - sine * r.x();
+      const double tx = cosine * r.x() + sine * r.y(), ty = cosine * r.y() - sine * r.x();
+      const double lx = ixx * tx + ixy * ty, ly = ixy * tx + iyy * ty; // before the step
       const double bx = cosine * a.x() + sine * a.y(), by = cosine * a.y() - sine * a.x();
       Vec6         g;
       g << a.x(), a.y(), r.x() * a.y() - r.y() * a.x(), bx * lx, by * ly, 0.5 * (bx * ly + by * lx);

@@ -57,15 +57,14 @@ TEST(BlockMotion, stretch_comes_before_rotation)
 
 
 
-TEST(BlockMotion, gradient_at_no_strain_is_the_derivative_of_the_displacement)
+TEST(BlockMotion, gradient_is_the_derivative_of_the_displacement)
 {
   for (const Vec2 &a : {Vec2(1., 0.), Vec2(0., 1.), Vec2(0.6, -0.8)})
-    for (const double rotation : {0., 0.3, -1.2})
+    for (const double strain : {0., 1., 50.}) // times (1, -2, 3) 1e-3
       {
         const Vec2 x = centre + Vec2(0.7, -0.4);
         Vec6       d = increment();
-        d[2]         = rotation;
-        d.tail<3>().setZero();
+        d.tail<3>() *= strain;
         const BlockMotion motion(centre, d);
         const Vec6        gradient = motion.gradient(x + motion.displacement(x), a);
         for (int i = 0; i < 6; ++i)
@@ -80,24 +79,4 @@ TEST(BlockMotion, gradient_at_no_strain_is_the_derivative_of_the_displacement)
             EXPECT_NEAR(gradient[i], difference, 1e-9) << i;
           }
       }
-}
-
-
-
-TEST(BlockMotion, gradient_with_strain_is_the_derivative_up_to_the_strain)
-{
-  const Vec2        x = centre + Vec2(0.7, -0.4), a(0.6, -0.8);
-  const BlockMotion motion(centre, increment());
-  const Vec6        gradient = motion.gradient(x + motion.displacement(x), a);
-  for (int i = 0; i < 6; ++i)
-    {
-      const double h    = 1e-6;
-      Vec6         plus = increment(), minus = increment();
-      plus[i] += h;
-      minus[i] -= h;
-      const double difference = a.dot(BlockMotion(centre, plus).displacement(x) -
-                                      BlockMotion(centre, minus).displacement(x)) /
-                                (2. * h);
-      EXPECT_NEAR(gradient[i], difference, 4e-3) << i;
-    }
 }
