@@ -161,8 +161,7 @@ namespace hybrid::dda
         for (int e = node_begin[k]; e < node_begin[k + 1]; ++e)
           {
             const int s = node_coupling[e];
-            sum.noalias() +=
-              node_block[s] * Eigen::Map<const Vec6>(x.data() + 6 * couplings[s][0]);
+            sum.noalias() += node_block[s] * Eigen::Map<const Vec6>(x.data() + 6 * couplings[s][0]);
           }
         Eigen::Map<Eigen::Vector2d>(y.data() + 6 * n + 2 * k) = sum;
       }

@@ -75,7 +75,8 @@ namespace hybrid::dda
 
   double JointLaw::friction_at(const double softening) const
   {
-    return strength.tan_phi + (strength.residual_tan_phi - strength.tan_phi) * softened_part(softening);
+    return strength.tan_phi +
+           (strength.residual_tan_phi - strength.tan_phi) * softened_part(softening);
   }
 
 
@@ -147,13 +148,14 @@ namespace hybrid::dda
   {
     if (gap > 0.)
       {
-        const double damage  = damage_at(gap);
-        const bool   cracks  = damage > r.history.damage;
-        r.history.damage     = std::max(r.history.damage, damage);
-        r.normal_stiffness   = (1. - r.history.damage) * k_n;
-        const double elastic = strength.tensile / k_n;
-        r.normal_by_gap =
-          cracks && damage < 1. ? -strength.tensile / (critical_opening() - elastic) : r.normal_stiffness;
+        const double damage = damage_at(gap);
+        const bool   cracks = damage > r.history.damage;
+        r.history.damage    = std::max(r.history.damage, damage);
+        r.normal_stiffness  = (1. - r.history.damage) * k_n;
+        r.normal_by_gap     = !cracks ? r.normal_stiffness
+                              : damage >= 1.
+                                ? 0.
+                                : -strength.tensile / (critical_opening() - strength.tensile / k_n);
       }
     else
       r.normal_stiffness = r.normal_by_gap = k_n;
@@ -162,14 +164,15 @@ namespace hybrid::dda
 
 
 
-  void JointLaw::slide(const JointKinematics &kinematics, const double trial, JointResponse &r) const
+  void
+  JointLaw::slide(const JointKinematics &kinematics, const double trial, JointResponse &r) const
   {
     // Strength and spring both fall linearly with the slip increment x,
     //   |trial| - k_s x = strength(kappa + x), strength piecewise linear in x.
     const double kappa = r.history.softening, damage = r.history.damage;
-    const double now = shear_strength(r.normal, kappa, damage);
-    const double end = shear_strength(r.normal, kappa + strength.softening_slip + 1., damage);
-    double       x   = (std::abs(trial) - end) / k_s; // residual strength reached
+    const double now   = shear_strength(r.normal, kappa, damage);
+    const double end   = shear_strength(r.normal, kappa + strength.softening_slip + 1., damage);
+    double       x     = (std::abs(trial) - end) / k_s; // residual strength reached
     double       slope = 0.;
     const double left  = std::max(0., strength.softening_slip - kappa);
     if (left > 0. && x < left)
@@ -187,8 +190,7 @@ namespace hybrid::dda
 
     r.shear_by_slip       = -slope * k_s / (k_s - slope);
     const double friction = r.shear == 0. ? 0. : friction_at(r.history.softening);
-    r.shear_by_gap =
-      std::copysign(friction * k_s / (k_s - slope) * r.normal_by_gap, trial);
+    r.shear_by_gap        = std::copysign(friction * k_s / (k_s - slope) * r.normal_by_gap, trial);
   }
 
 

@@ -28,7 +28,7 @@ namespace hybrid::dda
   namespace
   {
     constexpr int diagonal_limit = 60; ///< iterations with diagonal blocks before a factor is made
-    constexpr int factor_limit   = 25; ///< iterations with an old factor before a new one is made
+    constexpr int factor_limit   = 12; ///< iterations with an old factor before a new one is made
     constexpr int hard_limit     = 2000;
 
     /// Entries below this part of the diagonal are lost in round-off anyway.
@@ -197,9 +197,9 @@ namespace hybrid::dda
   {
     // BiCGStab (van der Vorst 1992), preconditioned from the right.
     Result result;
-    shadow       = r;
-    double rho   = r.dot(shadow);
-    p            = r;
+    shadow     = r;
+    double rho = r.dot(shadow);
+    p          = r;
     while (result.iterations < limit)
       {
         ++result.iterations;

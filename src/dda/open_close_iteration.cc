@@ -96,7 +96,9 @@ namespace hybrid::dda
 
 
 
-  void OpenCloseIteration::assemble(const Model &model, const BaseResponse &base)
+  void OpenCloseIteration::assemble(const Model        &model,
+                                    const BaseResponse &base,
+                                    const bool          follow_softening)
   {
     const double dt = trial.dt, beta = model.newmark.beta, gamma = model.newmark.gamma;
     springs.connect(model, matrix);
@@ -108,7 +110,7 @@ namespace hybrid::dda
         matrix.diagonal[b].bottomRightCorner<3, 3>() +=
           p.area * (1. + p.damping_time * gamma / (beta * dt)) * p.elasticity;
       }
-    springs.add_stiffness(model, trial, gamma / (beta * dt), matrix);
+    springs.add_stiffness(model, trial, gamma / (beta * dt), follow_softening, matrix);
     if (base.prescribed)
       {
         // Prescribed nodes: no coupling, unit diagonal.
@@ -173,8 +175,8 @@ namespace hybrid::dda
         done              = part;
         const double norm = evaluate(model, state, base);
         const double work = residual.dot(update);
-        if (start <= 0. || cut == maximum_cuts || !std::isfinite(norm) || std::abs(work) <= good_part * start ||
-            (cut == 0 && (work > 0. || start <= 0.)))
+        if (start <= 0. || cut == maximum_cuts || !std::isfinite(norm) ||
+            std::abs(work) <= good_part * start || (cut == 0 && (work > 0. || start <= 0.)))
           return norm;
         // Regula falsi; an end that stays is given half its weight (Illinois).
         if (work > 0.)
@@ -206,6 +208,10 @@ namespace hybrid::dda
     predict(model, state, base, dt);
     solver.set_base_stiffness(base.prescribed ? nullptr : base.stiffness);
 
+    constexpr int    stall_window = 10;
+    constexpr double stalled_part = 0.3;
+    double           window_start = std::numeric_limits<double>::infinity();
+
     double previous = std::numeric_limits<double>::infinity();
     result.residual = evaluate(model, state, base);
     springs.connect(model, matrix);
@@ -219,9 +225,15 @@ namespace hybrid::dda
             result.converged = true;
             break;
           }
+        if (result.iterations % stall_window == 0)
+          {
+            if (result.residual > stalled_part * window_start)
+              return result; // a shorter step is cheaper than more of the same
+            window_start = result.residual;
+          }
         // A kept tangent that no longer takes most of the residual away is made anew.
         if (stale || (result.iterations > 0 && result.residual > 1e-3 * previous))
-          assemble(model, base);
+          assemble(model, base, result.residual <= previous);
         stale = false;
 
         const double               target = 0.2 * model.iteration.tolerance * reference;
@@ -230,7 +242,6 @@ namespace hybrid::dda
         result.factorizations += linear.factored ? 1 : 0;
         previous        = result.residual;
         result.residual = search_line(model, state, base);
-        if (getenv("TRACE")) { int sl=0,op=0,neg=0; for (auto&r: springs.responses){sl+=r.now.state==ContactState::sliding; op+=r.now.state==ContactState::open; neg+= r.now.history.damage>0;} fprintf(stderr,"  dt %g it %d res %.3e lin %d conv %d fact %d sliding %d open %d dam %d sym %d\n",dt,result.iterations,result.residual,linear.iterations,linear.converged,linear.factored,sl,op,neg,matrix.symmetric);}
       }
     if (!result.converged)
       return result;

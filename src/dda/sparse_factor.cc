@@ -27,7 +27,8 @@ namespace hybrid::dda
 
 
 
-    /// Blocks of each block column, rows increasing; the diagonal block is the one with row = column.
+    /// Blocks of each block column, rows increasing; the diagonal block is the one with row =
+    /// column.
     Columns block_columns(const BlockMatrix &matrix, const bool upper_only)
     {
       Columns columns(matrix.n_blocks());
@@ -181,8 +182,8 @@ namespace hybrid::dda
   struct SparseFactor::Lu
   {
     CompressedColumns   matrix;
-    void               *symbolic = nullptr;
-    void               *numeric  = nullptr;
+    void               *symbolic        = nullptr;
+    void               *numeric         = nullptr;
     int                 pattern_version = -1;
     double              control[UMFPACK_CONTROL];
     std::vector<int>    int_work;
@@ -214,10 +215,12 @@ namespace hybrid::dda
       matrix.set_values(source);
       const int *p = matrix.start.data(), *i = matrix.rows.data();
       if (symbolic == nullptr &&
-          umfpack_di_symbolic(n, n, p, i, matrix.values.data(), &symbolic, control, nullptr) != UMFPACK_OK)
+          umfpack_di_symbolic(n, n, p, i, matrix.values.data(), &symbolic, control, nullptr) !=
+            UMFPACK_OK)
         return false;
       umfpack_di_free_numeric(&numeric);
-      return umfpack_di_numeric(p, i, matrix.values.data(), symbolic, &numeric, control, nullptr) == UMFPACK_OK;
+      return umfpack_di_numeric(p, i, matrix.values.data(), symbolic, &numeric, control, nullptr) ==
+             UMFPACK_OK;
     }
 
     void solve(const Eigen::VectorXd &b, Eigen::VectorXd &result)

@@ -2,6 +2,7 @@
 #include <hybrid/dda/springs.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace hybrid::dda
 {
@@ -361,17 +362,22 @@ namespace hybrid::dda
   void Springs::add_stiffness(const Model &model,
                               const Trial &trial,
                               const double damping_factor,
+                              const bool   follow_softening,
                               BlockMatrix &matrix) const
   {
     for (std::size_t s = 0; s < springs.size(); ++s)
       {
         const Spring   &spring   = springs[s];
         const Response &response = responses[s];
-        const double    damping =
-          spring.joint >= 0 ? model.joint_damping_time * damping_factor : 0.;
-        const double nn = spring.length * (response.normal_by_gap + damping * response.normal_stiffness);
-        const double tt = spring.length * (response.shear_by_slip + damping * response.shear_stiffness);
-        const double tn = spring.length * response.shear_by_gap;
+        const double damping = spring.joint >= 0 ? model.joint_damping_time * damping_factor : 0.;
+        const double floor   = follow_softening ? -std::numeric_limits<double>::infinity() : 0.;
+        const double nn      = spring.length * (std::max(floor, response.normal_by_gap) +
+                                           damping * response.normal_stiffness);
+        const double tt      = spring.length * (std::max(floor, response.shear_by_slip) +
+                                           damping * response.shear_stiffness);
+        const double tn      = follow_softening || response.normal_by_gap >= 0.
+                                 ? spring.length * response.shear_by_gap
+                                 : 0.;
         if (nn == 0. && tt == 0. && tn == 0.)
           continue;
         if (tn != 0. || nn < 0. || tt < 0.)
@@ -396,8 +402,10 @@ namespace hybrid::dda
         dq.row(1) = tn * q.row(0) + tt * q.row(1);
         matrix.diagonal[spring.other].noalias() += q.transpose() * dq;
         const bool ordered = spring.block < spring.other;
-        (ordered ? matrix.off_diagonal : matrix.lower)[spring.slot[0]].noalias() -= p.transpose() * dq;
-        (ordered ? matrix.lower : matrix.off_diagonal)[spring.slot[0]].noalias() -= q.transpose() * dp;
+        (ordered ? matrix.off_diagonal : matrix.lower)[spring.slot[0]].noalias() -=
+          p.transpose() * dq;
+        (ordered ? matrix.lower : matrix.off_diagonal)[spring.slot[0]].noalias() -=
+          q.transpose() * dp;
       }
   }
 

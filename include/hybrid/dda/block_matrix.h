@@ -70,12 +70,12 @@ namespace hybrid::dda
     std::vector<Mat6>  lower;        ///< rows of block pairs[s][1], columns of pairs[s][0]
     std::vector<Mat62> block_node;   ///< rows of the block, columns of the node
     std::vector<Mat26> node_block;   ///< rows of the node, columns of the block
-    std::vector<Eigen::Matrix2d> node_diagonal; ///< contacts' part only
-    std::vector<Eigen::Matrix2d> node_next;     ///< rows of node k, columns of node k + 1
-    std::vector<Eigen::Matrix2d> node_previous; ///< rows of node k + 1, columns of node k
+    std::vector<Eigen::Matrix2d> node_diagonal;    ///< contacts' part only
+    std::vector<Eigen::Matrix2d> node_next;        ///< rows of node k, columns of node k + 1
+    std::vector<Eigen::Matrix2d> node_previous;    ///< rows of node k + 1, columns of node k
     bool                         symmetric = true; ///< as filled; set_zero() makes it true
-    std::vector<Pair>            pairs;         ///< block pairs, sorted
-    std::vector<Pair>            couplings;     ///< (block, node), sorted
+    std::vector<Pair>            pairs;            ///< block pairs, sorted
+    std::vector<Pair>            couplings;        ///< (block, node), sorted
 
   private:
     std::vector<int> pair_begin;     ///< CSR over the first block of pairs

@@ -30,10 +30,10 @@ namespace hybrid::dda
     double       shear            = 0.; ///< [Pa], opposes the elastic slip
     double       normal_stiffness = 0.; ///< secant, [Pa/m], >= 0
     double       shear_stiffness  = 0.; ///< secant, [Pa/m], >= 0; 0 when sliding
-    double       normal_by_gap    = 0.; ///< tangent -dN/dg [Pa/m]; negative on the softening branch
-    double       shear_by_slip    = 0.; ///< tangent -dT/ds [Pa/m]; negative while the strength falls
-    double       shear_by_gap     = 0.; ///< tangent -dT/dg [Pa/m]: friction follows the normal force
-    ContactState state            = ContactState::open;
+    double       normal_by_gap    = 0.; ///< tangent -dN/dg [Pa/m], negative on the softening branch
+    double       shear_by_slip = 0.; ///< tangent -dT/ds [Pa/m], negative while the strength falls
+    double       shear_by_gap  = 0.; ///< tangent -dT/dg [Pa/m]: friction follows the normal force
+    ContactState state         = ContactState::open;
     JointHistory history; ///< what is remembered if the step is accepted
   };
 

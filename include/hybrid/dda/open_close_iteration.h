@@ -80,7 +80,7 @@ namespace hybrid::dda
 
     double evaluate(const Model &model, const DdaState &state, const BaseResponse &base);
 
-    void assemble(const Model &model, const BaseResponse &base);
+    void assemble(const Model &model, const BaseResponse &base, bool follow_softening);
 
     /// Move the trial along the update, as far as the residual allows: a contact that locks, closes
     /// or slides back on the way would otherwise make the iteration cycle. Returns the residual

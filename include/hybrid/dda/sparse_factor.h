@@ -19,7 +19,7 @@ namespace hybrid::dda
   public:
     SparseFactor();
     ~SparseFactor();
-    SparseFactor(const SparseFactor &) = delete;
+    SparseFactor(const SparseFactor &)            = delete;
     SparseFactor &operator=(const SparseFactor &) = delete;
 
     /// @return false if the matrix is singular.

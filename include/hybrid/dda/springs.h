@@ -57,7 +57,7 @@ namespace hybrid::dda
       double      weight[2]     = {1., 0.}; ///< of the base nodes
       double      edge_position = 0.;       ///< projection on the contact's edge [-]
       SpringState now;                      ///< if the step is accepted
-      double      normal_stiffness = 0., shear_stiffness = 0.; ///< secants [Pa/m]
+      double      normal_stiffness = 0., shear_stiffness = 0.;               ///< secants [Pa/m]
       double      normal_by_gap = 0., shear_by_slip = 0., shear_by_gap = 0.; ///< tangents [Pa/m]
     };
 
@@ -74,10 +74,12 @@ namespace hybrid::dda
     /// Add forces to the residual of blocks and base nodes, their absolute values to @p absolute.
     void add_forces(const Trial &trial, Eigen::VectorXd &residual, Eigen::VectorXd &absolute) const;
 
-    /// Add tangents; @p damping_factor is gamma / (beta dt).
+    /// Add tangents; @p damping_factor is gamma / (beta dt). Without @p follow_softening falling
+    /// branches count as flat: less exact, but never indefinite.
     void add_stiffness(const Model &model,
                        const Trial &trial,
                        double       damping_factor,
+                       bool         follow_softening,
                        BlockMatrix &matrix) const;
 
     std::vector<Spring>   springs;
@@ -89,12 +91,11 @@ namespace hybrid::dda
     void collect_contacts(const Model &model, const DdaState &state);
 
     /// Base nodes' part of one spring; @p stiffness is (normal, shear, shear by gap) [N/m].
-    static void
-    add_base_stiffness(const Spring                      &spring,
-                       const Response                    &response,
-                       const Eigen::Matrix<double, 2, 6> &gradient,
-                       const Eigen::Vector3d             &stiffness,
-                       BlockMatrix                       &matrix);
+    static void add_base_stiffness(const Spring                      &spring,
+                                   const Response                    &response,
+                                   const Eigen::Matrix<double, 2, 6> &gradient,
+                                   const Eigen::Vector3d             &stiffness,
+                                   BlockMatrix                       &matrix);
 
     void
     evaluate_joint(const Model &model, const DdaState &state, const Trial &trial, std::size_t s);

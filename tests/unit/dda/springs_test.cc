@@ -183,7 +183,7 @@ TEST(Springs, tangent_is_the_derivative_of_the_forces)
         BlockMatrix matrix;
         scene.springs.connect(scene.model, matrix);
         matrix.set_zero();
-        scene.springs.add_stiffness(scene.model, scene.trial, 0., matrix);
+        scene.springs.add_stiffness(scene.model, scene.trial, 0., true, matrix);
         Eigen::VectorXd column(20);
         for (int i = 0; i < 20; ++i)
           {
