@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A block on a plane of 30 degrees: slides as the closed form says, or rests.
+#include "block_scenes.h"
+
+#include <hybrid/dda/static_stage.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+  using namespace hybrid;
+  using namespace hybrid::test;
+
+  constexpr double slope = 30. * M_PI / 180.;
+
+  /// Distance down the slope after one second.
+  double slide(const double friction_angle,
+               const double dt,
+               const int    pieces,
+               const bool   held,
+               const char  *preset = "dissipative")
+  {
+    scene::SceneParameters p = block_parameters(friction_angle);
+    p.time.newmark           = Newmark::preset(preset);
+    FixedBaseRun run(square_blocks(1, 1, 1., slope), p, straight_base(slope, 10., 5., pieces));
+    EXPECT_TRUE(dda::settle(run.model, run.state, held).equilibrium);
+    const Vec2 start = run.state.blocks[0].centroid;
+    EXPECT_TRUE(run.run(1., dt));
+    return -(run.state.blocks[0].centroid - start).dot(Vec2(std::cos(slope), std::sin(slope)));
+  }
+
+  const double closed_form =
+    0.5 * 9.81 * (std::sin(slope) - std::cos(slope) * std::tan(15. * M_PI / 180.));
+} // namespace
+
+
+
+TEST(BlockIncline, slides_as_the_closed_form_says)
+{
+  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+    EXPECT_NEAR(slide(15., 1e-3, 1, true, preset), closed_form, 3e-3 * closed_form) << preset;
+}
+
+
+
+TEST(BlockIncline, does_not_feel_the_seams_of_the_base)
+{
+  const double whole = slide(15., 1e-3, 1, true);
+  for (const int pieces : {15, 47, 150})
+    EXPECT_NEAR(slide(15., 1e-3, pieces, true), whole, 1e-9 * whole) << pieces;
+}
+
+
+
+TEST(BlockIncline, rests_above_the_slope_angle_at_any_step)
+{
+  for (const double dt : {1e-4, 1e-3, 2e-3})
+    EXPECT_LT(std::abs(slide(31., dt, 1, false)), 1e-6) << dt;
+}
