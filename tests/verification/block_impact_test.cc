@@ -88,7 +88,9 @@ namespace
         exchanged                 = std::max(exchanged, std::abs(e.gravity));
       }
     if (gains_nothing)
-      EXPECT_LE(largest, 1.02 * kinetic) << impact.name() << ' ' << preset;
+      {
+        EXPECT_LE(largest, 1.02 * kinetic) << impact.name() << ' ' << preset;
+      }
     EXPECT_LE(drift, 0.01 * exchanged) << impact.name() << ' ' << preset;
   }
 } // namespace
