@@ -70,12 +70,12 @@ namespace hybrid::dda
           const double gap = now.gap - old.gap, slip = now.slip - old.slip;
           const double work =
             weighted(old.normal, now.normal) * gap + weighted(old.shear, now.shear) * slip;
-          const double shear = weighted(old.elastic_shear, now.elastic_shear);
-          const double elastic =
-            weighted(old.elastic_normal, now.elastic_normal) * gap + shear * slip;
+          const double plastic = now.history.plastic_slip - old.history.plastic_slip;
+          const double elastic = weighted(old.elastic_normal, now.elastic_normal) * gap +
+                                 weighted(old.elastic_shear, now.elastic_shear) * (slip - plastic);
           const double stored_before = spring.law->stored_energy({old.gap, old.slip}, old.history);
           const double stored        = spring.law->stored_energy({now.gap, now.slip}, now.history);
-          const double friction = -shear * (now.history.plastic_slip - old.history.plastic_slip);
+          const double friction      = -weighted(old.shear, now.shear) * plastic;
           const double fracture =
             spring.law->fracture_loss(now.history) - spring.law->fracture_loss(old.history);
 
@@ -83,9 +83,9 @@ namespace hybrid::dda
           energy.springs += spring.length * stored;
           energy.friction_loss += spring.length * friction;
           energy.fracture_loss += spring.length * fracture;
-          energy.damping_loss += spring.length * (elastic - work);
+          energy.damping_loss += spring.length * (elastic - work - friction);
           energy.integration_loss +=
-            spring.length * (-elastic - (stored - stored_before) - friction - fracture);
+            spring.length * (-elastic - (stored - stored_before) - fracture);
         }
       energy.switch_loss += step.before.energy.springs - before;
     }

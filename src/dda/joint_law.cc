@@ -118,7 +118,8 @@ namespace hybrid::dda
 
 
   JointResponse JointLaw::respond(const JointKinematics &kinematics,
-                                  const JointHistory    &history) const
+                                  const JointHistory    &history,
+                                  const JointDamping    &damping) const
   {
     JointResponse r;
     r.history = history;
@@ -130,15 +131,27 @@ namespace hybrid::dda
         r.state                = ContactState::open;
         return r;
       }
-    const double trial = -k_s * (kinematics.slip - history.plastic_slip);
-    if (std::abs(trial) > shear_strength(r.normal, history.softening, r.history.damage))
+
+    // Spring and dashpot of the step together: a stiffer spring from a shifted origin.
+    const double spring = (1. + damping.ratio) * k_s;
+    const double shift  = damping.ratio / (1. + damping.ratio) * damping.elastic_slip;
+    const double trial  = -spring * (kinematics.slip - history.plastic_slip - shift);
+    if (std::abs(trial) > shear_strength(r.elastic_normal, history.softening, r.history.damage))
       {
-        slide(kinematics, trial, r);
-        return r;
+        slide(trial, spring, r);
+        r.history.plastic_slip = kinematics.slip + r.shear / spring - shift;
       }
-    r.shear           = trial;
-    r.shear_stiffness = r.shear_by_slip = k_s;
-    r.state                             = ContactState::locked;
+    else
+      {
+        r.shear         = trial;
+        r.shear_by_slip = spring;
+        r.state         = ContactState::locked;
+      }
+    r.elastic_shear = -k_s * (kinematics.slip - r.history.plastic_slip);
+
+    const double dashpot = damping.ratio * (1. - r.history.damage) * k_n;
+    r.normal -= dashpot * (kinematics.gap - damping.gap);
+    r.normal_by_gap += dashpot;
     return r;
   }
 
@@ -151,46 +164,49 @@ namespace hybrid::dda
         const double damage = damage_at(gap);
         const bool   cracks = damage > r.history.damage;
         r.history.damage    = std::max(r.history.damage, damage);
-        r.normal_stiffness  = (1. - r.history.damage) * k_n;
-        r.normal_by_gap     = !cracks ? r.normal_stiffness
-                              : damage >= 1.
-                                ? 0.
-                                : -strength.tensile / (critical_opening() - strength.tensile / k_n);
+        const double secant = (1. - r.history.damage) * k_n;
+        r.normal            = secant == 0. ? 0. : -secant * gap;
+        if (!cracks)
+          r.normal_by_gap = secant;
+        else if (damage < 1.)
+          r.normal_by_gap = -strength.tensile / (critical_opening() - strength.tensile / k_n);
       }
     else
-      r.normal_stiffness = r.normal_by_gap = k_n;
-    r.normal = r.normal_stiffness == 0. ? 0. : -r.normal_stiffness * gap;
+      {
+        r.normal        = -k_n * gap;
+        r.normal_by_gap = k_n;
+      }
+    r.elastic_normal = r.normal;
   }
 
 
 
-  void
-  JointLaw::slide(const JointKinematics &kinematics, const double trial, JointResponse &r) const
+  void JointLaw::slide(const double trial, const double spring, JointResponse &r) const
   {
     // Strength and spring both fall linearly with the slip increment x,
-    //   |trial| - k_s x = strength(kappa + x), strength piecewise linear in x.
+    //   |trial| - spring x = strength(kappa + x), strength piecewise linear in x.
     const double kappa = r.history.softening, damage = r.history.damage;
-    const double now   = shear_strength(r.normal, kappa, damage);
-    const double end   = shear_strength(r.normal, kappa + strength.softening_slip + 1., damage);
-    double       x     = (std::abs(trial) - end) / k_s; // residual strength reached
+    const double now = shear_strength(r.elastic_normal, kappa, damage);
+    const double end =
+      shear_strength(r.elastic_normal, kappa + strength.softening_slip + 1., damage);
+    double       x     = (std::abs(trial) - end) / spring; // residual strength reached
     double       slope = 0.;
     const double left  = std::max(0., strength.softening_slip - kappa);
     if (left > 0. && x < left)
       {
         slope = (now - end) / left; // fall of strength per slip
-        if (slope < k_s)
-          x = std::max(0., std::min((std::abs(trial) - now) / (k_s - slope), x));
+        if (slope < spring)
+          x = std::max(0., std::min((std::abs(trial) - now) / (spring - slope), x));
         else
           slope = 0.; // brittle: straight to the residual
       }
-    r.shear                = std::copysign(std::abs(trial) - k_s * x, trial);
-    r.history.softening    = kappa + x;
-    r.history.plastic_slip = kinematics.slip + r.shear / k_s;
-    r.state                = ContactState::sliding;
+    r.shear             = std::copysign(std::abs(trial) - spring * x, trial);
+    r.history.softening = kappa + x;
+    r.state             = ContactState::sliding;
 
-    r.shear_by_slip       = -slope * k_s / (k_s - slope);
+    r.shear_by_slip       = -slope * spring / (spring - slope);
     const double friction = r.shear == 0. ? 0. : friction_at(r.history.softening);
-    r.shear_by_gap        = std::copysign(friction * k_s / (k_s - slope) * r.normal_by_gap, trial);
+    r.shear_by_gap = std::copysign(friction * spring / (spring - slope) * r.normal_by_gap, trial);
   }
 
 

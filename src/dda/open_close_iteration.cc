@@ -110,7 +110,7 @@ namespace hybrid::dda
         matrix.diagonal[b].bottomRightCorner<3, 3>() +=
           p.area * (1. + p.damping_time * gamma / (beta * dt)) * p.elasticity;
       }
-    springs.add_stiffness(model, trial, gamma / (beta * dt), follow_softening, matrix);
+    springs.add_stiffness(trial, follow_softening, matrix);
     if (base.prescribed)
       {
         // Prescribed nodes: no coupling, unit diagonal.

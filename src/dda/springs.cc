@@ -80,19 +80,21 @@ namespace hybrid::dda
 
 
     /// Fill response, state and tangents of one spring from its kinematics.
-    void apply_law(const Springs::Spring &spring, Springs::Response &response)
+    void apply_law(const Springs::Spring &spring,
+                   const JointDamping    &damping,
+                   Springs::Response     &response)
     {
       SpringState        &now = response.now;
-      const JointResponse r   = spring.law->respond({now.gap, now.slip}, spring.old.history);
-      now.history             = r.history;
-      now.state               = r.state;
-      now.normal = now.elastic_normal = r.normal;
-      now.shear = now.elastic_shear = r.shear;
-      response.normal_stiffness     = r.normal_stiffness;
-      response.normal_by_gap        = r.normal_by_gap;
-      response.shear_by_slip        = r.shear_by_slip;
-      response.shear_by_gap         = r.shear_by_gap;
-      response.shear_stiffness      = r.shear_stiffness;
+      const JointResponse r = spring.law->respond({now.gap, now.slip}, spring.old.history, damping);
+      now.history           = r.history;
+      now.state             = r.state;
+      now.normal            = r.normal;
+      now.shear             = r.shear;
+      now.elastic_normal    = r.elastic_normal;
+      now.elastic_shear     = r.elastic_shear;
+      response.normal_by_gap = r.normal_by_gap;
+      response.shear_by_slip = r.shear_by_slip;
+      response.shear_by_gap  = r.shear_by_gap;
     }
   } // namespace
 
@@ -254,37 +256,17 @@ namespace hybrid::dda
         : trial.displacement[v];
     // The jump is summed over the steps: differences of places would cost digits far from the
     // origin.
-    SpringState &now   = response.now;
-    now.jump           = spring.old.jump + moved_q - moved_p;
-    now.gap            = response.normal.dot(now.jump);
-    now.slip           = response.tangent.dot(now.jump);
-    response.place     = (1. - point.position) * pa + point.position * pb + 0.5 * now.jump;
-    response.weight[0] = 1.;
-    response.weight[1] = 0.;
-    apply_law(spring, response);
-
-    if (model.joint_damping_time > 0.)
-      {
-        const BlockMotion &mp        = trial.motion[spring.block];
-        const Vec6        &vp        = trial.rate[spring.block];
-        double             gap_rate  = -mp.gradient(response.place, response.normal).dot(vp);
-        double             slip_rate = -mp.gradient(response.place, response.tangent).dot(vp);
-        if (joint.other != base_body)
-          {
-            const BlockMotion &mq = trial.motion[joint.other];
-            const Vec6        &vq = trial.rate[joint.other];
-            gap_rate += mq.gradient(response.place, response.normal).dot(vq);
-            slip_rate += mq.gradient(response.place, response.tangent).dot(vq);
-          }
-        else
-          {
-            const Vec2 vq = moved_q / trial.dt;
-            gap_rate += response.normal.dot(vq);
-            slip_rate += response.tangent.dot(vq);
-          }
-        now.normal -= model.joint_damping_time * response.normal_stiffness * gap_rate;
-        now.shear -= model.joint_damping_time * response.shear_stiffness * slip_rate;
-      }
+    SpringState &now       = response.now;
+    now.jump               = spring.old.jump + moved_q - moved_p;
+    now.gap                = response.normal.dot(now.jump);
+    now.slip               = response.tangent.dot(now.jump);
+    response.place         = (1. - point.position) * pa + point.position * pb + 0.5 * now.jump;
+    response.weight[0]     = 1.;
+    response.weight[1]     = 0.;
+    const SpringState &old = spring.old;
+    apply_law(spring,
+              {model.joint_damping_time / trial.dt, old.gap, old.slip - old.history.plastic_slip},
+              response);
   }
 
 
@@ -320,7 +302,7 @@ namespace hybrid::dda
     response.weight[1]     = edge_on_base ? xi : 0.;
     response.now.gap       = frame.gap;
     response.now.slip      = frame.slip;
-    apply_law(spring, response);
+    apply_law(spring, {}, response);
   }
 
 
@@ -359,25 +341,19 @@ namespace hybrid::dda
 
 
 
-  void Springs::add_stiffness(const Model &model,
-                              const Trial &trial,
-                              const double damping_factor,
-                              const bool   follow_softening,
-                              BlockMatrix &matrix) const
+  void
+  Springs::add_stiffness(const Trial &trial, const bool follow_softening, BlockMatrix &matrix) const
   {
     for (std::size_t s = 0; s < springs.size(); ++s)
       {
         const Spring   &spring   = springs[s];
         const Response &response = responses[s];
-        const double damping = spring.joint >= 0 ? model.joint_damping_time * damping_factor : 0.;
-        const double floor   = follow_softening ? -std::numeric_limits<double>::infinity() : 0.;
-        const double nn      = spring.length * (std::max(floor, response.normal_by_gap) +
-                                           damping * response.normal_stiffness);
-        const double tt      = spring.length * (std::max(floor, response.shear_by_slip) +
-                                           damping * response.shear_stiffness);
-        const double tn      = follow_softening || response.normal_by_gap >= 0.
-                                 ? spring.length * response.shear_by_gap
-                                 : 0.;
+        const double    floor    = follow_softening ? -std::numeric_limits<double>::infinity() : 0.;
+        const double    nn       = spring.length * std::max(floor, response.normal_by_gap);
+        const double    tt       = spring.length * std::max(floor, response.shear_by_slip);
+        const double    tn       = follow_softening || response.normal_by_gap >= 0.
+                                     ? spring.length * response.shear_by_gap
+                                     : 0.;
         if (nn == 0. && tt == 0. && tn == 0.)
           continue;
         if (tn != 0. || nn < 0. || tt < 0.)

@@ -23,17 +23,31 @@ namespace hybrid::dda
   };
 
 
+  /**
+   * Stiffness-proportional damping of a joint's springs over one step, by
+   * backward differences: the springs act with their elastic stretch plus
+   * beta_K / dt of its change. The slider is in series with spring and dashpot,
+   * so the traction is continuous where sticking turns into slip.
+   */
+  struct JointDamping
+  {
+    double ratio        = 0.; ///< beta_K / dt [-]; 0: none
+    double gap          = 0.; ///< when the step began [m]
+    double elastic_slip = 0.; ///< s - s_p when the step began [m]
+  };
+
+
   /// Tractions of a joint point and the tangent that the iteration uses.
   struct JointResponse
   {
-    double       normal           = 0.; ///< [Pa], compression positive
-    double       shear            = 0.; ///< [Pa], opposes the elastic slip
-    double       normal_stiffness = 0.; ///< secant, [Pa/m], >= 0
-    double       shear_stiffness  = 0.; ///< secant, [Pa/m], >= 0; 0 when sliding
-    double       normal_by_gap    = 0.; ///< tangent -dN/dg [Pa/m], negative on the softening branch
-    double       shear_by_slip = 0.; ///< tangent -dT/ds [Pa/m], negative while the strength falls
-    double       shear_by_gap  = 0.; ///< tangent -dT/dg [Pa/m]: friction follows the normal force
-    ContactState state         = ContactState::open;
+    double       normal         = 0.; ///< total [Pa], compression positive
+    double       shear          = 0.; ///< total [Pa], opposes the elastic slip
+    double       elastic_normal = 0.; ///< without damping [Pa]
+    double       elastic_shear  = 0.; ///< without damping [Pa]
+    double       normal_by_gap  = 0.; ///< tangent -dN/dg [Pa/m]; negative on the softening branch
+    double       shear_by_slip  = 0.; ///< tangent -dT/ds [Pa/m]; negative while the strength falls
+    double       shear_by_gap   = 0.; ///< tangent -dT/dg [Pa/m]: friction follows the normal force
+    ContactState state          = ContactState::open;
     JointHistory history; ///< what is remembered if the step is accepted
   };
 
@@ -96,7 +110,9 @@ namespace hybrid::dda
       , k_s(shear_spring)
     {}
 
-    JointResponse respond(const JointKinematics &kinematics, const JointHistory &history) const;
+    JointResponse respond(const JointKinematics &kinematics,
+                          const JointHistory    &history,
+                          const JointDamping    &damping = {}) const;
 
     /// The same springs with another strength.
     JointLaw with(const JointStrength &other) const
@@ -146,10 +162,10 @@ namespace hybrid::dda
 
     double shear_strength(double normal, double softening, double damage) const;
 
-    /// Normal traction, damage and normal tangents.
+    /// Normal traction, damage and normal tangent without damping.
     void normal_response(double gap, JointResponse &response) const;
 
-    /// Shear of a joint whose trial traction exceeds its strength.
-    void slide(const JointKinematics &kinematics, double trial, JointResponse &response) const;
+    /// Shear of a joint whose trial traction exceeds its strength. @p spring with damping [Pa/m].
+    void slide(double trial, double spring, JointResponse &response) const;
   };
 } // namespace hybrid::dda

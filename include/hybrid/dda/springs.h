@@ -57,7 +57,6 @@ namespace hybrid::dda
       double      weight[2]     = {1., 0.}; ///< of the base nodes
       double      edge_position = 0.;       ///< projection on the contact's edge [-]
       SpringState now;                      ///< if the step is accepted
-      double      normal_stiffness = 0., shear_stiffness = 0.;               ///< secants [Pa/m]
       double      normal_by_gap = 0., shear_by_slip = 0., shear_by_gap = 0.; ///< tangents [Pa/m]
     };
 
@@ -74,13 +73,9 @@ namespace hybrid::dda
     /// Add forces to the residual of blocks and base nodes, their absolute values to @p absolute.
     void add_forces(const Trial &trial, Eigen::VectorXd &residual, Eigen::VectorXd &absolute) const;
 
-    /// Add tangents; @p damping_factor is gamma / (beta dt). Without @p follow_softening falling
-    /// branches count as flat: less exact, but never indefinite.
-    void add_stiffness(const Model &model,
-                       const Trial &trial,
-                       double       damping_factor,
-                       bool         follow_softening,
-                       BlockMatrix &matrix) const;
+    /// Add tangents. Without @p follow_softening falling branches count as flat: less exact, but
+    /// never indefinite.
+    void add_stiffness(const Trial &trial, bool follow_softening, BlockMatrix &matrix) const;
 
     std::vector<Spring>   springs;
     std::vector<Response> responses;

@@ -47,7 +47,7 @@ TEST(JointLaw, compression_is_elastic_and_positive)
 {
   const JointResponse r = softening().respond({-1e-6, 0.}, {});
   EXPECT_DOUBLE_EQ(r.normal, k_n * 1e-6);
-  EXPECT_DOUBLE_EQ(r.normal_stiffness, k_n);
+  EXPECT_DOUBLE_EQ(r.normal_by_gap, k_n);
   EXPECT_EQ(r.state, ContactState::locked);
   EXPECT_EQ(r.history.damage, 0.);
 }
@@ -60,7 +60,7 @@ TEST(JointLaw, light_shear_sticks_for_both_signs)
     {
       const JointResponse r = softening().respond({-1e-6, sign * 1e-5}, {});
       EXPECT_DOUBLE_EQ(r.shear, -sign * k_s * 1e-5);
-      EXPECT_DOUBLE_EQ(r.shear_stiffness, k_s);
+      EXPECT_DOUBLE_EQ(r.shear_by_slip, k_s);
       EXPECT_EQ(r.state, ContactState::locked);
     }
 }
@@ -75,7 +75,7 @@ TEST(JointLaw, shear_above_the_peak_slides_for_both_signs_and_opposes_the_slip)
       const JointResponse r      = law.respond({-1e-5, sign * 1e-3}, {});
       const double        normal = k_n * 1e-5, strength = 2e4 + normal * tan_deg(30.);
       EXPECT_NEAR(r.shear, -sign * strength, 1e-9 * strength);
-      EXPECT_EQ(r.shear_stiffness, 0.);
+      EXPECT_EQ(r.shear_by_slip, 0.);
       EXPECT_EQ(r.state, ContactState::sliding);
       EXPECT_NEAR(r.history.plastic_slip, sign * (1e-3 - strength / k_s), 1e-12);
     }

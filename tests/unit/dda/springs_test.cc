@@ -208,11 +208,12 @@ TEST(Springs, tangent_is_the_derivative_of_the_forces)
 
 TEST(Springs, damping_resists_the_rate)
 {
-  Scene scene(true, 0.05);
-  scene.trial.rate[1] << 1e-3, 0., 0., 0., 0., 0.; // the second block moves away from the first
-  const Eigen::VectorXd f = scene.forces(Eigen::VectorXd::Zero(20));
-  // b_K k_n v on the whole edge: b_K = ratio / (pi f), k_n = 40 E / (2 m)
-  const double expected = 0.05 / (M_PI * 2.) * (40. * 50e6 / 2.) * 1e-3;
+  Scene           scene(true, 0.05);
+  Eigen::VectorXd d       = Eigen::VectorXd::Zero(20);
+  d[6]                    = 1e-6; // the second block moves away from the first [m]
+  const Eigen::VectorXd f = scene.forces(d);
+  // k_n (1 + b_K / dt) d on the whole edge: b_K = ratio / (pi f), k_n = 40 E / (2 m)
+  const double expected = (40. * 50e6 / 2.) * (1. + 0.05 / (M_PI * 2.) / scene.trial.dt) * 1e-6;
   EXPECT_NEAR(f[6], -expected, 1e-6 * expected);
   EXPECT_NEAR(f[0], expected, 1e-6 * expected);
 }
