@@ -47,7 +47,7 @@ def main():
     for case, tolerance in ((damped_layer, 1e-9), (elastic_joint, 1e-6)):
         error = case()
         print("%s: largest error %.2e, allowed %.0e" % (case.__name__, error, tolerance))
-        failed += error > tolerance
+        failed += int(error > tolerance)
     return failed
 
 
