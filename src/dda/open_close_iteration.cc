@@ -91,6 +91,9 @@ namespace hybrid::dda
     else
       residual.tail(2 * m) = base.load + force_increment - *base.stiffness * trial.base;
     reference = absolute.norm();
+    // A quiet mass on moving ground: the round-off of the base's balance.
+    if (!base.prescribed)
+      reference += 1e-5 * base.load.norm();
     return residual.cwiseQuotient(scale).norm() / std::max(reference, 1e-300);
   }
 
