@@ -198,6 +198,22 @@ namespace hybrid::continuum
   }
 
 
+  void Continuum::extrapolate_surface(const ContinuumState &state,
+                                      const double          dt,
+                                      Eigen::VectorXd      &displacement) const
+  {
+    displacement.resize(2 * static_cast<Eigen::Index>(impl->surface.size()));
+    for (std::size_t k = 0; k < impl->surface.size(); ++k)
+      for (int c = 0; c < 2; ++c)
+        {
+          const int i = 2 * impl->surface[k] + c;
+          displacement[2 * k + c] =
+            state.displacement[i] + dt * state.velocity[i] + 0.5 * dt * dt * state.acceleration[i];
+        }
+  }
+
+
+
   void Continuum::correct(ContinuumState        &state,
                           const double           dt,
                           const Eigen::VectorXd &surface_displacement,

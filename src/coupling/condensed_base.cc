@@ -3,15 +3,13 @@
 
 namespace hybrid::coupling
 {
-  const dda::BaseResponse &
-  CondensedBase::predict(const continuum::ContinuumState &state, const double dt)
+  const dda::BaseResponse &CondensedBase::predict(const continuum::ContinuumState &state,
+                                                  const double                     dt)
   {
     response.prescribed = false;
     response.stiffness  = &continuum.surface_stiffness(dt);
     response.load       = continuum.predict(state, dt);
-    if (last_displacement.size() != response.load.size())
-      last_displacement = Eigen::VectorXd::Zero(response.load.size());
-    response.displacement = last_displacement;
+    continuum.extrapolate_surface(state, dt, response.displacement);
     return response;
   }
 } // namespace hybrid::coupling

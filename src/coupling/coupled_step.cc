@@ -42,8 +42,7 @@ namespace hybrid::coupling
 
 
 
-  dda::StepResult
-  CoupledStep::solve(CoupledState &state, const double dt)
+  dda::StepResult CoupledStep::solve(CoupledState &state, const double dt)
   {
     dda::StepResult result;
     if (blocks == nullptr)

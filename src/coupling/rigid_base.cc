@@ -18,8 +18,8 @@ namespace hybrid::coupling
 
 
 
-  const dda::BaseResponse &
-  RigidBase::predict(const continuum::ContinuumState &state, const double dt)
+  const dda::BaseResponse &RigidBase::predict(const continuum::ContinuumState &state,
+                                              const double                     dt)
   {
     if (!motion.empty())
       {
@@ -32,11 +32,10 @@ namespace hybrid::coupling
 
 
 
-  void
-  RigidBase::correct(continuum::ContinuumState &state,
-                     const double               dt,
-                     const Eigen::VectorXd &,
-                     const Eigen::VectorXd &)
+  void RigidBase::correct(continuum::ContinuumState &state,
+                          const double               dt,
+                          const Eigen::VectorXd &,
+                          const Eigen::VectorXd &)
   {
     state.time += dt;
   }

@@ -90,6 +90,11 @@ namespace hybrid::continuum
     /// Forward substitution of the step from @p state to state.time + dt. @return g [N/m].
     const Eigen::VectorXd &predict(const ContinuumState &state, double dt);
 
+    /// Where the surface would be after @p dt with constant acceleration: a first guess of u_G [m].
+    void extrapolate_surface(const ContinuumState &state,
+                             double                dt,
+                             Eigen::VectorXd      &displacement) const;
+
     /// Backward substitution of the step that predict() began.
     /// @param surface_displacement u_G at the end of the step [m].
     /// @param surface_force lambda at the end of the step [N/m] (used for the energy only).

@@ -27,18 +27,15 @@ namespace hybrid::coupling
     virtual ~Base() = default;
 
     /// Nodes of the contact surface [m], left to right.
-    virtual const std::vector<Vec2> &
-    surface_nodes() const = 0;
+    virtual const std::vector<Vec2> &surface_nodes() const = 0;
 
-    virtual const dda::BaseResponse &
-    predict(const continuum::ContinuumState &state, double dt) = 0;
+    virtual const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) = 0;
 
     /// @param displacement of the surface nodes at the end of the step [m].
     /// @param force increments of the blocks' forces on them at the end of the step [N/m].
-    virtual void
-    correct(continuum::ContinuumState &state,
-            double                     dt,
-            const Eigen::VectorXd     &displacement,
-            const Eigen::VectorXd     &force) = 0;
+    virtual void correct(continuum::ContinuumState &state,
+                         double                     dt,
+                         const Eigen::VectorXd     &displacement,
+                         const Eigen::VectorXd     &force) = 0;
   };
 } // namespace hybrid::coupling

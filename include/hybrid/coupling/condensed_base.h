@@ -19,28 +19,23 @@ namespace hybrid::coupling
       : continuum(bedrock)
     {}
 
-    const std::vector<Vec2> &
-    surface_nodes() const override
+    const std::vector<Vec2> &surface_nodes() const override
     {
       return continuum.surface_nodes();
     }
 
-    const dda::BaseResponse &
-    predict(const continuum::ContinuumState &state, double dt) override;
+    const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) override;
 
-    void
-    correct(continuum::ContinuumState &state,
-            double                     dt,
-            const Eigen::VectorXd     &displacement,
-            const Eigen::VectorXd     &force) override
+    void correct(continuum::ContinuumState &state,
+                 double                     dt,
+                 const Eigen::VectorXd     &displacement,
+                 const Eigen::VectorXd     &force) override
     {
       continuum.correct(state, dt, displacement, force);
-      last_displacement = displacement;
     }
 
   private:
     continuum::Continuum &continuum;
     dda::BaseResponse     response;
-    Eigen::VectorXd       last_displacement; ///< where the iteration starts [m]
   };
 } // namespace hybrid::coupling

@@ -29,11 +29,9 @@ namespace hybrid::coupling
     /// with blocks there is always a base. All must outlive the step.
     CoupledStep(dda::BlockSolver *blocks, Base *base, continuum::Continuum *continuum);
 
-    dda::StepResult
-    solve(CoupledState &state, double dt);
+    dda::StepResult solve(CoupledState &state, double dt);
 
-    const StepTimings &
-    timings() const
+    const StepTimings &timings() const
     {
       return elapsed;
     }

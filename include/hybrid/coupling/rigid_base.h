@@ -13,22 +13,22 @@ namespace hybrid::coupling
     /// @param nodes of the surface [m]; may be empty.
     /// @param motion prescribed; may be empty (fixed base).
     /// @param direction unit vector of shaking.  @param start_time of the motion [s].
-    RigidBase(std::vector<Vec2> nodes, const scene::Motion &motion, const Vec2 &direction, double start_time);
+    RigidBase(std::vector<Vec2>    nodes,
+              const scene::Motion &motion,
+              const Vec2          &direction,
+              double               start_time);
 
-    const std::vector<Vec2> &
-    surface_nodes() const override
+    const std::vector<Vec2> &surface_nodes() const override
     {
       return nodes;
     }
 
-    const dda::BaseResponse &
-    predict(const continuum::ContinuumState &state, double dt) override;
+    const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) override;
 
-    void
-    correct(continuum::ContinuumState &state,
-            double                     dt,
-            const Eigen::VectorXd     &displacement,
-            const Eigen::VectorXd     &force) override;
+    void correct(continuum::ContinuumState &state,
+                 double                     dt,
+                 const Eigen::VectorXd     &displacement,
+                 const Eigen::VectorXd     &force) override;
 
   private:
     const std::vector<Vec2> nodes;
