@@ -7,6 +7,18 @@ import style
 from run_data import MissingData
 
 
+def depth_of_slip(run, path):
+    """Depth of the sliding surface [m]: recorded, or where the surface passes under the borehole; None if unknown."""
+    recorded = run.attribute(path, "slip_depth_m")
+    position = run.attribute(path, "position")
+    if recorded is not None or position is None or not run.has("section/surface"):
+        return recorded
+    surface = run.get("section/surface")
+    surface = surface[np.argsort(surface[:, 0])]
+    x, top = position[:2]
+    return top - np.interp(x, surface[:, 0], surface[:, 1]) if surface[0, 0] <= x <= surface[-1, 0] else None
+
+
 def draw_profile(run, axes, name, with_legend=True):
     path = "profiles/" + name
     depth = run.get(path + "/depth")
@@ -26,7 +38,7 @@ def draw_profile(run, axes, name, with_legend=True):
         measured_depth = run.attribute(path, "measured_depth_m", np.zeros_like(np.atleast_1d(measured)))
         axes.plot(1e-3 * factor * np.atleast_1d(measured), np.atleast_1d(measured_depth), "D", color=style.TENSILE,
                   ms=6, mec="white", mew=0.8, ls="none", label="measured", clip_on=False, zorder=5)
-    slip_depth = run.attribute(path, "slip_depth_m")
+    slip_depth = depth_of_slip(run, path)
     if slip_depth is not None:
         axes.axhline(slip_depth, color=style.SLIP, lw=1.2)
         axes.annotate("sliding surface", (1, slip_depth), (0, 3), xycoords=("axes fraction", "data"),

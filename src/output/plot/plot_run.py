@@ -22,6 +22,18 @@ from run_data import MissingData, RunData  # isort: skip
 FIGURES = (input_motion, monitor_histories, boreholes, section_view, energy_balance, step_costs, overview)
 
 
+def draw_growing(figure, run, figures, attempts=3):
+    """Draw; a file that grew while it was read (the run goes on) is opened anew."""
+    for attempt in range(attempts):
+        try:
+            figure.draw(run, figures)
+            return
+        except OSError:
+            if attempt == attempts - 1:
+                raise
+            run.reopen()
+
+
 def main(directory):
     style.apply()
     try:
@@ -34,7 +46,7 @@ def main(directory):
     failed = 0
     for figure in FIGURES:
         try:
-            figure.draw(run, figures)
+            draw_growing(figure, run, figures)
         except MissingData as reason:
             print("%s: left out, %s" % (figure.__name__, reason))
         except Exception:

@@ -39,20 +39,34 @@ def low_pass(series, dt, corner):
 class RunData:
     def __init__(self, directory):
         self.directory = directory
+        self.reopen()
+
+    def reopen(self):
+        """What the file says now: a run that goes on writes while it is read."""
+        if getattr(self, "file", None):
+            self.file.close()
+        directory = self.directory
         self.file = h5py.File(os.path.join(directory, "run.h5"), "r")
-        self.summary = {}
-        summary = os.path.join(directory, "summary.json")
-        if os.path.exists(summary):
-            with open(summary, encoding="utf-8") as text:
-                self.summary = json.load(text)
-        self.corner = self.summary.get("filter_frequency_hz", 25.0)
         self.time = self.file["time"][:] if "time" in self.file else np.zeros(0)
+        self.summary = self._read_summary()
+        self.corner = self.summary.get("filter_frequency_hz", 25.0)
         # The run may be going on: its series can differ by the rows of the last flush.
         histories = [d for g in ("monitors", "input") if g in self.file for d in self._data_sets(self.file[g])]
         self.n = min([len(self.time)] + [len(d) for d in histories])
         self.time = self.time[: self.n]
         self.downhill = float(self.file.attrs.get("downhill_sign", -1.0))
         self.base = self.text(self.file.attrs.get("base_monitor", ""))
+
+    def _read_summary(self):
+        """summary.json, unless it is that of an earlier run in the same directory."""
+        summary = os.path.join(self.directory, "summary.json")
+        if not os.path.exists(summary):
+            return {}
+        with open(summary, encoding="utf-8") as text:
+            found = json.load(text)
+        simulated = found.get("simulated_time_s", 0.0)
+        ended = len(self.time) == 0 or abs(self.time[-1] - simulated) <= 1e-6 * max(simulated, 1e-9)
+        return found if ended else {}
 
     @staticmethod
     def text(value):
