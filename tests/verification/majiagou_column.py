@@ -187,7 +187,8 @@ class Comparison:
 
 
 def compare_boreholes(scene):
-    """Relative horizontal displacement along the boreholes, at five depths above the sliding surface."""
+    """Horizontal displacement along the boreholes relative to the base, and of the ground relative to the lowest point
+    above the sliding surface."""
     rows = []
     for name in scene.run.names("profiles"):
         depth = scene.run.get("profiles/%s/depth" % name)
@@ -199,6 +200,13 @@ def compare_boreholes(scene):
             place = "%s, %.1f m deep" % (name, depth[k])
             peaks = peak(computed[:, k]), peak(history[0])
             rows.append(Comparison(place, "relative displacement", "m", *peaks, depth=depth[k]))
+        above_slip = np.argsort(depth)[-2]
+        strain = computed[:, np.argmin(depth)] - computed[:, above_slip]
+        heads = scene.column(top[0], top[1]).histories(
+            [top[1], top[1] - depth[above_slip]], scene.acceleration, scene.time[1]
+        )
+        peaks = peak(strain), peak(heads[0][0] - heads[1][0])
+        rows.append(Comparison(name + ", without slip", "ground to %.1f m deep" % depth[above_slip], "m", *peaks))
     return rows
 
 
