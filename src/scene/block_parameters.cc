@@ -60,11 +60,13 @@ namespace hybrid::scene
                    "N/m",
                    ParameterRange::at_least(0.),
                    "Energy G_f per area that opening a joint takes; 0 is brittle.");
-    section.number("Softening slip",
-                   blocks.softening_slip,
-                   "m",
-                   ParameterRange::at_least(0.),
-                   "Slip over which the shear strength of a joint falls to its residual.");
+    section.number(
+      "Softening slip",
+      blocks.softening_slip,
+      "m",
+      ParameterRange::at_least(0.),
+      "Slip over which the shear strength of a joint falls to its residual; clays need 0.1 to "
+      "0.5 m (Skempton 1985), rock joints millimetres.");
     section.number(
       "Damping ratio",
       blocks.damping_ratio,

@@ -103,9 +103,8 @@ namespace hybrid::scene
     double penalty_ratio   = 40.;   ///< alpha: joint stiffness k_n = alpha E / h [-], > 1
     double shear_ratio     = 1.;    ///< k_s / k_n [-], (0, 1]
     double fracture_energy = 10.;   ///< G_f [N/m] (J/m2), >= 0; 0 is brittle
-    double softening_slip =
-      1e-3; ///< slip over which shear strength falls to its residual [m], >= 0
-    double damping_ratio     = 0.; ///< stiffness-proportional damping of blocks and joints [-]
+    double softening_slip = 0.1; ///< slip over which shear strength falls to its residual [m], >= 0
+    double damping_ratio  = 0.;  ///< stiffness-proportional damping of blocks and joints [-]
     double damping_frequency = 2.; ///< frequency at which it holds [Hz], > 0
     bool   stiffness_correction =
       true; ///< take the joints' compliance off the blocks' (design: bonds cost stiffness)
@@ -162,10 +161,10 @@ namespace hybrid::scene
   /// A named vertical line along which displacement is recorded.
   struct Borehole
   {
-    std::string name;
-    Vec2        top;    ///< [m]
-    Vec2        bottom; ///< [m]
-    int         samples = 21;
+    std::string         name;
+    Vec2                top;    ///< [m]
+    Vec2                bottom; ///< [m]
+    int                 samples = 21;
     std::vector<double> measured_depth; ///< depths of measured values below the top [m]
     std::vector<double> measured_mm;    ///< measured downhill displacements there [mm]; only drawn
   };
