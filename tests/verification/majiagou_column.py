@@ -234,8 +234,8 @@ def compare_monitors(scene):
     return rows
 
 
-def print_table(rows):
-    print("%-18s %-24s %11s %11s %-5s %6s" % ("horizontal peak", "", "2D run", "1D column", "", "ratio"))
+def print_table(rows, other="1D column"):
+    print("%-18s %-24s %11s %11s %-5s %6s" % ("horizontal peak", "", "2D run", other, "", "ratio"))
     for row in rows:
         print(row)
 
