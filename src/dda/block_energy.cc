@@ -31,12 +31,14 @@ namespace hybrid::dda
           const Mat6            &m = step.mass[b];
           const Vec6            &d = step.trial.increment[b], &v = step.trial.rate[b];
           const Vec6            &a      = step.acceleration[b];
-          const Vec6             change = a - s.acceleration;
+          const Vec6             start  = s.acceleration - s.contact_acceleration;
+          const Vec6             change = a - start;
           kinetic_before += 0.5 * s.velocity.dot(m * s.velocity);
-          newmark_before += 0.5 * term * dt * dt * s.acceleration.dot(m * s.acceleration);
+          newmark_before += 0.5 * term * dt * dt * start.dot(m * start);
           energy.kinetic += 0.5 * v.dot(m * v);
           energy.newmark += 0.5 * term * dt * dt * a.dot(m * a);
-          energy.integration_loss += excess * term * dt * dt * change.dot(m * change);
+          energy.integration_loss +=
+            term * dt * dt * (excess * change + step.contact_acceleration[b]).dot(m * change);
 
           const Eigen::Vector3d e = d.tail<3>(), stiff = p.elasticity * e;
           energy.strain += p.area * strain_energy_density(p.elasticity, s.stress + stiff);
@@ -48,7 +50,8 @@ namespace hybrid::dda
               stiff.dot((1. - nm.gamma) * s.velocity.tail<3>() + nm.gamma * v.tail<3>());
         }
       energy.damping_loss += (1. - k01 * k01) * kinetic_before;
-      // A new step size changes the scheme's acceleration term.
+      // The scheme's acceleration term changes with the step size, and when a joint becomes a
+      // contact.
       energy.integration_loss += step.before.energy.newmark - newmark_before;
     }
 
@@ -64,8 +67,9 @@ namespace hybrid::dda
         {
           const Springs::Spring &spring = step.springs.springs[i];
           const SpringState     &old = spring.old, &now = step.springs.responses[i].now;
+          const double           w        = spring.unilateral ? 1. : gamma;
           const auto             weighted = [&](const double start, const double end) {
-            return (1. - gamma) * start + gamma * end;
+            return (1. - w) * start + w * end;
           };
           const double gap = now.gap - old.gap, slip = now.slip - old.slip;
           const double work =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/model_builder.h>
 #include <hybrid/dda/polygon.h>
+#include <hybrid/dda/start_accelerations.h>
 #include <hybrid/scene/input_error.h>
 
 #include <algorithm>
@@ -339,10 +340,12 @@ namespace hybrid::dda
       state.blocks[b].centroid =
         polygon_moments(&g.vertices[g.offset[b]], g.offset[b + 1] - g.offset[b]).centroid;
     state.joints.resize(model.joints.size());
-    const Eigen::Index n    = 2 * model.n_base_nodes();
-    state.base_displacement = Eigen::VectorXd::Zero(n);
-    state.base_force        = Eigen::VectorXd::Zero(n);
-    state.static_force      = Eigen::VectorXd::Zero(n);
+    const Eigen::Index n     = 2 * model.n_base_nodes();
+    state.base_displacement  = Eigen::VectorXd::Zero(n);
+    state.base_force         = Eigen::VectorXd::Zero(n);
+    state.static_force       = Eigen::VectorXd::Zero(n);
+    state.base_contact_force = Eigen::VectorXd::Zero(n);
+    start_accelerations(model, state);
     return state;
   }
 } // namespace hybrid::dda

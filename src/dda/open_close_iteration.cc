@@ -2,12 +2,25 @@
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/open_close_iteration.h>
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
 namespace hybrid::dda
 {
+  namespace
+  {
+    /// Weight of contact forces beside M (d - d*) / (beta dt^2), for their dt^2/2 in d.
+    double contact_weight(const Newmark &newmark)
+    {
+      return 0.5 / newmark.beta;
+    }
+  } // namespace
+
+
+
   void OpenCloseIteration::predict(const Model        &model,
                                    const DdaState     &state,
                                    const BaseResponse &base,
@@ -24,15 +37,17 @@ namespace hybrid::dda
     predicted.resize(n);
     predicted_rate.resize(n);
     acceleration.resize(n);
+    contact_acceleration.resize(n);
     scale.setOnes(6 * n + 2 * m);
     for (int b = 0; b < n; ++b)
       {
         const BlockState &block = state.blocks[b];
         const Vec6        v     = model.dynamic_coefficient * block.velocity;
+        const Vec6        a     = block.acceleration - block.contact_acceleration;
         mass[b]                 = mass_matrix(model.blocks[b], block.rotation);
-        predicted[b]            = dt * v + dt * dt * (0.5 - beta) * block.acceleration;
-        predicted_rate[b]       = v + dt * (1. - gamma) * block.acceleration;
-        trial.increment[b]      = predicted[b] + beta * dt * dt * block.acceleration;
+        predicted[b]            = dt * v + dt * dt * (0.5 - beta) * a;
+        predicted_rate[b]       = v + dt * (1. - gamma) * a;
+        trial.increment[b]      = dt * v + 0.5 * dt * dt * block.acceleration; // as if all stays
         scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
       }
     assert(base.displacement.size() == 2 * m);
@@ -55,37 +70,61 @@ namespace hybrid::dda
 
 
 
+  Vec6 OpenCloseIteration::acceleration_by_contacts(const int block) const
+  {
+    const Vec6 force = contact_force.segment<6>(6 * block);
+    if (force.isZero(0.))
+      return Vec6::Zero();
+    return mass[block].llt().solve(force);
+  }
+
+
+
+  Vec6 OpenCloseIteration::end_rate(const Newmark &newmark,
+                                    const int      block,
+                                    const Vec6    &by_contacts) const
+  {
+    // Newmark's formula gives gamma / (2 beta) of the contacts' impulse: the rest is added.
+    const double dt = trial.dt, part = newmark.gamma / newmark.beta;
+    return predicted_rate[block] + part / dt * (trial.increment[block] - predicted[block]) +
+           dt * (1. - 0.5 * part) * by_contacts;
+  }
+
+
+
   double
   OpenCloseIteration::evaluate(const Model &model, const DdaState &state, const BaseResponse &base)
   {
     const int    n = model.n_blocks(), m = model.n_base_nodes();
-    const double dt = trial.dt, beta = model.newmark.beta, gamma = model.newmark.gamma;
-    for (int b = 0; b < n; ++b)
-      trial.rate[b] = predicted_rate[b] + gamma / (beta * dt) * (trial.increment[b] - predicted[b]);
+    const double dt = trial.dt, beta = model.newmark.beta, weight = contact_weight(model.newmark);
     move(state);
     springs.evaluate(model, state, trial);
 
     residual.setZero(6 * n + 2 * m);
+    contact_force.setZero(6 * n + 2 * m);
     absolute.setZero(n);
+    springs.add_forces(trial, residual, contact_force, absolute);
     for (int b = 0; b < n; ++b)
       {
         const BlockProperties &p = model.blocks[b];
-        const Vec6 inertia = mass[b] * ((trial.increment[b] - predicted[b]) / (beta * dt * dt));
-        const Eigen::Vector3d stress =
-          state.blocks[b].stress +
-          p.elasticity * (trial.increment[b].tail<3>() + p.damping_time * trial.rate[b].tail<3>());
-        Eigen::Map<Vec6> r(residual.data() + 6 * b);
-        r = -inertia;
+        const Vec6 inertia     = mass[b] * ((trial.increment[b] - predicted[b]) / (beta * dt * dt));
+        Eigen::Vector3d strain = trial.increment[b].tail<3>();
+        if (p.damping_time > 0.)
+          strain +=
+            p.damping_time * end_rate(model.newmark, b, acceleration_by_contacts(b)).tail<3>();
+        const Eigen::Vector3d stress = state.blocks[b].stress + p.elasticity * strain;
+        Eigen::Map<Vec6>      r(residual.data() + 6 * b);
+        r += weight * contact_force.segment<6>(6 * b) - inertia;
         r[1] -= p.weight * model.gravity;
         r.tail<3>() -= p.area * stress;
         // The last term is the round-off of a body that only flies: there no force is left to
         // compare with.
-        absolute[b] = inertia.head<2>().norm() + p.weight * model.gravity + p.size * stress.norm() +
-                      1e-5 * p.mass * trial.increment[b].head<2>().norm() / (dt * dt);
+        absolute[b] += inertia.head<2>().norm() + p.weight * model.gravity +
+                       p.size * stress.norm() +
+                       1e-5 * p.mass * trial.increment[b].head<2>().norm() / (dt * dt);
       }
-    springs.add_forces(trial, residual, absolute);
 
-    force_increment = residual.tail(2 * m) - state.static_force;
+    force_increment = residual.tail(2 * m) + contact_force.tail(2 * m) - state.static_force;
     if (base.prescribed)
       residual.tail(2 * m).setZero();
     else
@@ -113,7 +152,10 @@ namespace hybrid::dda
         matrix.diagonal[b].bottomRightCorner<3, 3>() +=
           p.area * (1. + p.damping_time * gamma / (beta * dt)) * p.elasticity;
       }
-    springs.add_stiffness(trial, follow_softening, matrix);
+    const double weight = contact_weight(model.newmark);
+    springs.add_stiffness(trial, {follow_softening, weight}, matrix);
+    if (!base.prescribed && weight != 1. && springs.pushes_base())
+      matrix.symmetric = false;
     if (base.prescribed)
       {
         // Prescribed nodes: no coupling, unit diagonal.
@@ -148,7 +190,7 @@ namespace hybrid::dda
             result.displacement_ratio = ratio;
             result.largest_block      = b;
           }
-        const Vec6 inertia = mass[b] * acceleration[b];
+        const Vec6 inertia = mass[b] * (acceleration[b] + contact_acceleration[b]);
         unbalanced +=
           inertia.head<2>().squaredNorm() + inertia.tail<4>().squaredNorm() / (size * size);
       }
@@ -248,12 +290,54 @@ namespace hybrid::dda
       }
     if (!result.converged)
       return result;
-    for (int b = 0; b < model.n_blocks(); ++b)
-      acceleration[b] =
-        (trial.increment[b] - predicted[b]) / (model.newmark.beta * trial.dt * trial.dt);
+    finish(model);
     judge(model, result);
     result.converged = result.displacement_ratio <= model.iteration.maximum_displacement_ratio;
     return result;
+  }
+
+
+
+  void OpenCloseIteration::finish(const Model &model)
+  {
+    const double inertia = 1. / (model.newmark.beta * trial.dt * trial.dt);
+    for (int b = 0; b < model.n_blocks(); ++b)
+      {
+        const Vec6 c            = acceleration_by_contacts(b);
+        contact_acceleration[b] = c;
+        acceleration[b] =
+          inertia * (trial.increment[b] - predicted[b]) - contact_weight(model.newmark) * c;
+        trial.rate[b] = end_rate(model.newmark, b, c);
+      }
+  }
+
+
+
+  void OpenCloseIteration::hand_over_contacts(const Model &model, DdaState &state) const
+  {
+    const int       n = model.n_blocks();
+    Eigen::VectorXd torn; // forces of joints that are contacts from now on
+    for (std::size_t s = 0; s < springs.springs.size(); ++s)
+      {
+        const Springs::Spring &spring = springs.springs[s];
+        if (spring.unilateral || !(state.joints[spring.joint].released ||
+                                   spring.law->broken_in_tension(springs.responses[s].now.history)))
+          continue;
+        if (torn.size() == 0)
+          torn = Eigen::VectorXd::Zero(contact_force.size());
+        springs.add_force(s, trial, torn);
+      }
+    state.base_contact_force = contact_force.tail(2 * model.n_base_nodes());
+    if (torn.size() > 0)
+      state.base_contact_force += torn.tail(2 * model.n_base_nodes());
+    for (int b = 0; b < n; ++b)
+      {
+        Vec6 c = contact_acceleration[b];
+        if (torn.size() > 0)
+          c += mass[b].llt().solve(torn.segment<6>(6 * b));
+        const BlockMotion &move              = trial.motion[b];
+        state.blocks[b].contact_acceleration = rotated_rates(c, move.cosine, move.sine);
+      }
   }
 
 
@@ -290,9 +374,12 @@ namespace hybrid::dda
   {
     const int    n  = model.n_blocks();
     const double dt = trial.dt;
-    state.energy    = audit_step({model, state, trial, springs, mass, acceleration});
-    state.energy.base_work -= ((1. - model.newmark.gamma) * state.base_force +
-                               model.newmark.gamma * (force_increment + state.static_force))
+    state.energy =
+      audit_step({model, state, trial, springs, mass, acceleration, contact_acceleration});
+    const double          gamma    = model.newmark.gamma;
+    const Eigen::VectorXd contacts = contact_force.tail(2 * model.n_base_nodes());
+    state.energy.base_work -= ((1. - gamma) * (state.base_force - state.base_contact_force) +
+                               gamma * (force_increment + state.static_force - contacts) + contacts)
                                 .dot(trial.base - state.base_displacement);
     state.time += dt;
 
@@ -302,8 +389,9 @@ namespace hybrid::dda
         const BlockMotion &move  = trial.motion[b];
         block.centroid           = move.centroid;
         block.rotation += trial.increment[b][2];
-        block.velocity     = rotated_rates(trial.rate[b], move.cosine, move.sine);
-        block.acceleration = rotated_rates(acceleration[b], move.cosine, move.sine);
+        block.velocity = rotated_rates(trial.rate[b], move.cosine, move.sine);
+        block.acceleration =
+          rotated_rates(acceleration[b] + contact_acceleration[b], move.cosine, move.sine);
         block.stress =
           rotated_stress(block.stress + model.blocks[b].elasticity * trial.increment[b].tail<3>(),
                          move.cosine,
@@ -334,5 +422,6 @@ namespace hybrid::dda
         contact.plastic_slip  = response.now.history.plastic_slip;
         contact.state         = response.now.state;
       }
+    hand_over_contacts(model, state);
   }
 } // namespace hybrid::dda

@@ -122,13 +122,14 @@ namespace hybrid::dda
         for (int end = 0; end < 2; ++end)
           {
             Spring s;
-            s.block  = joint.block;
-            s.other  = joint.other;
-            s.joint  = static_cast<int>(j);
-            s.end    = end;
-            s.law    = &joint.law;
-            s.length = 0.5 * joint.length;
-            s.old    = state.joints[j].points[end];
+            s.block      = joint.block;
+            s.other      = joint.other;
+            s.joint      = static_cast<int>(j);
+            s.end        = end;
+            s.law        = &joint.law;
+            s.length     = 0.5 * joint.length;
+            s.old        = state.joints[j].points[end];
+            s.unilateral = joint.law.broken_in_tension(s.old.history);
             if (joint.other == base_body)
               {
                 s.node[0] = s.node[1] = joint.points[end].other_vertex;
@@ -154,11 +155,12 @@ namespace hybrid::dda
         const int         owner         = node_on_block ? contact.edge_body : contact.vertex_body;
         const ContactLaw &law = on_base ? model.base_contact[owner] : model.block_contact[owner];
         Spring            s;
-        s.block   = owner;
-        s.other   = on_base ? base_body : contact.edge_body;
-        s.contact = static_cast<int>(c);
-        s.law     = &law.law;
-        s.length  = law.length;
+        s.block      = owner;
+        s.other      = on_base ? base_body : contact.edge_body;
+        s.contact    = static_cast<int>(c);
+        s.unilateral = true;
+        s.law        = &law.law;
+        s.length     = law.length;
         if (on_base)
           {
             s.node[0] = node_on_block ? contact.vertex : contact.edge;
@@ -307,52 +309,73 @@ namespace hybrid::dda
 
 
 
+  double
+  Springs::add_force(const std::size_t number, const Trial &trial, Eigen::VectorXd &forces) const
+  {
+    const Spring   &spring   = springs[number];
+    const Response &response = responses[number];
+    const int       nodes    = 6 * static_cast<int>(trial.motion.size());
+    const Vec2      force    = spring.length * (response.now.normal * response.normal +
+                                        response.now.shear * response.tangent);
+    Eigen::Map<Vec6>(forces.data() + 6 * spring.block) -=
+      trial.motion[spring.block].gradient(response.place, force);
+    if (spring.other != base_body)
+      Eigen::Map<Vec6>(forces.data() + 6 * spring.other) +=
+        trial.motion[spring.other].gradient(response.place, force);
+    else
+      for (int k = 0; k < 2; ++k)
+        {
+          forces[nodes + 2 * spring.node[k]] += response.weight[k] * force.x();
+          forces[nodes + 2 * spring.node[k] + 1] += response.weight[k] * force.y();
+        }
+    return force.norm();
+  }
+
+
+
   void Springs::add_forces(const Trial     &trial,
-                           Eigen::VectorXd &residual,
+                           Eigen::VectorXd &bonds,
+                           Eigen::VectorXd &contacts,
                            Eigen::VectorXd &absolute) const
   {
-    const int nodes = 6 * static_cast<int>(trial.motion.size());
     for (std::size_t s = 0; s < springs.size(); ++s)
       {
-        const Spring   &spring   = springs[s];
-        const Response &response = responses[s];
-        if (response.now.normal == 0. && response.now.shear == 0.)
+        const Spring &spring = springs[s];
+        if (responses[s].now.normal == 0. && responses[s].now.shear == 0.)
           continue;
-        const Vec2   force = spring.length * (response.now.normal * response.normal +
-                                            response.now.shear * response.tangent);
-        const double size  = force.norm();
-        Eigen::Map<Vec6>(residual.data() + 6 * spring.block) -=
-          trial.motion[spring.block].gradient(response.place, force);
+        const double size = add_force(s, trial, spring.unilateral ? contacts : bonds);
         absolute[spring.block] += size;
         if (spring.other != base_body)
-          {
-            Eigen::Map<Vec6>(residual.data() + 6 * spring.other) +=
-              trial.motion[spring.other].gradient(response.place, force);
-            absolute[spring.other] += size;
-          }
-        else
-          for (int k = 0; k < 2; ++k)
-            {
-              residual[nodes + 2 * spring.node[k]] += response.weight[k] * force.x();
-              residual[nodes + 2 * spring.node[k] + 1] += response.weight[k] * force.y();
-            }
+          absolute[spring.other] += size;
       }
   }
 
 
 
-  void
-  Springs::add_stiffness(const Trial &trial, const bool follow_softening, BlockMatrix &matrix) const
+  bool Springs::pushes_base() const
   {
+    for (std::size_t s = 0; s < springs.size(); ++s)
+      if (springs[s].unilateral && springs[s].other == base_body &&
+          responses[s].normal_by_gap != 0.)
+        return true;
+    return false;
+  }
+
+
+
+  void Springs::add_stiffness(const Trial &trial, const Tangent &tangent, BlockMatrix &matrix) const
+  {
+    const double floor = tangent.follow_softening ? -std::numeric_limits<double>::infinity() : 0.;
     for (std::size_t s = 0; s < springs.size(); ++s)
       {
         const Spring   &spring   = springs[s];
         const Response &response = responses[s];
-        const double    floor    = follow_softening ? -std::numeric_limits<double>::infinity() : 0.;
-        const double    nn       = spring.length * std::max(floor, response.normal_by_gap);
-        const double    tt       = spring.length * std::max(floor, response.shear_by_slip);
-        const double    tn       = follow_softening || response.normal_by_gap >= 0.
-                                     ? spring.length * response.shear_by_gap
+        const double    weight   = spring.unilateral ? tangent.contact_weight : 1.;
+        const double    length   = weight * spring.length;
+        const double    nn       = length * std::max(floor, response.normal_by_gap);
+        const double    tt       = length * std::max(floor, response.shear_by_slip);
+        const double    tn       = tangent.follow_softening || response.normal_by_gap >= 0.
+                                     ? length * response.shear_by_gap
                                      : 0.;
         if (nn == 0. && tt == 0. && tn == 0.)
           continue;
@@ -368,7 +391,9 @@ namespace hybrid::dda
         matrix.diagonal[spring.block].noalias() += p.transpose() * dp;
         if (spring.other == base_body)
           {
-            add_base_stiffness(spring, response, p, {nn, tt, tn}, matrix);
+            Eigen::Matrix2d d;
+            d << nn / weight, 0., tn / weight, tt / weight;
+            add_base_stiffness(spring, response, p, d, weight, matrix);
             continue;
           }
         Eigen::Matrix<double, 2, 6> q, dq;
@@ -390,17 +415,16 @@ namespace hybrid::dda
   void Springs::add_base_stiffness(const Spring                      &spring,
                                    const Response                    &response,
                                    const Eigen::Matrix<double, 2, 6> &gradient,
-                                   const Eigen::Vector3d             &stiffness,
+                                   const Eigen::Matrix2d             &stiffness,
+                                   const double                       weight,
                                    BlockMatrix                       &matrix)
   {
     Eigen::Matrix2d axes; // rows: normal, tangent
-    axes.row(0) = response.normal;
-    axes.row(1) = response.tangent;
-    Eigen::Matrix2d d;
-    d << stiffness[0], 0., stiffness[2], stiffness[1];
-    const Eigen::Matrix2d             nodal = axes.transpose() * d * axes;
-    const Eigen::Matrix<double, 6, 2> right = gradient.transpose() * d * axes;
-    const Eigen::Matrix<double, 2, 6> left  = axes.transpose() * d * gradient;
+    axes.row(0)                             = response.normal;
+    axes.row(1)                             = response.tangent;
+    const Eigen::Matrix2d             nodal = axes.transpose() * stiffness * axes;
+    const Eigen::Matrix<double, 6, 2> right = weight * gradient.transpose() * stiffness * axes;
+    const Eigen::Matrix<double, 2, 6> left  = axes.transpose() * stiffness * gradient;
     for (int i = 0; i < 2; ++i)
       {
         const double w = response.weight[i];

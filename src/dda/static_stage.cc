@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/block_solver.h>
+#include <hybrid/dda/start_accelerations.h>
 #include <hybrid/dda/static_stage.h>
 
 #include <algorithm>
@@ -10,7 +11,7 @@ namespace hybrid::dda
   namespace
   {
     constexpr double target_residual = 1e-9;
-    constexpr double first_step      = 0.02; ///< pseudo time step [s]
+    constexpr double first_step      = 0.0156; ///< pseudo time step [s]
     constexpr double smallest_step   = 1e-5;
     constexpr double largest_step    = 1e3;
     constexpr int    maximum_steps   = 400;
@@ -24,18 +25,21 @@ namespace hybrid::dda
         {
           block.velocity.setZero();
           block.acceleration.setZero();
+          block.contact_acceleration.setZero();
         }
     }
 
 
 
-    /// The same problem without damping, solved more exactly than a dynamic step.
+    /// The same problem without damping, solved more exactly than a dynamic step, at any choice
+    /// of scheme with contacts and all other forces balanced at the end of the step.
     Model static_model(const Model &model, const bool held)
     {
       Model copy              = model;
       copy.joint_damping_time = 0.;
       for (BlockProperties &block : copy.blocks)
         block.damping_time = 0.;
+      copy.newmark             = Newmark::preset("shi");
       copy.dynamic_coefficient = 1.;
       copy.iteration.tolerance = 0.1 * target_residual;
       if (held)
@@ -89,6 +93,7 @@ namespace hybrid::dda
       }
 
     stop_blocks(state);
+    start_accelerations(model, state);
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
       result.largest_displacement = std::max(result.largest_displacement,
                                              (state.blocks[b].centroid - start[b].centroid).norm());

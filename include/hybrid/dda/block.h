@@ -37,7 +37,8 @@ namespace hybrid::dda
     Vec2            centroid = Vec2::Zero(); ///< [m]
     double          rotation = 0.;           ///< since the start [rad]
     Vec6            velocity = Vec6::Zero(); ///< rates of the six unknowns, in the current frame
-    Vec6            acceleration = Vec6::Zero();
+    Vec6            acceleration         = Vec6::Zero();
+    Vec6            contact_acceleration = Vec6::Zero(); ///< contacts' part of it, see Springs
     Eigen::Vector3d stress =
       Eigen::Vector3d::Zero(); ///< elastic (xx, yy, xy) [Pa], tension positive
   };

@@ -30,9 +30,11 @@ namespace hybrid::dda
    * Finds the increments d of all blocks and the displacement w of the base
    * nodes so that at the end of the step inertia, stresses, joints, contacts
    * and weight balance,
-   *   M a(d) + A_0 (s + D e(d) + b_K D e'(d)) = W + sum G^T f(d, w),
+   *   M (a(d) - (1/(2 beta)) c) + A_0 (s + D e(d) + b_K D e'(d)) = W + sum of bonds G^T f(d, w),
+   *   M c = sum of contacts G^T f(d, w),
    *   S w = g + f_base - f_static,
-   * with gaps and slips of the exact finite motion and contact states that
+   * where c acts through the whole step (see Springs: (d - d*) / (beta dt^2) =
+   * a + c / (2 beta)), with gaps and slips of the exact finite motion and contact states that
    * agree with the forces. Newton's method with the symmetric tangent and a
    * line search; the tangent is kept as long as it serves. Not converged is a status: the
    * state is changed only by accept().
@@ -68,8 +70,10 @@ namespace hybrid::dda
     std::vector<Mat6> mass;
     std::vector<Vec6> predicted; ///< Newmark's d*: a = (d - d*) / (beta dt^2)
     std::vector<Vec6> predicted_rate;
-    std::vector<Vec6> acceleration; ///< at the end of the solved step, not yet turned
+    std::vector<Vec6> acceleration; ///< of all but contacts, end of the solved step, not yet turned
+    std::vector<Vec6> contact_acceleration; ///< of contacts, likewise
     Eigen::VectorXd   residual, absolute, scale, update, force_increment;
+    Eigen::VectorXd   contact_force;         ///< of unilateral springs on blocks and base nodes
     double            tangent_dt      = -1.; ///< step of the tangent in matrix
     int               tangent_pattern = -1;
     double            reference       = 0.; ///< norm of absolute forces [N]
@@ -77,6 +81,12 @@ namespace hybrid::dda
     void predict(const Model &model, const DdaState &state, const BaseResponse &base, double dt);
 
     void move(const DdaState &state);
+
+    /// Acceleration of a block by the contacts' forces in the trial.
+    Vec6 acceleration_by_contacts(int block) const;
+
+    /// Velocity of a block at the end of the trial.
+    Vec6 end_rate(const Newmark &newmark, int block, const Vec6 &by_contacts) const;
 
     double evaluate(const Model &model, const DdaState &state, const BaseResponse &base);
 
@@ -88,5 +98,12 @@ namespace hybrid::dda
     double search_line(const Model &model, const DdaState &state, const BaseResponse &base);
 
     void judge(const Model &model, StepResult &result) const;
+
+    /// Rates and accelerations of the solved step.
+    void finish(const Model &model);
+
+    /// Joints that are torn or released in this step hand nothing to the next one either: the
+    /// contacts' part of accelerations and of the base force is set in @p state.
+    void hand_over_contacts(const Model &model, DdaState &state) const;
   };
 } // namespace hybrid::dda

@@ -30,6 +30,15 @@ namespace hybrid::dda
    * another block or the base) with a normal from P to Q. The force on Q is
    * N n + T t times the length, the opposite acts on P, both at one place, so
    * action equals reaction in force and moment.
+   *
+   * Unilateral springs (contacts, and ends of joints torn for good) are
+   * integrated implicitly: their force at the end of the step acts on the
+   * blocks through the whole step, d = ... + dt^2/2 M^-1 F, v = ... + dt M^-1 F,
+   * and is gone when the step is over. In Newmark's own weights the force that
+   * a contact had when the step began would go on pushing while it opens, and
+   * give back more than the spring stored (after Kane, Repetto, Ortiz and
+   * Marsden 1999; with their weight beta / gamma instead of 1/2 a block at rest
+   * would keep a velocity unless beta = gamma / 2).
    */
   class Springs
   {
@@ -37,13 +46,14 @@ namespace hybrid::dda
     /// Fixed data of one spring during a step.
     struct Spring
     {
-      int block;                         ///< of P
-      int other;                         ///< block of Q, or base_body
-      int node[2]            = {0, 0};   ///< base nodes of Q
-      int slot[2]            = {-1, -1}; ///< in the block matrix: pair of blocks, or block and node
-      int joint              = -1;       ///< number of the joint, or -1
-      int contact            = -1;       ///< number of the contact, or -1
-      int end                = 0;        ///< of the joint
+      int  block;                        ///< of P
+      int  other;                        ///< block of Q, or base_body
+      int  node[2]           = {0, 0};   ///< base nodes of Q
+      int  slot[2]           = {-1, -1}; ///< in the block matrix: pair of blocks, or block and node
+      int  joint             = -1;       ///< number of the joint, or -1
+      int  contact           = -1;       ///< number of the contact, or -1
+      int  end               = 0;        ///< of the joint
+      bool unilateral        = false;    ///< contact, or joint torn before the step
       const JointLaw *law    = nullptr;
       double          length = 0.; ///< [m]
       SpringState     old;         ///< when the step began
@@ -70,12 +80,29 @@ namespace hybrid::dda
     /// Forces of the springs in a trial. Same bits for any number of threads.
     void evaluate(const Model &model, const DdaState &state, const Trial &trial);
 
-    /// Add forces to the residual of blocks and base nodes, their absolute values to @p absolute.
-    void add_forces(const Trial &trial, Eigen::VectorXd &residual, Eigen::VectorXd &absolute) const;
+    /// Add forces on blocks and base nodes, of bonds and of unilateral springs apart, and their
+    /// absolute values to @p absolute.
+    void add_forces(const Trial     &trial,
+                    Eigen::VectorXd &bonds,
+                    Eigen::VectorXd &contacts,
+                    Eigen::VectorXd &absolute) const;
 
-    /// Add tangents. Without @p follow_softening falling branches count as flat: less exact, but
-    /// never indefinite.
-    void add_stiffness(const Trial &trial, bool follow_softening, BlockMatrix &matrix) const;
+    /// Add the force of one spring on its blocks or base nodes. Returns its size [N/m].
+    double add_force(std::size_t number, const Trial &trial, Eigen::VectorXd &forces) const;
+
+    /// How add_stiffness() works.
+    struct Tangent
+    {
+      /// Without, falling branches count as flat: less exact, but never indefinite.
+      bool follow_softening = true;
+      /// Weight of unilateral springs in the rows of blocks; base nodes feel the force itself [-].
+      double contact_weight = 1.;
+    };
+
+    void add_stiffness(const Trial &trial, const Tangent &tangent, BlockMatrix &matrix) const;
+
+    /// True if a unilateral spring presses on the base.
+    bool pushes_base() const;
 
     std::vector<Spring>   springs;
     std::vector<Response> responses;
@@ -85,11 +112,13 @@ namespace hybrid::dda
 
     void collect_contacts(const Model &model, const DdaState &state);
 
-    /// Base nodes' part of one spring; @p stiffness is (normal, shear, shear by gap) [N/m].
+    /// Base nodes' part of one spring; @p stiffness is (normal, shear, shear by gap) [N/m], @p
+    /// weight is for the rows of the block.
     static void add_base_stiffness(const Spring                      &spring,
                                    const Response                    &response,
                                    const Eigen::Matrix<double, 2, 6> &gradient,
-                                   const Eigen::Vector3d             &stiffness,
+                                   const Eigen::Matrix2d             &stiffness,
+                                   double                             weight,
                                    BlockMatrix                       &matrix);
 
     void

@@ -79,8 +79,9 @@ namespace hybrid::dda
     std::vector<BlockState> blocks;
     std::vector<JointState> joints;
     std::vector<Contact>    contacts;
-    Eigen::VectorXd         base_displacement; ///< (x0, y0, x1, ...) [m], since the static state
-    Eigen::VectorXd         base_force;        ///< on the base nodes [N/m], now
+    Eigen::VectorXd         base_displacement;  ///< (x0, y0, x1, ...) [m], since the static state
+    Eigen::VectorXd         base_force;         ///< on the base nodes [N/m], now
+    Eigen::VectorXd         base_contact_force; ///< contacts' part of it [N/m], see Springs
     Eigen::VectorXd static_force; ///< on the base nodes at the end of the static stage [N/m]
     BlockEnergy     energy;
   };

@@ -69,7 +69,7 @@ namespace
     {
       move(d);
       Eigen::VectorXd f = Eigen::VectorXd::Zero(20), absolute = Eigen::VectorXd::Zero(2);
-      springs.add_forces(trial, f, absolute);
+      springs.add_forces(trial, f, f, absolute);
       return f;
     }
 
@@ -183,7 +183,7 @@ TEST(Springs, tangent_is_the_derivative_of_the_forces)
         BlockMatrix matrix;
         scene.springs.connect(scene.model, matrix);
         matrix.set_zero();
-        scene.springs.add_stiffness(scene.trial, true, matrix);
+        scene.springs.add_stiffness(scene.trial, {}, matrix);
         Eigen::VectorXd column(20);
         for (int i = 0; i < 20; ++i)
           {

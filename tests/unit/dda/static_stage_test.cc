@@ -44,7 +44,10 @@ TEST(StaticStage, bonded_column_carries_its_own_weight)
   EXPECT_TRUE(state.static_force == state.base_force);
   EXPECT_EQ(state.time, 0.);
   for (const BlockState &block : state.blocks)
-    EXPECT_EQ(block.velocity.norm() + block.acceleration.norm(), 0.);
+    {
+      EXPECT_EQ(block.velocity.norm(), 0.);
+      EXPECT_LT(block.acceleration.norm(), 1e-5); // of forces in balance, not zero by order
+    }
 }
 
 
