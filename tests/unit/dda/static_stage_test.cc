@@ -131,3 +131,28 @@ TEST(StaticStage, failures_of_the_static_stage_have_negative_times_and_are_count
       }
   EXPECT_EQ(failed, 1);
 }
+
+
+
+TEST(StaticStage, motion_starts_with_the_acceleration_of_the_real_strengths)
+{
+  // Held on 30 degrees; with 15 degrees of friction it starts with g (sin - cos tan 15).
+  const double angle = 30. * M_PI / 180.;
+  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+    {
+      scene::SceneParameters p = block_parameters(15.);
+      p.time.newmark           = Newmark::preset(preset);
+      const Model model =
+        build_model(square_blocks(1, 1, 1., angle), p, straight_base(angle, 5., 5.));
+      DdaState state = initial_state(model);
+      EXPECT_NEAR(state.blocks[0].acceleration[1], -9.81, 1e-12);
+      ASSERT_TRUE(settle(model, state, true).equilibrium);
+      const double expected =
+        9.81 * (std::sin(angle) - std::cos(angle) * std::tan(15. * M_PI / 180.));
+      const Vec2 down = -Vec2(std::cos(angle), std::sin(angle));
+      EXPECT_NEAR(state.blocks[0].acceleration.head<2>().dot(down), expected, 1e-6 * expected);
+      // without its contacts it would fall
+      const Vec6 rest = state.blocks[0].acceleration - state.blocks[0].contact_acceleration;
+      EXPECT_NEAR(rest[1], -9.81, 1e-9);
+    }
+}
