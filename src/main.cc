@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <omp.h>
 
 extern "C" void
@@ -49,6 +50,22 @@ namespace
 
 
 
+  /// Mistakes that show only when the model is built name the scene.
+  std::unique_ptr<Simulation>
+  make_simulation(const std::string &file, const scene::SceneParameters &scene, output::Log &log)
+  {
+    try
+      {
+        return std::make_unique<Simulation>(scene, log, MPI_COMM_WORLD);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(file + ": " + error.what());
+      }
+  }
+
+
+
   int
   run_scene(const CommandLine &command, int &argc, char **&argv)
   {
@@ -57,16 +74,16 @@ namespace
     openblas_set_num_threads(1); // its bits change with the number of threads
     const MpiSession session(argc, argv);
     output::Log      log(std::cout, output::standard_output_is_terminal());
-    Simulation       simulation(scene, log, MPI_COMM_WORLD);
+    const auto       simulation = make_simulation(command.target, scene, log);
     if (command.action == Action::run)
       prepare_directory(scene, log);
-    simulation.print_card();
+    simulation->print_card();
     if (command.action == Action::check)
       {
         log.info("The scene can be run.");
         return 0;
       }
-    return simulation.run() == RunStatus::finished ? 0 : 1;
+    return simulation->run() == RunStatus::finished ? 0 : 1;
   }
 } // namespace
 

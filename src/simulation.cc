@@ -3,6 +3,7 @@
 #include <hybrid/coupling/rigid_base.h>
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/model_builder.h>
+#include <hybrid/output/probes.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/scene_card.h>
 #include <hybrid/scene/mesh_check.h>
@@ -71,16 +72,22 @@ namespace hybrid
     , motion(scene::make_motion(parameters.motion, parameters.time.time_step))
   {
     scene::check_section_mesh(mesh, scene);
-    if (!scene.motion.outcrop)
-      motion = motion.scaled(2.); // an outcrop moves twice as much as the incident wave
     if (scene.continuum_model == scene::ContinuumModel::elastic)
       continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
-    if (!scene.blocks.enabled)
-      {
-        if (continuum != nullptr)
-          state.continuum = continuum->initial_state();
-        return;
-      }
+    if (!scene.motion.outcrop)
+      motion = motion.scaled(2.); // an outcrop moves twice as much as the incident wave
+    if (scene.blocks.enabled)
+      make_blocks();
+    else if (continuum != nullptr)
+      state.continuum = continuum->initial_state();
+    check_points();
+  }
+
+
+
+  void
+  Simulation::make_blocks()
+  {
     if (continuum != nullptr)
       {
         base            = std::make_unique<coupling::CondensedBase>(*continuum);
@@ -96,6 +103,19 @@ namespace hybrid
       }
     blocks       = std::make_unique<dda::Model>(dda::build_model(mesh, scene, base->surface_nodes()));
     state.blocks = dda::initial_state(*blocks);
+  }
+
+
+
+  void
+  Simulation::check_points() const
+  {
+    output::Probes probes(blocks.get(), continuum.get());
+    for (const scene::Monitor &monitor : scene.monitors.monitors)
+      probes.add(monitor.position, monitor.name);
+    for (const scene::Borehole &hole : scene.monitors.boreholes)
+      for (const Vec2 &end : {hole.top, hole.bottom})
+        probes.add(end, hole.name);
   }
 
 

@@ -56,6 +56,13 @@ namespace hybrid
     coupling::CoupledState                state;
 
     void
+    make_blocks();
+
+    /// Every monitor and borehole lies in the model: found before anything is written. @throws InputError.
+    void
+    check_points() const;
+
+    void
     settle();
 
     void

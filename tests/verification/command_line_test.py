@@ -1,0 +1,166 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command line as a user meets it: mistakes give exit code 2 and one line on stderr that names the file
+(and the line), leave no output behind, and --check finds them too.
+
+Usage: command_line_test.py HYBRID_BINARY SOURCE_DIR WORK_DIR
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+
+BINARY, SOURCE, WORK = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+SCENE = (SOURCE / "parameters/verification/coupled_column.prm").read_text(encoding="utf-8")
+complaints = []
+
+
+def run(*words):
+    return subprocess.run([BINARY, *map(str, words)], cwd=WORK, capture_output=True, text=True, timeout=120)
+
+
+def require(condition, text, result=None):
+    if not condition:
+        complaints.append(text)
+        print("FAILED:", text)
+        if result is not None:
+            print(f"  exit code {result.returncode}\n  stderr: {result.stderr!r}\n  stdout: {result.stdout[-500:]!r}")
+
+
+def scene_file(name, text):
+    """A scene in the working directory."""
+    text = text.replace("../../meshes/half_blocks.geo", str(SOURCE / "meshes/half_blocks.geo"))
+    path = WORK / name
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def expect_mistake(what, words, *parts):
+    """Both a run and --check say so in one line, with exit code 2, and leave nothing behind."""
+    for mode in ([], ["--check"]):
+        before = sorted(WORK.rglob("*"))
+        result = run(*mode, *words)
+        label = f"{what} {' '.join(mode)}".strip()
+        lines = result.stderr.splitlines()
+        require(result.returncode == 2, f"{label}: exit code 2", result)
+        require(len(lines) == 1 and lines[0].startswith("error: "), f"{label}: one line 'error: ...'", result)
+        for part in parts:
+            require(str(part) in result.stderr, f"{label}: the message names '{part}'", result)
+        require(sorted(WORK.rglob("*")) == before, f"{label}: nothing is left behind", result)
+
+
+def replaced(old, new):
+    require(old in SCENE, f"the scene has the line '{old}'")
+    return SCENE.replace(old, new, 1)
+
+
+def line_of(text, word):
+    return next(i for i, line in enumerate(text.splitlines(), 1) if word in line)
+
+
+def check_mistakes():
+    good = scene_file("good.prm", SCENE)
+    expect_mistake("missing file", ["nowhere.prm"], "nowhere.prm")
+    expect_mistake("directory as file", [WORK], WORK.name)
+
+    text = replaced("  set Frequency = 6", "  set Frequenzy = 6")
+    expect_mistake("unknown parameter", [scene_file("unknown.prm", text)],
+                   f"unknown.prm:{line_of(text, 'Frequenzy')}", "Frequenzy", "Frequency")
+
+    text = replaced("  set Peak      = 0.5", "  set Peak      = 0.5\n  set Peak = 0.6")
+    expect_mistake("duplicate key", [scene_file("duplicate.prm", text)],
+                   f"duplicate.prm:{line_of(text, 'Peak = 0.6')}", "Peak")
+
+    text = replaced("set Poisson ratio    = 0.25", "set Poisson ratio    = 0.5")
+    expect_mistake("impossible value", [scene_file("impossible.prm", text)],
+                   f"impossible.prm:{line_of(text, 'Poisson')}", "0.5")
+
+    text = replaced("set Time step = 0.002", "set Time step = -1")
+    expect_mistake("negative step", [scene_file("negative.prm", text)], f"negative.prm:{line_of(text, 'Time step')}", "-1")
+
+    text = replaced("half_blocks.geo", "column.geo").replace(str("../../meshes/column.geo"), str(SOURCE / "meshes/column.geo"))
+    text = text.replace("; Block height = 10", "")
+    expect_mistake("missing group", [scene_file("group.prm", text)], "group.prm", "sliding_mass")
+
+    text = replaced("set Type      = ricker", "set Type      = text\n  set File = nowhere.txt")
+    expect_mistake("missing record", [scene_file("record.prm", text)], f"record.prm:{line_of(text, 'nowhere.txt')}",
+                   "nowhere.txt")
+
+    (WORK / "bad_record.txt").write_text("0 0\n0.01 what\n0.02 0\n", encoding="utf-8")
+    text = replaced("set Type      = ricker", "set Type      = text\n  set File = bad_record.txt")
+    expect_mistake("unreadable record", [scene_file("bad_record.prm", text)], "bad_record.txt:2", "what")
+
+    text = replaced("half_blocks.geo", "no_such_mesh.geo")
+    expect_mistake("missing mesh", [scene_file("mesh.prm", text)], "no_such_mesh.geo", f"mesh.prm:{line_of(text, 'no_such')}")
+
+    (WORK / "broken.geo").write_text("Point(1) = {0, 0;\n", encoding="utf-8")
+    text = replaced("../../meshes/half_blocks.geo", "broken.geo")
+    expect_mistake("broken geometry", [scene_file("broken.prm", text)], "broken.geo")
+
+    text = replaced("Block height = 10", "Block hight = 10")
+    expect_mistake("unknown number of the mesh", [scene_file("number.prm", text)], "number.prm", "Block hight")
+
+    text = replaced("top: 5, 20", "top: 5, 99")
+    expect_mistake("monitor outside", [scene_file("monitor.prm", text)], "monitor.prm", "top")
+
+    text = replaced("  set Base   = base", "  set Base   = nobody")
+    expect_mistake("unknown base monitor", [scene_file("base.prm", text)], "nobody")
+
+    text = replaced("Belt material = rock", "Belt material = clay")
+    expect_mistake("unknown material", [scene_file("material.prm", text)], "clay")
+
+    expect_mistake("unknown -s path", [good, "-s", "Time/Tim step=1"], "Time/Tim step")
+    expect_mistake("impossible -s value", [good, "-s", "Time/Time step=fast"], "fast")
+    expect_mistake("-s without value", [good, "-s", "Time/Time step"], "-s")
+    expect_mistake("two files", [good, good], "good.prm")
+    expect_mistake("unknown option", [good, "--fast"], "--fast")
+
+    (WORK / "a_file").write_text("", encoding="utf-8")
+    before = sorted(WORK.rglob("*"))
+    result = run(good, "-s", "Output/Directory=a_file/run")
+    require(result.returncode == 2 and len(result.stderr.splitlines()) == 1 and "a_file/run" in result.stderr,
+            "output directory that cannot be made", result)
+    require(sorted(WORK.rglob("*")) == before, "output directory that cannot be made: nothing is left behind")
+
+
+def check_good_ways():
+    good = WORK / "good.prm"
+    before = sorted(WORK.rglob("*"))
+    result = run("--check", good)
+    require(result.returncode == 0 and not result.stderr, "--check of a good scene", result)
+    require(sorted(WORK.rglob("*")) == before, "--check writes nothing")
+
+    result = run("--help")
+    require(result.returncode == 0 and "--check" in result.stdout, "--help", result)
+
+    result = run("--print-parameters")
+    require(result.returncode == 0 and not result.stderr, "--print-parameters", result)
+    every = WORK / "every.prm"
+    every.write_text(result.stdout, encoding="utf-8")
+    result = run("--check", every, "-s", f"Mesh/File={SOURCE / 'meshes/half_blocks.geo'}")
+    require(result.returncode == 0, "--print-parameters reads back", result)
+
+    result = run(good, "-s", "Output/Directory=done", "-s", "Time/End time=0.02")
+    require(result.returncode == 0 and not result.stderr, "a run", result)
+    for name in ("run.h5", "summary.json", "params.used.prm", "log.txt"):
+        require((WORK / "done" / name).is_file(), f"a run writes {name}")
+    result = run("--check", WORK / "done/params.used.prm")
+    require(result.returncode == 0, "params.used.prm reads back", result)
+
+    result = run(good, "-s", "Output/Directory=stopped", "-s", "Time/Maximum halvings=0", "-s",
+                 "Time/Maximum displacement ratio=1e-9", "-s", "Gravity/Static stage=none")
+    require(result.returncode == 1, "a run that cannot converge ends with 1", result)
+    require((WORK / "stopped/summary.json").is_file(), "a stopped run has a summary")
+
+
+def main():
+    shutil.rmtree(WORK, ignore_errors=True)
+    WORK.mkdir(parents=True)
+    check_mistakes()
+    check_good_ways()
+    print(f"{len(complaints)} complaints")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The same scene with one and with two threads, and run twice, gives the same bits in run.h5.
+
+Usage: determinism_test.py HYBRID_BINARY SCENE.prm WORK_DIR
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import h5py
+import numpy
+
+EXCEPT = {"steps/wall_time"}
+
+# A quiet scene, and one whose mass breaks and slides.
+VARIANTS = {
+    "bonded": [],
+    "broken": ["Materials/rock/Cohesion=40e3", "Materials/rock/Tensile strength=5e3", "Motion/Peak=60"],
+}
+
+
+def run(binary, scene, directory, threads, overrides):
+    """Data sets of run.h5 by name."""
+    words = [binary, scene, "-s", f"Output/Directory={directory}", "-s", f"Parallel/Threads={threads}"]
+    for override in overrides:
+        words += ["-s", override]
+    environment = dict(os.environ)
+    environment.pop("OMP_NUM_THREADS", None)
+    subprocess.run(words, check=True, stdout=subprocess.DEVNULL, env=environment)
+    data = {}
+    with h5py.File(directory / "run.h5", "r") as file:
+        file.visititems(lambda name, item: data.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None)
+    return data
+
+
+def differences(one, other):
+    """Names of data sets that are not equal to the bit."""
+    if one.keys() != other.keys():
+        return sorted(one.keys() ^ other.keys())
+    return [name for name in sorted(one) if name not in EXCEPT and
+            (one[name].shape != other[name].shape or one[name].tobytes() != other[name].tobytes())]
+
+
+def main():
+    binary, scene, work = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+    shutil.rmtree(work, ignore_errors=True)
+    failed = 0
+    for name, overrides in VARIANTS.items():
+        runs = [run(binary, scene, work / f"{name}_{i}", threads, overrides) for i, threads in enumerate([1, 2, 2])]
+        moved = max(numpy.abs(values).max() for key, values in runs[0].items()
+                    if key.startswith("monitors/top/displacement"))
+        cut = numpy.count_nonzero(numpy.diff(runs[0]["steps/dt"]))
+        joints = runs[0]["joints/failure_time"].size
+        print(f"{name}: {len(runs[0])} data sets, {runs[0]['time'].size} steps, {cut} changes of the step, "
+              f"top moved {moved:.3g} m, {joints} joints failed")
+        if not moved > 0.:
+            print(f"{name}: nothing moved")
+            failed += 1
+        if name == "broken" and joints == 0:
+            print(f"{name}: nothing broke")
+            failed += 1
+        for other, what in ((runs[1], "two threads"), (runs[2], "a second run")):
+            names = differences(runs[0], other)
+            failed += len(names)
+            for key in names:
+                print(f"{name}: {key} differs with {what}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
