@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/energy_ledger.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace hybrid;
+  using output::EnergyLedger;
+
+  double sum(const std::vector<double> &terms)
+  {
+    double result = 0.;
+    for (const double term : terms)
+      result += term;
+    return result;
+  }
+} // namespace
+
+
+
+TEST(EnergyLedger, names_and_values_go_together)
+{
+  for (const bool with_continuum : {false, true})
+    {
+      EnergyLedger           ledger(with_continuum);
+      coupling::CoupledState state;
+      EXPECT_EQ(ledger.update(state).size(), ledger.names().size());
+    }
+}
+
+
+
+TEST(EnergyLedger, counts_from_the_first_state)
+{
+  EnergyLedger           ledger(false);
+  coupling::CoupledState state;
+  state.blocks.energy.springs = 100.;
+  state.blocks.energy.strain  = 50.;
+  ledger.update(state);
+  EXPECT_EQ(sum(ledger.values()), 0.);
+  EXPECT_EQ(ledger.residual(), 0.);
+}
+
+
+
+// A block falls and is stopped by friction: kinetic energy rises, gravity falls, then heat remains.
+TEST(EnergyLedger, a_closed_balance_has_no_residual)
+{
+  EnergyLedger           ledger(false);
+  coupling::CoupledState state;
+  ledger.update(state);
+  state.blocks.energy.kinetic = 30.;
+  state.blocks.energy.gravity = -30.;
+  ledger.update(state);
+  EXPECT_EQ(ledger.residual(), 0.);
+  state.blocks.energy.kinetic       = 0.;
+  state.blocks.energy.friction_loss = 30.;
+  ledger.update(state);
+  EXPECT_EQ(ledger.residual(), 0.);
+}
+
+
+
+TEST(EnergyLedger, what_is_missing_is_shown_over_what_was_exchanged)
+{
+  EnergyLedger           ledger(false);
+  coupling::CoupledState state;
+  ledger.update(state);
+  state.blocks.energy.kinetic = 98.;
+  state.blocks.energy.gravity = -100.;
+  ledger.update(state);
+  EXPECT_DOUBLE_EQ(ledger.residual(), 2. / 198.);
+  // The scale stays when the exchange goes back, and so does the largest residual.
+  state.blocks.energy.kinetic = 0.;
+  state.blocks.energy.gravity = -1.;
+  ledger.update(state);
+  EXPECT_DOUBLE_EQ(ledger.residual(), 1. / 198.);
+  EXPECT_DOUBLE_EQ(ledger.largest_residual(), 2. / 198.);
+}
+
+
+
+TEST(EnergyLedger, work_of_the_base_pays_for_the_blocks)
+{
+  EnergyLedger           ledger(false);
+  coupling::CoupledState state;
+  ledger.update(state);
+  state.blocks.energy.kinetic   = 7.;
+  state.blocks.energy.base_work = 7.;
+  ledger.update(state);
+  EXPECT_EQ(ledger.residual(), 0.);
+}
+
+
+
+// Between rock and blocks work changes hands: neither side's interface work is a term of the whole,
+// but the static forces that the rock carries are its prestress.
+TEST(EnergyLedger, incident_work_pays_for_rock_blocks_and_boundary)
+{
+  EnergyLedger           ledger(true);
+  coupling::CoupledState state;
+  state.blocks.static_force      = Eigen::VectorXd::Constant(4, -10.);
+  state.blocks.base_displacement = Eigen::VectorXd::Zero(4);
+  ledger.update(state);
+  state.continuum.energy.input_work    = 20.;
+  state.continuum.energy.kinetic       = 5.;
+  state.continuum.energy.strain        = 4.;
+  state.continuum.energy.boundary_loss = 3.;
+  state.blocks.energy.kinetic          = 2.;
+  state.blocks.energy.gravity          = 8.;
+  state.blocks.base_displacement.setConstant(0.05); // lifted: the prestress falls by 2
+  ledger.update(state);
+  EXPECT_NEAR(sum(ledger.values()), 0., 1e-14);
+}
+
+
+
+TEST(EnergyLedger, quiet_states_have_a_floor)
+{
+  EnergyLedger           ledger(false);
+  coupling::CoupledState state;
+  ledger.update(state);
+  state.blocks.energy.kinetic = 1e-15;
+  ledger.update(state);
+  EXPECT_DOUBLE_EQ(ledger.residual(), 1e-6);
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block_scenes.h"
+
+#include <hybrid/output/probes.h>
+#include <hybrid/scene/input_error.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace hybrid;
+  using namespace hybrid::output;
+
+  /// One square block [0, 2] x [0, 2] and a base below it.
+  struct OneBlock
+  {
+    OneBlock()
+      : model(dda::build_model(test::square_blocks(1, 1, 2.),
+                               test::block_parameters(30.),
+                               test::straight_base(0., 1., 3.)))
+    {
+      state.blocks = dda::initial_state(model);
+    }
+
+    dda::Model             model;
+    coupling::CoupledState state;
+  };
+
+
+
+  /// Move the block of the state by d, as an accepted step does.
+  void move(coupling::CoupledState &state, const dda::Vec6 &d)
+  {
+    dda::BlockState       &block = state.blocks.blocks[0];
+    const dda::BlockMotion motion(block.centroid, d);
+    for (Vec2 &x : state.blocks.geometry.vertices)
+      x += motion.displacement(x);
+    block.centroid = motion.centroid;
+    block.rotation += d[2];
+  }
+} // namespace
+
+
+
+// A point of a block that turns by a quarter turn while it is stretched and moved.
+TEST(Probes, point_of_a_rotating_block_is_its_affine_image)
+{
+  OneBlock  scene;
+  Probes    probes(&scene.model, nullptr);
+  const int corner = probes.add(Vec2(1.75, 0.5), "P"), centre = probes.add(Vec2(1., 1.), "C");
+  probes.set_reference(scene.state);
+  dda::Vec6 d;
+  d << 10., -3., M_PI / 2., 0.1, 0., 0.;
+  move(scene.state, d);
+  // (0.75, -0.5) from the centroid, stretched to (0.825, -0.5), turned to (0.5, 0.825).
+  const Vec2 expected = Vec2(10., -3.) + Vec2(0.5, 0.825) - Vec2(0.75, -0.5);
+  EXPECT_LT((probes.sample(scene.state, corner).displacement - expected).norm(), 1e-13);
+  EXPECT_LT((probes.sample(scene.state, centre).displacement - Vec2(10., -3.)).norm(), 1e-13);
+}
+
+
+
+TEST(Probes, velocity_of_a_rotating_block)
+{
+  OneBlock  scene;
+  Probes    probes(&scene.model, nullptr);
+  const int p = probes.add(Vec2(1.75, 0.5), "P");
+  probes.set_reference(scene.state);
+  dda::BlockState &block = scene.state.blocks.blocks[0];
+  block.velocity << 1., 2., 3., 0., 0., 0.;
+  block.acceleration << -1., 0., 0., 2., 0., 0.;
+  const PointMotion motion = probes.sample(scene.state, p);
+  // v + omega x r with r = (0.75, -0.5)
+  EXPECT_LT((motion.velocity - Vec2(1. + 1.5, 2. + 2.25)).norm(), 1e-14);
+  EXPECT_LT((motion.acceleration - Vec2(-1. + 1.5, 0.)).norm(), 1e-14);
+}
+
+
+
+TEST(Probes, displacement_counts_from_the_reference)
+{
+  OneBlock  scene;
+  Probes    probes(&scene.model, nullptr);
+  const int p = probes.add(Vec2(0.5, 0.5), "P");
+  dda::Vec6 d = dda::Vec6::Zero();
+  d[1]        = -0.01; // settlement
+  move(scene.state, d);
+  probes.set_reference(scene.state);
+  EXPECT_EQ(probes.sample(scene.state, p).displacement.norm(), 0.);
+  d[0] = 0.3;
+  d[1] = 0.;
+  move(scene.state, d);
+  EXPECT_LT((probes.sample(scene.state, p).displacement - Vec2(0.3, 0.)).norm(), 1e-14);
+}
+
+
+
+TEST(Probes, points_outside_of_blocks_move_with_the_rigid_base)
+{
+  OneBlock  scene;
+  Probes    probes(&scene.model, nullptr);
+  const int p = probes.add(Vec2(0.5, -5.), "below");
+  probes.set_reference(scene.state);
+  for (int k = 0; k < scene.model.n_base_nodes(); ++k)
+    scene.state.blocks.base_displacement.segment<2>(2 * k) = Vec2(0.2, 0.1);
+  EXPECT_EQ(probes.sample(scene.state, p).displacement, Vec2(0.2, 0.1));
+}
+
+
+
+TEST(Probes, point_on_the_outline_belongs_to_the_block)
+{
+  OneBlock  scene;
+  Probes    probes(&scene.model, nullptr);
+  const int p = probes.add(Vec2(1., 2. + 1e-9), "top");
+  probes.set_reference(scene.state);
+  dda::Vec6 d = dda::Vec6::Zero();
+  d[0]        = 1.;
+  move(scene.state, d);
+  EXPECT_LT((probes.sample(scene.state, p).displacement - Vec2(1., 0.)).norm(), 1e-12);
+}
+
+
+
+TEST(Probes, point_in_nothing_is_refused_by_name)
+{
+  const dda::Model model =
+    dda::build_model(test::square_blocks(1, 1, 2.), test::block_parameters(30.), {});
+  Probes probes(&model, nullptr);
+  try
+    {
+      probes.add(Vec2(50., 50.), "lost");
+      FAIL() << "accepted";
+    }
+  catch (const InputError &error)
+    {
+      EXPECT_NE(std::string(error.what()).find("'lost' at (50, 50)"), std::string::npos)
+        << error.what();
+    }
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/command_line.h>
+#include <hybrid/scene/input_error.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace hybrid;
+
+  CommandLine parse(std::vector<const char *> words)
+  {
+    words.insert(words.begin(), "hybrid");
+    return parse_command_line(static_cast<int>(words.size()), words.data());
+  }
+
+
+
+  void expect_refused(const std::vector<const char *> &words, const std::string &part)
+  {
+    try
+      {
+        parse(words);
+        FAIL() << "accepted";
+      }
+    catch (const InputError &error)
+      {
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+      }
+  }
+} // namespace
+
+
+
+TEST(CommandLine, a_file_is_run)
+{
+  const CommandLine command = parse({"scene.prm"});
+  EXPECT_EQ(command.action, Action::run);
+  EXPECT_EQ(command.target, "scene.prm");
+  EXPECT_TRUE(command.overrides.empty());
+}
+
+
+
+TEST(CommandLine, options_may_stand_before_or_after_the_file)
+{
+  for (const CommandLine &command :
+       {parse({"--check", "scene.prm", "-s", "A/B=1", "-s", "C = d e"}),
+        parse({"-s", "A/B=1", "scene.prm", "-s", "C = d e", "--check"})})
+    {
+      EXPECT_EQ(command.action, Action::check);
+      EXPECT_EQ(command.target, "scene.prm");
+      EXPECT_EQ(command.overrides, (std::vector<std::string>{"A/B=1", "C = d e"}));
+    }
+}
+
+
+
+TEST(CommandLine, other_actions)
+{
+  EXPECT_EQ(parse({}).action, Action::help);
+  EXPECT_EQ(parse({"--help"}).action, Action::help);
+  EXPECT_EQ(parse({"scene.prm", "-h"}).action, Action::help);
+  EXPECT_EQ(parse({"--print-parameters"}).action, Action::print_parameters);
+  const CommandLine plot = parse({"plot", "output/run"});
+  EXPECT_EQ(plot.action, Action::plot);
+  EXPECT_EQ(plot.target, "output/run");
+}
+
+
+
+TEST(CommandLine, mistakes_are_named)
+{
+  expect_refused({"--fast", "scene.prm"}, "--fast");
+  expect_refused({"-s"}, "-s needs");
+  expect_refused({"scene.prm", "-s", "Time/Time step"}, "Time/Time step");
+  expect_refused({"--check"}, "no parameter file");
+  expect_refused({"plot"}, "no parameter file or directory");
+  expect_refused({"one.prm", "two.prm"}, "two.prm");
+}
+
+
+
+TEST(CommandLine, usage_lists_every_action)
+{
+  for (const char *word :
+       {"PARAMS.prm", "--check", "--print-parameters", "plot", "-s", "Exit code"})
+    EXPECT_NE(usage().find(word), std::string::npos) << word;
+}
