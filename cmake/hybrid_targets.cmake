@@ -51,7 +51,7 @@ function(hybrid_unit_test module)
   target_link_libraries(${target} PRIVATE hybrid_${module} ${ARG_DEPENDS} GTest::gtest GTest::gtest_main)
   add_test(NAME unit.${module} COMMAND ${target})
   set_tests_properties(unit.${module} PROPERTIES LABELS unit TIMEOUT 300
-    ENVIRONMENT "OPENBLAS_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+    ENVIRONMENT "OPENBLAS_NUM_THREADS=1;OMP_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
 endfunction()
 
 # make format: lay the sources out as .clang-format says (deal.II's style).

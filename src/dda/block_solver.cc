@@ -57,10 +57,10 @@ namespace hybrid::dda
   {
     int now = 0;
     for (const JointState &joint : state.joints)
-      now += joint.released ? 1 : 0;
-    if (now == released)
+      now += (joint.failure != FailureKind::none ? 1 : 0) + (joint.released ? 1 : 0);
+    if (now == changes)
       return;
-    released = now;
+    changes = now;
 
     SkippedPairs skipped;
     skipped.awake.assign(model.blocks.size(), 0);
@@ -69,13 +69,17 @@ namespace hybrid::dda
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       {
         const Joint &joint = model.joints[j];
-        if (state.joints[j].released)
+        // From the first failure on a block looks at all its neighbours: found later, they might
+        // overlap already.
+        if (state.joints[j].failure != FailureKind::none)
           {
             skipped.awake[joint.block] = 1;
             if (joint.other != base_body)
               skipped.awake[joint.other] = 1;
           }
-        else if (joint.other == base_body)
+        if (state.joints[j].released)
+          continue;
+        if (joint.other == base_body)
           skipped.bonded_base.push_back({joint.block, joint.points[0].other_vertex});
         else
           skipped.bonded.push_back({joint.block, joint.other});

@@ -43,7 +43,7 @@ namespace hybrid::dda
     OpenCloseIteration iteration;
     std::vector<std::pair<int, int>>
         touching_base; ///< (block, segment) that share a node at the start
-    int released = -1; ///< joints released when the skip lists were made
+    int changes = -1;  ///< failed plus released joints when the skip lists were made
 
     void update_skipped_pairs(const DdaState &state);
   };
