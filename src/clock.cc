@@ -8,13 +8,13 @@ namespace hybrid
   Clock::Clock(const double time_step, const double end_time, const int maximum_halvings)
     : deepest(maximum_halvings)
     , tick(std::ldexp(time_step, -maximum_halvings))
-    , end_ticks(static_cast<std::int64_t>(std::ceil(end_time / time_step - 1e-9)) << maximum_halvings)
+    , end_ticks(static_cast<std::int64_t>(std::ceil(end_time / time_step - 1e-9))
+                << maximum_halvings)
   {}
 
 
 
-  void
-  Clock::accept()
+  void Clock::accept()
   {
     ticks += step_ticks();
     ++good_steps;
@@ -27,8 +27,7 @@ namespace hybrid
 
 
 
-  bool
-  Clock::shorten_step()
+  bool Clock::shorten_step()
   {
     ++n_cuts;
     good_steps = 0;

@@ -4,8 +4,7 @@
 
 namespace hybrid
 {
-  std::string
-  usage()
+  std::string usage()
   {
     return "hybrid: landslides in earthquakes, finite elements coupled with discontinuous deformation analysis\n"
            "\n"
@@ -21,8 +20,7 @@ namespace hybrid
 
 
 
-  CommandLine
-  parse_command_line(const int argc, const char *const *argv)
+  CommandLine parse_command_line(const int argc, const char *const *argv)
   {
     CommandLine              result;
     std::vector<std::string> words(argv + 1, argv + argc), targets;
@@ -57,9 +55,10 @@ namespace hybrid
     if (result.action == Action::print_parameters)
       return result;
     if (targets.size() != 1)
-      throw InputError(targets.empty() ? "no parameter file or directory is named; see hybrid --help" :
-                                         "one parameter file or directory is expected, but '" + targets[1] +
-                                           "' was given too");
+      throw InputError(targets.empty()
+                         ? "no parameter file or directory is named; see hybrid --help"
+                         : "one parameter file or directory is expected, but '" + targets[1] +
+                             "' was given too");
     result.target = targets[0];
     return result;
   }

@@ -36,8 +36,7 @@ namespace
 
 
 
-  void
-  prepare_directory(const scene::SceneParameters &scene, output::Log &log)
+  void prepare_directory(const scene::SceneParameters &scene, output::Log &log)
   {
     std::error_code error;
     std::filesystem::create_directories(scene.output.directory, error);
@@ -66,8 +65,7 @@ namespace
 
 
 
-  int
-  run_scene(const CommandLine &command, int &argc, char **&argv)
+  int run_scene(const CommandLine &command, int &argc, char **&argv)
   {
     const scene::SceneParameters scene = scene::read_scene(command.target, command.overrides);
     omp_set_num_threads(scene.threads);

@@ -22,8 +22,7 @@ namespace hybrid
   {
     using SteadyClock = std::chrono::steady_clock;
 
-    double
-    seconds_since(const SteadyClock::time_point start)
+    double seconds_since(const SteadyClock::time_point start)
     {
       return std::chrono::duration<double>(SteadyClock::now() - start).count();
     }
@@ -31,8 +30,7 @@ namespace hybrid
 
 
     /// The polyline of a rigid base: sliding surface and ground of the mesh, left to right.
-    std::vector<Vec2>
-    surface_of(const scene::SectionMesh &mesh)
+    std::vector<Vec2> surface_of(const scene::SectionMesh &mesh)
     {
       std::vector<scene::SectionMesh::Edge> edges;
       for (const char *name : {"ground", "sliding_surface"})
@@ -65,7 +63,9 @@ namespace hybrid
 
 
 
-  Simulation::Simulation(const scene::SceneParameters &parameters, output::Log &run_log, MPI_Comm communicator)
+  Simulation::Simulation(const scene::SceneParameters &parameters,
+                         output::Log                  &run_log,
+                         MPI_Comm                      communicator)
     : scene(parameters)
     , log(run_log)
     , mesh(scene::read_section_mesh(parameters.mesh))
@@ -85,8 +85,7 @@ namespace hybrid
 
 
 
-  void
-  Simulation::make_blocks()
+  void Simulation::make_blocks()
   {
     if (continuum != nullptr)
       {
@@ -96,19 +95,18 @@ namespace hybrid
     else
       {
         const double angle = scene.motion.angle * M_PI / 180.;
-        base = std::make_unique<coupling::RigidBase>(surface_of(mesh),
+        base               = std::make_unique<coupling::RigidBase>(surface_of(mesh),
                                                      motion,
                                                      Vec2(std::cos(angle), std::sin(angle)),
                                                      scene.motion.start);
       }
-    blocks       = std::make_unique<dda::Model>(dda::build_model(mesh, scene, base->surface_nodes()));
+    blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, base->surface_nodes()));
     state.blocks = dda::initial_state(*blocks);
   }
 
 
 
-  void
-  Simulation::check_points() const
+  void Simulation::check_points() const
   {
     output::Probes probes(blocks.get(), continuum.get());
     for (const scene::Monitor &monitor : scene.monitors.monitors)
@@ -120,10 +118,10 @@ namespace hybrid
 
 
 
-  void
-  Simulation::print_card() const
+  void Simulation::print_card() const
   {
-    const output::SceneCard card = output::make_scene_card(scene, motion, blocks.get(), continuum.get());
+    const output::SceneCard card =
+      output::make_scene_card(scene, motion, blocks.get(), continuum.get());
     log.info(card.text);
     for (const std::string &warning : card.warnings)
       log.warning(warning);
@@ -131,8 +129,7 @@ namespace hybrid
 
 
 
-  void
-  Simulation::settle()
+  void Simulation::settle()
   {
     if (blocks == nullptr)
       {
@@ -142,12 +139,15 @@ namespace hybrid
             scene.environment.gravity);
         return;
       }
-    if (scene.environment.static_stage == scene::StaticStage::none || scene.environment.gravity == 0.)
+    if (scene.environment.static_stage == scene::StaticStage::none ||
+        scene.environment.gravity == 0.)
       {
         state.blocks.energy = dda::held_energy(*blocks, state.blocks);
         return;
       }
-    settled = dda::settle(*blocks, state.blocks, scene.environment.static_stage == scene::StaticStage::held);
+    settled = dda::settle(*blocks,
+                          state.blocks,
+                          scene.environment.static_stage == scene::StaticStage::held);
     report_static_stage();
     if (continuum != nullptr)
       continuum->solve_static_state(state.blocks.static_force, scene.environment.gravity);
@@ -155,8 +155,7 @@ namespace hybrid
 
 
 
-  void
-  Simulation::report_static_stage() const
+  void Simulation::report_static_stage() const
   {
     int tensile = 0, shear = 0;
     for (const dda::JointState &joint : state.blocks.joints)
@@ -165,11 +164,17 @@ namespace hybrid
         shear += joint.failure == dda::FailureKind::shear ? 1 : 0;
       }
     char text[300];
-    std::snprintf(text,
-                  sizeof(text),
-                  "Static stage: relative residual %.1e after %d steps (%d iterations), largest settlement %.3g m; "
-                  "joints failed: %d tensile, %d shear",
-                  settled.residual, settled.steps, settled.iterations, settled.largest_displacement, tensile, shear);
+    std::snprintf(
+      text,
+      sizeof(text),
+      "Static stage: relative residual %.1e after %d steps (%d iterations), largest settlement %.3g m; "
+      "joints failed: %d tensile, %d shear",
+      settled.residual,
+      settled.steps,
+      settled.iterations,
+      settled.largest_displacement,
+      tensile,
+      shear);
     log.info(text);
     if (settled.equilibrium)
       return;
@@ -177,7 +182,12 @@ namespace hybrid
     if (settled.moving_block >= 0)
       {
         const Vec2 &c = state.blocks.blocks[settled.moving_block].centroid;
-        std::snprintf(text, sizeof(text), ", most of all block %d at (%.2f, %.2f)", settled.moving_block, c.x(), c.y());
+        std::snprintf(text,
+                      sizeof(text),
+                      ", most of all block %d at (%.2f, %.2f)",
+                      settled.moving_block,
+                      c.x(),
+                      c.y());
         where = text;
       }
     log.warning("no static equilibrium was found: the mass moves under its own weight" + where +
@@ -186,8 +196,7 @@ namespace hybrid
 
 
 
-  RunStatus
-  Simulation::run()
+  RunStatus Simulation::run()
   {
     const auto          start = SteadyClock::now();
     output::Summary     summary;
@@ -199,41 +208,52 @@ namespace hybrid
     if (blocks != nullptr)
       solver = std::make_unique<dda::BlockSolver>(*blocks);
     coupling::CoupledStep step(solver.get(), base.get(), continuum.get());
-    Clock                 clock(scene.time.time_step, scene.time.end_time, scene.time.maximum_halvings);
+    Clock clock(scene.time.time_step, scene.time.end_time, scene.time.maximum_halvings);
     recorder.start(state);
     const RunStatus status = advance(clock, step, recorder, summary);
 
     recorder.finish(state, summary);
-    summary.title              = scene.title;
-    summary.finished           = status == RunStatus::finished;
-    summary.simulated_time     = clock.time();
-    summary.blocks             = blocks != nullptr ? blocks->n_blocks() : 0;
-    summary.continuum_unknowns = continuum != nullptr ? static_cast<long>(continuum->n_unknowns()) : 0;
-    summary.interface_unknowns = base != nullptr ? 2 * static_cast<long>(base->surface_nodes().size()) : 0;
-    summary.cuts               = clock.cuts();
+    summary.title          = scene.title;
+    summary.finished       = status == RunStatus::finished;
+    summary.simulated_time = clock.time();
+    summary.blocks         = blocks != nullptr ? blocks->n_blocks() : 0;
+    summary.continuum_unknowns =
+      continuum != nullptr ? static_cast<long>(continuum->n_unknowns()) : 0;
+    summary.interface_unknowns =
+      base != nullptr ? 2 * static_cast<long>(base->surface_nodes().size()) : 0;
+    summary.cuts                 = clock.cuts();
     summary.timings["continuum"] = step.timings().continuum;
     summary.timings["blocks"]    = step.timings().blocks;
     summary.wall_time            = seconds_since(start);
     output::write_summary(summary, scene.output.directory + "/summary.json");
 
     char text[300];
-    std::snprintf(text, sizeof(text),
-                  "%s: %ld steps, %.4g s simulated, %ld cuts, joints failed %ld tensile %ld shear, energy residual %.2e",
-                  summary.finished ? "Finished" : "Stopped", summary.steps, summary.simulated_time, summary.cuts,
-                  summary.joints.tensile, summary.joints.shear, summary.energy_residual);
+    std::snprintf(
+      text,
+      sizeof(text),
+      "%s: %ld steps, %.4g s simulated, %ld cuts, joints failed %ld tensile %ld shear, energy residual %.2e",
+      summary.finished ? "Finished" : "Stopped",
+      summary.steps,
+      summary.simulated_time,
+      summary.cuts,
+      summary.joints.tensile,
+      summary.joints.shear,
+      summary.energy_residual);
     log.info(text);
     return status;
   }
 
 
 
-  RunStatus
-  Simulation::advance(Clock                 &clock,
-                      coupling::CoupledStep &step,
-                      output::RunRecorder   &recorder,
-                      output::Summary       &summary)
+  RunStatus Simulation::advance(Clock                 &clock,
+                                coupling::CoupledStep &step,
+                                output::RunRecorder   &recorder,
+                                output::Summary       &summary)
   {
-    output::Progress progress(std::cout, output::standard_output_is_terminal(), 0., scene.time.end_time);
+    output::Progress progress(std::cout,
+                              output::standard_output_is_terminal(),
+                              0.,
+                              scene.time.end_time);
     double           output_time = 0.;
     while (!clock.at_end())
       {
@@ -254,7 +274,10 @@ namespace hybrid
         ++summary.steps;
 
         const auto accepted = SteadyClock::now();
-        recorder.record_step(state, result, dt, std::chrono::duration<double>(accepted - begin).count());
+        recorder.record_step(state,
+                             result,
+                             dt,
+                             std::chrono::duration<double>(accepted - begin).count());
         progress.update(state.time, summary.steps, summary.iterations);
         output_time += seconds_since(accepted);
       }
@@ -265,15 +288,19 @@ namespace hybrid
 
 
 
-  void
-  Simulation::say_why(const dda::StepResult &result, const double time) const
+  void Simulation::say_why(const dda::StepResult &result, const double time) const
   {
     char text[400];
-    std::snprintf(text, sizeof(text),
-                  "stopped at t = %.6g s: the open-close iteration does not settle at the smallest step %.3g s "
-                  "(relative residual %.2e after %d iterations, largest displacement ratio %.3g)",
-                  time, std::ldexp(scene.time.time_step, -scene.time.maximum_halvings), result.residual,
-                  result.iterations, result.displacement_ratio);
+    std::snprintf(
+      text,
+      sizeof(text),
+      "stopped at t = %.6g s: the open-close iteration does not settle at the smallest step %.3g s "
+      "(relative residual %.2e after %d iterations, largest displacement ratio %.3g)",
+      time,
+      std::ldexp(scene.time.time_step, -scene.time.maximum_halvings),
+      result.residual,
+      result.iterations,
+      result.displacement_ratio);
     log.warning(text);
   }
 } // namespace hybrid

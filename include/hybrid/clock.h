@@ -19,36 +19,30 @@ namespace hybrid
     Clock(double time_step, double end_time, int maximum_halvings);
 
     /// Time now [s].
-    double
-    time() const
+    double time() const
     {
       return static_cast<double>(ticks) * tick;
     }
 
-    bool
-    at_end() const
+    bool at_end() const
     {
       return ticks >= end_ticks;
     }
 
     /// The step to try next [s].
-    double
-    next_step() const
+    double next_step() const
     {
       return tick * static_cast<double>(step_ticks());
     }
 
     /// The step was accepted.
-    void
-    accept();
+    void accept();
 
     /// The step failed: halve it. @return false if it was the smallest allowed.
-    bool
-    shorten_step();
+    bool shorten_step();
 
     /// Steps that were halved so far.
-    long
-    cuts() const
+    long cuts() const
     {
       return n_cuts;
     }
@@ -64,8 +58,7 @@ namespace hybrid
     int          good_steps = 0;
     long         n_cuts     = 0;
 
-    std::int64_t
-    step_ticks() const
+    std::int64_t step_ticks() const
     {
       return std::int64_t{1} << (deepest - halvings);
     }

@@ -27,10 +27,8 @@ namespace hybrid
 
 
   /// @throws InputError for anything that is not in usage().
-  CommandLine
-  parse_command_line(int argc, const char *const *argv);
+  CommandLine parse_command_line(int argc, const char *const *argv);
 
   /// Text of --help.
-  std::string
-  usage();
+  std::string usage();
 } // namespace hybrid

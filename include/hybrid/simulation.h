@@ -37,12 +37,10 @@ namespace hybrid
     Simulation(const scene::SceneParameters &scene, output::Log &log, MPI_Comm communicator);
 
     /// Scene card and warnings to the log.
-    void
-    print_card() const;
+    void print_card() const;
 
     /// Run to the end and write everything to the output directory.
-    RunStatus
-    run();
+    RunStatus run();
 
   private:
     const scene::SceneParameters          scene;
@@ -55,23 +53,21 @@ namespace hybrid
     dda::StaticResult                     settled;
     coupling::CoupledState                state;
 
-    void
-    make_blocks();
+    void make_blocks();
 
-    /// Every monitor and borehole lies in the model: found before anything is written. @throws InputError.
-    void
-    check_points() const;
+    /// Every monitor and borehole lies in the model: found before anything is written. @throws
+    /// InputError.
+    void check_points() const;
 
-    void
-    settle();
+    void settle();
 
-    void
-    report_static_stage() const;
+    void report_static_stage() const;
 
-    RunStatus
-    advance(Clock &clock, coupling::CoupledStep &step, output::RunRecorder &recorder, output::Summary &summary);
+    RunStatus advance(Clock                 &clock,
+                      coupling::CoupledStep &step,
+                      output::RunRecorder   &recorder,
+                      output::Summary       &summary);
 
-    void
-    say_why(const dda::StepResult &result, double time) const;
+    void say_why(const dda::StepResult &result, double time) const;
   };
 } // namespace hybrid

@@ -11,29 +11,28 @@ namespace hybrid::output
     using Terms = std::vector<std::pair<std::string, double>>;
 
     /// All terms with the sign they have in the sum.
-    Terms
-    collect(const coupling::CoupledState &state, const bool has_continuum)
+    Terms collect(const coupling::CoupledState &state, const bool has_continuum)
     {
-      const dda::BlockEnergy            &b = state.blocks.energy;
-      const continuum::ContinuumEnergy &c = state.continuum.energy;
-      Terms                              terms = {{"blocks_kinetic", b.kinetic},
-                                                  {"blocks_strain", b.strain},
-                                                  {"blocks_gravity", b.gravity},
-                                                  {"joints_and_contacts", b.springs},
-                                                  {"friction_loss", b.friction_loss},
-                                                  {"fracture_loss", b.fracture_loss},
-                                                  {"blocks_damping_loss", b.damping_loss},
-                                                  {"blocks_integration_loss", b.integration_loss + b.newmark},
-                                                  {"contact_switch_loss", b.switch_loss}};
+      const dda::BlockEnergy           &b     = state.blocks.energy;
+      const continuum::ContinuumEnergy &c     = state.continuum.energy;
+      Terms                             terms = {{"blocks_kinetic", b.kinetic},
+                                                 {"blocks_strain", b.strain},
+                                                 {"blocks_gravity", b.gravity},
+                                                 {"joints_and_contacts", b.springs},
+                                                 {"friction_loss", b.friction_loss},
+                                                 {"fracture_loss", b.fracture_loss},
+                                                 {"blocks_damping_loss", b.damping_loss},
+                                                 {"blocks_integration_loss", b.integration_loss + b.newmark},
+                                                 {"contact_switch_loss", b.switch_loss}};
       if (!has_continuum)
         {
           terms.push_back({"base_work", -b.base_work});
           return terms;
         }
       const double prestress =
-        state.blocks.static_force.size() == state.blocks.base_displacement.size() ?
-          state.blocks.static_force.dot(state.blocks.base_displacement) :
-          0.;
+        state.blocks.static_force.size() == state.blocks.base_displacement.size()
+          ? state.blocks.static_force.dot(state.blocks.base_displacement)
+          : 0.;
       terms.insert(terms.end(),
                    {{"bedrock_kinetic", c.kinetic},
                     {"bedrock_strain", c.strain},
@@ -48,8 +47,7 @@ namespace hybrid::output
 
 
 
-  std::vector<std::string>
-  EnergyLedger::names() const
+  std::vector<std::string> EnergyLedger::names() const
   {
     std::vector<std::string> result;
     for (const auto &term : collect({}, has_continuum))
@@ -59,8 +57,7 @@ namespace hybrid::output
 
 
 
-  const std::vector<double> &
-  EnergyLedger::update(const coupling::CoupledState &state)
+  const std::vector<double> &EnergyLedger::update(const coupling::CoupledState &state)
   {
     const Terms now = collect(state, has_continuum);
     if (start.empty())

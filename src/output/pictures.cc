@@ -22,16 +22,14 @@ namespace hybrid::output
 
 
 
-  void
-  Pictures::set_reference(const dda::DdaState &state)
+  void Pictures::set_reference(const dda::DdaState &state)
   {
     reference = state.geometry;
   }
 
 
 
-  void
-  Pictures::add(const coupling::CoupledState &state)
+  void Pictures::add(const coupling::CoupledState &state)
   {
     if (model != nullptr)
       {
@@ -44,8 +42,7 @@ namespace hybrid::output
 
 
 
-  void
-  Pictures::add_blocks(const coupling::CoupledState &state)
+  void Pictures::add_blocks(const coupling::CoupledState &state)
   {
     const dda::Geometry &g = state.blocks.geometry;
     writer.clear();
@@ -79,8 +76,7 @@ namespace hybrid::output
 
 
 
-  void
-  Pictures::add_joints(const coupling::CoupledState &state)
+  void Pictures::add_joints(const coupling::CoupledState &state)
   {
     const dda::Geometry &g = state.blocks.geometry;
     writer.clear();
@@ -89,8 +85,8 @@ namespace hybrid::output
       {
         const dda::Joint      &joint = model->joints[j];
         const dda::JointState &s     = state.blocks.joints[j];
-        const Vec2 &a = g.vertices[joint.edge], &b = g.vertices[g.next(joint.edge)];
-        int         nodes[2];
+        const Vec2            &a = g.vertices[joint.edge], &b = g.vertices[g.next(joint.edge)];
+        int                    nodes[2];
         for (int k = 0; k < 2; ++k)
           nodes[k] = writer.add_point(a + joint.points[k].position * (b - a));
         writer.add_cell(CellShape::line, nodes, 2);
@@ -115,8 +111,7 @@ namespace hybrid::output
 
 
 
-  void
-  Pictures::add_continuum(const coupling::CoupledState &state)
+  void Pictures::add_continuum(const coupling::CoupledState &state)
   {
     const continuum::Continuum::Picture picture = continuum->picture(state.continuum);
     writer.clear();

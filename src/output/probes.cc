@@ -16,8 +16,7 @@ namespace hybrid::output
 
 
 
-  int
-  Probes::block_at(const Vec2 &x) const
+  int Probes::block_at(const Vec2 &x) const
   {
     if (model == nullptr)
       return -1;
@@ -30,8 +29,7 @@ namespace hybrid::output
 
 
 
-  int
-  Probes::nearest_block(const Vec2 &x) const
+  int Probes::nearest_block(const Vec2 &x) const
   {
     int    nearest  = -1;
     double distance = std::numeric_limits<double>::infinity();
@@ -40,7 +38,8 @@ namespace hybrid::output
     const dda::Geometry &g = model->initial;
     for (int b = 0; b < g.n_blocks(); ++b)
       {
-        const double d = dda::distance_to_outline(&g.vertices[g.offset[b]], g.offset[b + 1] - g.offset[b], x);
+        const double d =
+          dda::distance_to_outline(&g.vertices[g.offset[b]], g.offset[b + 1] - g.offset[b], x);
         if (d < distance && d < 0.5 * model->blocks[b].size)
           {
             distance = d;
@@ -52,8 +51,7 @@ namespace hybrid::output
 
 
 
-  void
-  Probes::attach(Probe &probe, const int block, const Vec2 &x) const
+  void Probes::attach(Probe &probe, const int block, const Vec2 &x) const
   {
     const dda::Geometry &g = model->initial;
     probe.block            = block;
@@ -61,7 +59,7 @@ namespace hybrid::output
     const int first = g.offset[block], last = g.offset[block + 1] - 1;
     for (int v = first + 1; v < last; ++v)
       {
-        const Vec2   a = g.vertices[v] - g.vertices[first], b = g.vertices[v + 1] - g.vertices[first];
+        const Vec2 a = g.vertices[v] - g.vertices[first], b = g.vertices[v + 1] - g.vertices[first];
         const double area = cross(a, b);
         if (std::abs(area) < 1e-6 * a.norm() * b.norm())
           continue;
@@ -79,8 +77,7 @@ namespace hybrid::output
 
 
 
-  int
-  Probes::add(const Vec2 &x, const std::string &name)
+  int Probes::add(const Vec2 &x, const std::string &name)
   {
     Probe probe;
     int   block = block_at(x);
@@ -112,8 +109,7 @@ namespace hybrid::output
 
 
 
-  Vec2
-  Probes::position(const dda::DdaState &state, const Probe &probe) const
+  Vec2 Probes::position(const dda::DdaState &state, const Probe &probe) const
   {
     Vec2 x = Vec2::Zero();
     for (int k = 0; k < 3; ++k)
@@ -123,8 +119,7 @@ namespace hybrid::output
 
 
 
-  void
-  Probes::set_reference(const coupling::CoupledState &state)
+  void Probes::set_reference(const coupling::CoupledState &state)
   {
     for (Probe &probe : probes)
       if (probe.block >= 0)
@@ -133,8 +128,7 @@ namespace hybrid::output
 
 
 
-  PointMotion
-  Probes::sample(const coupling::CoupledState &state, const int number) const
+  PointMotion Probes::sample(const coupling::CoupledState &state, const int number) const
   {
     const Probe &probe = probes[number];
     PointMotion  motion;
@@ -150,10 +144,11 @@ namespace hybrid::output
         const dda::BlockState &block = state.blocks.blocks[probe.block];
         const Vec2             x     = position(state.blocks, probe);
         const dda::BlockMotion at_rest(block.centroid, dda::Vec6::Zero());
-        const dda::Vec6 gx = at_rest.gradient(x, Vec2::UnitX()), gy = at_rest.gradient(x, Vec2::UnitY());
-        motion.displacement = x - probe.reference;
-        motion.velocity     = {gx.dot(block.velocity), gy.dot(block.velocity)};
-        motion.acceleration = {gx.dot(block.acceleration), gy.dot(block.acceleration)};
+        const dda::Vec6        gx = at_rest.gradient(x, Vec2::UnitX()),
+                        gy        = at_rest.gradient(x, Vec2::UnitY());
+        motion.displacement       = x - probe.reference;
+        motion.velocity           = {gx.dot(block.velocity), gy.dot(block.velocity)};
+        motion.acceleration       = {gx.dot(block.acceleration), gy.dot(block.acceleration)};
       }
     else if (state.blocks.base_displacement.size() > 0)
       motion.displacement = state.blocks.base_displacement.head<2>();

@@ -10,8 +10,7 @@ namespace hybrid::output
 {
   namespace
   {
-    Vec2
-    shaking_direction(const scene::MotionParameters &motion)
+    Vec2 shaking_direction(const scene::MotionParameters &motion)
     {
       const double angle = motion.angle * M_PI / 180.;
       return {std::cos(angle), std::sin(angle)};
@@ -37,22 +36,24 @@ namespace hybrid::output
 
 
 
-  void
-  RunRecorder::add_series()
+  void RunRecorder::add_series()
   {
-    time_series            = file.add_series("time", "s", 1, "end of each step");
-    const char *names[3]   = {"acceleration", "velocity", "displacement"};
-    const char *units[3]   = {"m/s2", "m/s", "m"};
+    time_series          = file.add_series("time", "s", 1, "end of each step");
+    const char *names[3] = {"acceleration", "velocity", "displacement"};
+    const char *units[3] = {"m/s2", "m/s", "m"};
     for (int k = 0; k < 3; ++k)
-      input_series[k] = file.add_series(std::string("input/") + names[k], units[k], 2, "outcrop motion");
+      input_series[k] =
+        file.add_series(std::string("input/") + names[k], units[k], 2, "outcrop motion");
     step_series[0] = file.add_series("steps/dt", "s", 1, "step size");
     step_series[1] = file.add_series("steps/iterations", "1", 1, "open-close iterations");
-    step_series[2] = file.add_series("steps/solver_iterations", "1", 1, "conjugate gradient iterations");
-    step_series[3] = file.add_series("steps/wall_time", "s", 1, "wall time of the step");
+    step_series[2] =
+      file.add_series("steps/solver_iterations", "1", 1, "conjugate gradient iterations");
+    step_series[3]  = file.add_series("steps/wall_time", "s", 1, "wall time of the step");
     energy_time     = file.add_series("energy/time", "s", 1, "times of the audits");
     energy_residual = file.add_series("energy/residual", "1", 1, "relative residual of the audit");
     for (const std::string &name : ledger.names())
-      energy_series.push_back(file.add_series("energy/" + name, "J/m", 1, "since the static state"));
+      energy_series.push_back(
+        file.add_series("energy/" + name, "J/m", 1, "since the static state"));
 
     if (parts.blocks == nullptr || parts.blocks->n_base_nodes() == 0)
       return;
@@ -60,15 +61,16 @@ namespace hybrid::output
     for (const Vec2 &node : parts.blocks->initial.base_nodes)
       position.insert(position.end(), {node.x(), node.y()});
     const std::size_t nodes = position.size() / 2;
-    file.write_table("interface/position", "m", position.data(), nodes, 2, "contact surface of the base");
-    interface_time  = file.add_series("interface/time", "s", 1, "times of the pictures");
-    interface_force = file.add_series("interface/force", "N/m", 2 * nodes, "of the blocks on each node");
+    file.write_table(
+      "interface/position", "m", position.data(), nodes, 2, "contact surface of the base");
+    interface_time = file.add_series("interface/time", "s", 1, "times of the pictures");
+    interface_force =
+      file.add_series("interface/force", "N/m", 2 * nodes, "of the blocks on each node");
   }
 
 
 
-  void
-  RunRecorder::add_monitors()
+  void RunRecorder::add_monitors()
   {
     const char *names[3] = {"displacement", "velocity", "acceleration"};
     const char *units[3] = {"m", "m/s", "m/s2"};
@@ -78,8 +80,11 @@ namespace hybrid::output
         series.name  = m.name;
         series.probe = probes.add(m.position, m.name);
         for (int k = 0; k < 3; ++k)
-          series.series[k] = file.add_series("monitors/" + m.name + "/" + names[k], units[k], 2, "absolute, raw");
-        file.set_attribute("monitors/" + m.name, "position", std::vector<double>{m.position.x(), m.position.y()});
+          series.series[k] =
+            file.add_series("monitors/" + m.name + "/" + names[k], units[k], 2, "absolute, raw");
+        file.set_attribute("monitors/" + m.name,
+                           "position",
+                           std::vector<double>{m.position.x(), m.position.y()});
         if (m.name == parts.scene.monitors.base_monitor)
           base_monitor = static_cast<int>(monitors.size());
         monitors.push_back(std::move(series));
@@ -88,8 +93,7 @@ namespace hybrid::output
 
 
 
-  void
-  RunRecorder::add_boreholes()
+  void RunRecorder::add_boreholes()
   {
     for (const scene::Borehole &hole : parts.scene.monitors.boreholes)
       {
@@ -105,10 +109,14 @@ namespace hybrid::output
         const std::string path = "profiles/" + hole.name;
         file.write_table(path + "/depth", "m", depth.data(), depth.size(), 1, "below the top");
         profile.row.resize(2 * depth.size());
-        profile.series =
-          file.add_series(path + "/displacement", "m", profile.row.size(), "relative to the base, pairs");
-        file.set_attribute(path, "position",
-                           std::vector<double>{hole.top.x(), hole.top.y(), hole.bottom.x(), hole.bottom.y()});
+        profile.series = file.add_series(path + "/displacement",
+                                         "m",
+                                         profile.row.size(),
+                                         "relative to the base, pairs");
+        file.set_attribute(
+          path,
+          "position",
+          std::vector<double>{hole.top.x(), hole.top.y(), hole.bottom.x(), hole.bottom.y()});
         if (!hole.measured_mm.empty())
           {
             file.set_attribute(path, "measured_mm", hole.measured_mm);
@@ -120,8 +128,7 @@ namespace hybrid::output
 
 
 
-  void
-  RunRecorder::start(coupling::CoupledState &state)
+  void RunRecorder::start(coupling::CoupledState &state)
   {
     probes.set_reference(state);
     if (parts.blocks != nullptr)
@@ -140,8 +147,7 @@ namespace hybrid::output
 
 
 
-  Vec2
-  RunRecorder::base_displacement() const
+  Vec2 RunRecorder::base_displacement() const
   {
     if (base_monitor < 0 || monitors[base_monitor].histories[0].empty())
       return Vec2::Zero();
@@ -151,12 +157,13 @@ namespace hybrid::output
 
 
 
-  void
-  RunRecorder::record_motion(const coupling::CoupledState &state)
+  void RunRecorder::record_motion(const coupling::CoupledState &state)
   {
-    const double t = state.time - parts.scene.motion.start;
-    const Vec2   d = shaking_direction(parts.scene.motion);
-    const double values[3] = {parts.motion.acceleration(t), parts.motion.velocity(t), parts.motion.displacement(t)};
+    const double t         = state.time - parts.scene.motion.start;
+    const Vec2   d         = shaking_direction(parts.scene.motion);
+    const double values[3] = {parts.motion.acceleration(t),
+                              parts.motion.velocity(t),
+                              parts.motion.displacement(t)};
     for (int k = 0; k < 3; ++k)
       {
         const Vec2 pair = values[k] * d;
@@ -189,12 +196,11 @@ namespace hybrid::output
 
 
 
-  void
-  RunRecorder::record_energy(coupling::CoupledState &state)
+  void RunRecorder::record_energy(coupling::CoupledState &state)
   {
     if (parts.continuum != nullptr)
       parts.continuum->audit_energy(state.continuum, parts.scene.time.time_step);
-    const std::vector<double> &terms = ledger.update(state);
+    const std::vector<double> &terms    = ledger.update(state);
     const double               residual = ledger.residual();
     file.append(energy_time, &state.time);
     file.append(energy_residual, &residual);
@@ -204,8 +210,7 @@ namespace hybrid::output
 
 
 
-  void
-  RunRecorder::record_picture(const coupling::CoupledState &state)
+  void RunRecorder::record_picture(const coupling::CoupledState &state)
   {
     pictures.add(state);
     if (interface_time < 0)
@@ -216,8 +221,7 @@ namespace hybrid::output
 
 
 
-  void
-  RunRecorder::update_peaks(const coupling::CoupledState &state)
+  void RunRecorder::update_peaks(const coupling::CoupledState &state)
   {
     const Vec2 base = base_displacement();
     for (std::size_t b = 0; b < peak_displacement.size(); ++b)
@@ -228,11 +232,10 @@ namespace hybrid::output
 
 
 
-  void
-  RunRecorder::record_step(coupling::CoupledState &state,
-                           const dda::StepResult  &step,
-                           const double            dt,
-                           const double            wall_time)
+  void RunRecorder::record_step(coupling::CoupledState &state,
+                                const dda::StepResult  &step,
+                                const double            dt,
+                                const double            wall_time)
   {
     const double iterations = step.iterations, solver_iterations = step.solver_iterations;
     times.push_back(state.time);
@@ -267,8 +270,7 @@ namespace hybrid::output
 
 
 
-  void
-  RunRecorder::write_section(const coupling::CoupledState &state)
+  void RunRecorder::write_section(const coupling::CoupledState &state)
   {
     std::vector<double> outline, surface;
     for (const auto &line : parts.mesh.lines)
@@ -280,21 +282,25 @@ namespace hybrid::output
             outline.insert(outline.end(), {parts.mesh.nodes[node].x(), parts.mesh.nodes[node].y()});
       }
     if (!outline.empty())
-      file.write_table("section/outline", "m", outline.data(), outline.size() / 4, 4, "edges of the bedrock");
+      file.write_table(
+        "section/outline", "m", outline.data(), outline.size() / 4, 4, "edges of the bedrock");
     const auto sliding = parts.mesh.lines.find("sliding_surface");
     if (sliding != parts.mesh.lines.end() && !sliding->second.empty())
       {
         for (const auto &edge : sliding->second)
-          surface.insert(surface.end(), {parts.mesh.nodes[edge[0]].x(), parts.mesh.nodes[edge[0]].y()});
+          surface.insert(surface.end(),
+                         {parts.mesh.nodes[edge[0]].x(), parts.mesh.nodes[edge[0]].y()});
         const Vec2 &last = parts.mesh.nodes[sliding->second.back()[1]];
         surface.insert(surface.end(), {last.x(), last.y()});
-        file.write_table("section/surface", "m", surface.data(), surface.size() / 2, 2, "sliding surface");
+        file.write_table(
+          "section/surface", "m", surface.data(), surface.size() / 2, 2, "sliding surface");
       }
     if (parts.blocks == nullptr)
       return;
     const Vec2           base = base_displacement();
     const dda::Geometry &g    = parts.blocks->initial;
-    std::vector<double>  offsets(g.offset.begin(), g.offset.end()), points, final_points, displacement;
+    std::vector<double>  offsets(g.offset.begin(), g.offset.end()), points, final_points,
+      displacement;
     for (const Vec2 &v : g.vertices)
       points.insert(points.end(), {v.x(), v.y()});
     for (const Vec2 &v : state.blocks.geometry.vertices)
@@ -304,21 +310,32 @@ namespace hybrid::output
         const Vec2 u = state.blocks.blocks[b].centroid - reference_centroids[b] - base;
         displacement.insert(displacement.end(), {u.x(), u.y()});
       }
-    file.write_table("section/blocks_offsets", "1", offsets.data(), offsets.size(), 1, "first vertex");
+    file.write_table(
+      "section/blocks_offsets", "1", offsets.data(), offsets.size(), 1, "first vertex");
     file.write_table("section/blocks_points", "m", points.data(), g.vertices.size(), 2, "initial");
-    file.write_table("section/blocks_points_final", "m", final_points.data(), g.vertices.size(), 2, "at the end");
-    file.write_table("section/blocks_displacement", "m", displacement.data(), displacement.size() / 2, 2,
+    file.write_table(
+      "section/blocks_points_final", "m", final_points.data(), g.vertices.size(), 2, "at the end");
+    file.write_table("section/blocks_displacement",
+                     "m",
+                     displacement.data(),
+                     displacement.size() / 2,
+                     2,
                      "of centroids at the end, relative to the base");
-    file.write_table("section/blocks_peak_displacement", "m", peak_displacement.data(), peak_displacement.size(), 1,
+    file.write_table("section/blocks_peak_displacement",
+                     "m",
+                     peak_displacement.data(),
+                     peak_displacement.size(),
+                     1,
                      "largest magnitude relative to the base");
     if (parts.scene.environment.water_level > -1e299)
-      file.set_attribute("section", "water_level", std::vector<double>{parts.scene.environment.water_level});
+      file.set_attribute("section",
+                         "water_level",
+                         std::vector<double>{parts.scene.environment.water_level});
   }
 
 
 
-  void
-  RunRecorder::write_joints(const coupling::CoupledState &state)
+  void RunRecorder::write_joints(const coupling::CoupledState &state)
   {
     std::vector<double>  time, kind, position, ends;
     const dda::Geometry &g = parts.blocks->initial;
@@ -328,14 +345,16 @@ namespace hybrid::output
         if (s.failure == dda::FailureKind::none)
           continue;
         const dda::Joint &joint = parts.blocks->joints[j];
-        const Vec2 &a = g.vertices[joint.edge], &b = g.vertices[g.next(joint.edge)];
-        const Vec2  p = a + joint.points[0].position * (b - a), q = a + joint.points[1].position * (b - a);
+        const Vec2       &a = g.vertices[joint.edge], &b = g.vertices[g.next(joint.edge)];
+        const Vec2        p = a + joint.points[0].position * (b - a),
+                   q        = a + joint.points[1].position * (b - a);
         time.push_back(s.failure_time);
         kind.push_back(s.failure == dda::FailureKind::tensile ? 1. : 2.);
         position.insert(position.end(), {0.5 * (p.x() + q.x()), 0.5 * (p.y() + q.y())});
         ends.insert(ends.end(), {p.x(), p.y(), q.x(), q.y()});
       }
-    file.write_table("joints/failure_time", "s", time.data(), time.size(), 1, "negative: static stage");
+    file.write_table(
+      "joints/failure_time", "s", time.data(), time.size(), 1, "negative: static stage");
     file.write_table("joints/failure_kind", "1", kind.data(), kind.size(), 1, "1 tensile, 2 shear");
     file.write_table("joints/position", "m", position.data(), time.size(), 2, "middle, initial");
     file.write_table("joints/ends", "m", ends.data(), time.size(), 4, "initial");
@@ -343,8 +362,7 @@ namespace hybrid::output
 
 
 
-  void
-  RunRecorder::finish(coupling::CoupledState &state, Summary &summary)
+  void RunRecorder::finish(coupling::CoupledState &state, Summary &summary)
   {
     record_energy(state);
     record_picture(state);
@@ -360,9 +378,10 @@ namespace hybrid::output
             Summary::FailedJoints &count   = settled ? summary.static_joints : summary.joints;
             ++(joint.failure == dda::FailureKind::tensile ? count.tensile : count.shear);
             if (!settled)
-              summary.first_failure_time = std::isnan(summary.first_failure_time) ?
-                                             joint.failure_time :
-                                             std::min(summary.first_failure_time, joint.failure_time);
+              summary.first_failure_time =
+                std::isnan(summary.first_failure_time)
+                  ? joint.failure_time
+                  : std::min(summary.first_failure_time, joint.failure_time);
           }
       }
     file.flush();
@@ -374,8 +393,9 @@ namespace hybrid::output
     if (times.empty())
       return;
     MonitorReference reference;
-    reference.time                 = times;
-    reference.outcrop_acceleration = parts.motion.empty() ? std::vector<double>{} : input_acceleration;
+    reference.time = times;
+    reference.outcrop_acceleration =
+      parts.motion.empty() ? std::vector<double>{} : input_acceleration;
     if (base_monitor >= 0)
       reference.base_displacement = monitors[base_monitor].histories[0];
     reference.filter_frequency   = parts.scene.monitors.filter_frequency;
@@ -384,6 +404,7 @@ namespace hybrid::output
     summary.filter_frequency          = reference.filter_frequency;
     summary.outcrop_peak_acceleration = summarizer.outcrop_peak();
     for (const MonitorSeries &m : monitors)
-      summary.monitors[m.name] = summarizer.summarize(m.histories[0], m.histories[1], m.histories[2]);
+      summary.monitors[m.name] =
+        summarizer.summarize(m.histories[0], m.histories[1], m.histories[2]);
   }
 } // namespace hybrid::output

@@ -16,8 +16,7 @@ namespace hybrid::output
 
 
     /// printf into a string.
-    std::string
-    line(const char *format, ...)
+    std::string line(const char *format, ...)
     {
       char    buffer[512];
       va_list arguments;
@@ -29,41 +28,58 @@ namespace hybrid::output
 
 
 
-    void
-    describe_effects(const scene::SceneParameters &scene, const scene::Motion &motion, std::string &text)
+    void describe_effects(const scene::SceneParameters &scene,
+                          const scene::Motion          &motion,
+                          std::string                  &text)
     {
-      const auto  state = [](const bool on) { return on ? "on " : "off"; };
-      const char *sides[] = {"viscous", "free field", "rollers", "fixed"};
-      const char *bases[] = {"compliant", "rigid", "fixed"};
+      const auto  state     = [](const bool on) { return on ? "on " : "off"; };
+      const char *sides[]   = {"viscous", "free field", "rollers", "fixed"};
+      const char *bases[]   = {"compliant", "rigid", "fixed"};
       const bool  continuum = scene.continuum_model == scene::ContinuumModel::elastic;
       text += "Effects\n";
-      text += line("  continuum          %s%s%s", state(continuum), continuum ? "  base " : "",
+      text += line("  continuum          %s%s%s",
+                   state(continuum),
+                   continuum ? "  base " : "",
                    continuum ? bases[static_cast<int>(scene.continuum.base)] : "");
       if (continuum)
-        text += line("  sides              on   %s", sides[static_cast<int>(scene.continuum.sides)]);
-      text += line("  bedding planes     %s  %zu elastic joints", state(!scene.bedding.names.empty()), scene.bedding.names.size());
+        text +=
+          line("  sides              on   %s", sides[static_cast<int>(scene.continuum.sides)]);
+      text += line("  bedding planes     %s  %zu elastic joints",
+                   state(!scene.bedding.names.empty()),
+                   scene.bedding.names.size());
       text += line("  blocks             %s", state(scene.blocks.enabled));
       if (scene.blocks.enabled)
         {
           text += line("  fracture           %s", state(scene.blocks.bonded));
-          text += line("  block damping      %s  ratio %g at %g Hz", state(scene.blocks.damping_ratio > 0.),
-                       scene.blocks.damping_ratio, scene.blocks.damping_frequency);
+          text += line("  block damping      %s  ratio %g at %g Hz",
+                       state(scene.blocks.damping_ratio > 0.),
+                       scene.blocks.damping_ratio,
+                       scene.blocks.damping_frequency);
         }
-      text += line("  gravity            %s  %g m/s2", state(scene.environment.gravity > 0.), scene.environment.gravity);
+      text += line("  gravity            %s  %g m/s2",
+                   state(scene.environment.gravity > 0.),
+                   scene.environment.gravity);
       const bool water = scene.environment.water_level > -1e299;
-      text += water ? line("  water              on   level %g m", scene.environment.water_level) :
-                      line("  water              off");
-      text += motion.empty() ? line("  motion             off") :
-                               line("  motion             on   %s, %s peak %.4g m/s2, %.4g s, 95 %% of its energy below %.3g Hz",
-                                    scene.motion.type.c_str(), scene.motion.outcrop ? "outcrop" : "incident",
-                                    motion.peak_acceleration() / (scene.motion.outcrop ? 1. : 2.), motion.duration(),
-                                    highest_frequency(motion));
+      text += water ? line("  water              on   level %g m", scene.environment.water_level)
+                    : line("  water              off");
+      text +=
+        motion.empty()
+          ? line("  motion             off")
+          : line(
+              "  motion             on   %s, %s peak %.4g m/s2, %.4g s, 95 %% of its energy below %.3g Hz",
+              scene.motion.type.c_str(),
+              scene.motion.outcrop ? "outcrop" : "incident",
+              motion.peak_acceleration() / (scene.motion.outcrop ? 1. : 2.),
+              motion.duration(),
+              highest_frequency(motion));
     }
 
 
 
-    void
-    describe_blocks(const dda::Model &model, const scene::SceneParameters &scene, const double wanted, SceneCard &card)
+    void describe_blocks(const dda::Model             &model,
+                         const scene::SceneParameters &scene,
+                         const double                  wanted,
+                         SceneCard                    &card)
     {
       double smallest = 1e300, largest = 0.;
       for (const dda::BlockProperties &b : model.blocks)
@@ -71,36 +87,49 @@ namespace hybrid::output
           smallest = std::min(smallest, b.size);
           largest  = std::max(largest, b.size);
         }
-      const Material &m = scene.material(scene.blocks.material, "Blocks/Material");
+      const Material &m       = scene.material(scene.blocks.material, "Blocks/Material");
       double          slowest = m.s_wave_speed();
       if (scene.environment.water_level > -1e299 && !scene.blocks.saturated_material.empty())
-        slowest = std::min(slowest, scene.material(scene.blocks.saturated_material, "Blocks/Saturated material").s_wave_speed());
+        slowest =
+          std::min(slowest,
+                   scene.material(scene.blocks.saturated_material, "Blocks/Saturated material")
+                     .s_wave_speed());
       const double resolved = slowest / (points_per_wavelength * largest);
-      card.text += line("Blocks     %d blocks, %zu joints, size %.3g to %.3g m; slowest S wave %.4g m/s: resolves %.3g Hz",
-                        model.n_blocks(), model.joints.size(), smallest, largest, slowest, resolved);
+      card.text += line(
+        "Blocks     %d blocks, %zu joints, size %.3g to %.3g m; slowest S wave %.4g m/s: resolves %.3g Hz",
+        model.n_blocks(),
+        model.joints.size(),
+        smallest,
+        largest,
+        slowest,
+        resolved);
       if (wanted > resolved)
-        card.warnings.push_back(line("blocks resolve %.3g Hz at ten per wave length, the motion has energy up to %.3g Hz; "
-                                     "a block size of %.3g m would do", resolved, wanted, slowest / (points_per_wavelength * wanted)));
+        card.warnings.push_back(line(
+          "blocks resolve %.3g Hz at ten per wave length, the motion has energy up to %.3g Hz; "
+          "a block size of %.3g m would do",
+          resolved,
+          wanted,
+          slowest / (points_per_wavelength * wanted)));
     }
   } // namespace
 
 
 
-  double
-  highest_frequency(const scene::Motion &motion, const double share)
+  double highest_frequency(const scene::Motion &motion, const double share)
   {
     // Plain discrete Fourier sums at 400 frequencies: enough for a figure on a card.
     const auto &a = motion.samples();
     if (a.size() < 2)
       return 0.;
-    constexpr int       n    = 400;
-    const double        top  = std::min(50., 0.5 / motion.time_step());
+    constexpr int       n   = 400;
+    const double        top = std::min(50., 0.5 / motion.time_step());
     std::vector<double> power(n);
     double              total = 0.;
     for (int k = 0; k < n; ++k)
       {
-        const std::complex<double> turn = std::polar(1., -2. * M_PI * top * (k + 1) / n * motion.time_step());
-        std::complex<double>       sum = 0., factor = 1.;
+        const std::complex<double> turn =
+          std::polar(1., -2. * M_PI * top * (k + 1) / n * motion.time_step());
+        std::complex<double> sum = 0., factor = 1.;
         for (const double value : a)
           {
             sum += value * factor;
@@ -117,11 +146,10 @@ namespace hybrid::output
 
 
 
-  SceneCard
-  make_scene_card(const scene::SceneParameters &scene,
-                  const scene::Motion          &motion,
-                  const dda::Model             *blocks,
-                  const continuum::Continuum   *continuum)
+  SceneCard make_scene_card(const scene::SceneParameters &scene,
+                            const scene::Motion          &motion,
+                            const dda::Model             *blocks,
+                            const continuum::Continuum   *continuum)
   {
     SceneCard card;
     if (!scene.title.empty())
@@ -131,25 +159,44 @@ namespace hybrid::output
     if (continuum != nullptr)
       {
         const auto r = continuum->resolution();
-        card.text += line("Continuum  %d cells of degree %d, %zu unknowns, %zu on the contact surface; S %.4g, P %.4g m/s: resolves %.3g Hz",
-                          r.cells, scene.continuum.degree, continuum->n_unknowns(), r.surface_unknowns,
-                          r.slowest_s_wave, r.fastest_p_wave, r.highest_frequency);
+        card.text += line(
+          "Continuum  %d cells of degree %d, %zu unknowns, %zu on the contact surface; S %.4g, P %.4g m/s: resolves %.3g Hz",
+          r.cells,
+          scene.continuum.degree,
+          continuum->n_unknowns(),
+          r.surface_unknowns,
+          r.slowest_s_wave,
+          r.fastest_p_wave,
+          r.highest_frequency);
         if (wanted > r.highest_frequency)
-          card.warnings.push_back(line("the continuum resolves %.3g Hz at ten nodes per wave length, the motion has energy up to %.3g Hz; "
-                                       "refine the mesh by %.2g", r.highest_frequency, wanted, wanted / r.highest_frequency));
+          card.warnings.push_back(line(
+            "the continuum resolves %.3g Hz at ten nodes per wave length, the motion has energy up to %.3g Hz; "
+            "refine the mesh by %.2g",
+            r.highest_frequency,
+            wanted,
+            wanted / r.highest_frequency));
       }
     if (blocks != nullptr)
       describe_blocks(*blocks, scene, wanted, card);
-    card.text += line("Time       %g s in steps of %g s, Newmark beta %g, gamma %g", scene.time.end_time,
-                      scene.time.time_step, scene.time.newmark.beta, scene.time.newmark.gamma);
+    card.text += line("Time       %g s in steps of %g s, Newmark beta %g, gamma %g",
+                      scene.time.end_time,
+                      scene.time.time_step,
+                      scene.time.newmark.beta,
+                      scene.time.newmark.gamma);
     if (wanted > 0. && scene.time.time_step > 1. / (20. * wanted))
-      card.warnings.push_back(line("the time step %g s has fewer than 20 points per period of %.3g Hz; %.2g s would do",
-                                   scene.time.time_step, wanted, 1. / (20. * wanted)));
+      card.warnings.push_back(
+        line("the time step %g s has fewer than 20 points per period of %.3g Hz; %.2g s would do",
+             scene.time.time_step,
+             wanted,
+             1. / (20. * wanted)));
     const double k01 = scene.time.dynamic_coefficient;
     if (k01 < 1.)
-      card.warnings.push_back(line("the dynamic coefficient %g brakes every block: damping rate %.4g 1/s, terminal velocity of a "
-                                   "free fall %.4g m/s", k01, (1. - k01) / scene.time.time_step,
-                                   scene.environment.gravity * scene.time.time_step / (1. - k01)));
+      card.warnings.push_back(line(
+        "the dynamic coefficient %g brakes every block: damping rate %.4g 1/s, terminal velocity of a "
+        "free fall %.4g m/s",
+        k01,
+        (1. - k01) / scene.time.time_step,
+        scene.environment.gravity * scene.time.time_step / (1. - k01)));
     for (std::string &warning : card.warnings)
       warning.pop_back(); // the line's end
     card.text.pop_back();

@@ -25,29 +25,24 @@ namespace hybrid::output
     {}
 
     /// Names of the terms, in the order of values().
-    std::vector<std::string>
-    names() const;
+    std::vector<std::string> names() const;
 
     /// Terms now [J/m]; the first call sets the start.
-    const std::vector<double> &
-    update(const coupling::CoupledState &state);
+    const std::vector<double> &update(const coupling::CoupledState &state);
 
-    const std::vector<double> &
-    values() const
+    const std::vector<double> &values() const
     {
       return terms;
     }
 
     /// Relative residual now [-].
-    double
-    residual() const
+    double residual() const
     {
       return imbalance;
     }
 
     /// Largest relative residual so far [-].
-    double
-    largest_residual() const
+    double largest_residual() const
     {
       return largest;
     }

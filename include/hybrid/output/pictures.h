@@ -15,14 +15,14 @@ namespace hybrid::output
   {
   public:
     /// Parts that are nullptr are left out. They must outlive the pictures.
-    Pictures(const std::string &directory, const dda::Model *blocks, const continuum::Continuum *bedrock);
+    Pictures(const std::string          &directory,
+             const dda::Model           *blocks,
+             const continuum::Continuum *bedrock);
 
     /// Displacements of blocks count from @p reference (the end of the static stage).
-    void
-    set_reference(const dda::DdaState &reference);
+    void set_reference(const dda::DdaState &reference);
 
-    void
-    add(const coupling::CoupledState &state);
+    void add(const coupling::CoupledState &state);
 
   private:
     const dda::Model           *model;
@@ -31,13 +31,10 @@ namespace hybrid::output
     VtuWriter                   writer;
     std::unique_ptr<PvdSeries>  block_series, joint_series, continuum_series;
 
-    void
-    add_blocks(const coupling::CoupledState &state);
+    void add_blocks(const coupling::CoupledState &state);
 
-    void
-    add_joints(const coupling::CoupledState &state);
+    void add_joints(const coupling::CoupledState &state);
 
-    void
-    add_continuum(const coupling::CoupledState &state);
+    void add_continuum(const coupling::CoupledState &state);
   };
 } // namespace hybrid::output

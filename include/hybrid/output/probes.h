@@ -33,23 +33,21 @@ namespace hybrid::output
     /// Both may be nullptr (the scene has no such part). They must outlive the probes.
     Probes(const dda::Model *blocks, continuum::Continuum *bedrock);
 
-    /// Follow the point at the initial position @p x. @return its number. @throws InputError if nothing is there.
-    int
-    add(const Vec2 &x, const std::string &name);
+    /// Follow the point at the initial position @p x. @return its number. @throws InputError if
+    /// nothing is there.
+    int add(const Vec2 &x, const std::string &name);
 
     /// Displacements count from the positions in @p state.
-    void
-    set_reference(const coupling::CoupledState &state);
+    void set_reference(const coupling::CoupledState &state);
 
-    PointMotion
-    sample(const coupling::CoupledState &state, int probe) const;
+    PointMotion sample(const coupling::CoupledState &state, int probe) const;
 
   private:
     struct Probe
     {
-      int    block = -1; ///< or -1
-      int    point = -1; ///< of the continuum, or -1
-      int    vertices[3] = {0, 0, 0};  ///< of the block, spanning it
+      int    block       = -1;           ///< or -1
+      int    point       = -1;           ///< of the continuum, or -1
+      int    vertices[3] = {0, 0, 0};    ///< of the block, spanning it
       double weights[3]  = {0., 0., 0.}; ///< the point is their weighted sum
       Vec2   reference   = Vec2::Zero(); ///< [m]
     };
@@ -58,16 +56,12 @@ namespace hybrid::output
     continuum::Continuum *continuum;
     std::vector<Probe>    probes;
 
-    int
-    block_at(const Vec2 &x) const;
+    int block_at(const Vec2 &x) const;
 
-    int
-    nearest_block(const Vec2 &x) const;
+    int nearest_block(const Vec2 &x) const;
 
-    void
-    attach(Probe &probe, int block, const Vec2 &x) const;
+    void attach(Probe &probe, int block, const Vec2 &x) const;
 
-    Vec2
-    position(const dda::DdaState &state, const Probe &probe) const;
+    Vec2 position(const dda::DdaState &state, const Probe &probe) const;
   };
 } // namespace hybrid::output

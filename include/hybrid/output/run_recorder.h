@@ -23,7 +23,7 @@ namespace hybrid::output
   {
     const scene::SceneParameters &scene;
     const scene::SectionMesh     &mesh;
-    const scene::Motion          &motion;    ///< outcrop motion
+    const scene::Motion          &motion; ///< outcrop motion
     const dda::Model             *blocks;
     continuum::Continuum         *continuum; ///< points are registered in it
   };
@@ -37,26 +37,24 @@ namespace hybrid::output
     explicit RunRecorder(const RunParts &parts);
 
     /// The state after the static stage: displacements count from here. Writes the first picture.
-    void
-    start(coupling::CoupledState &state);
+    void start(coupling::CoupledState &state);
 
     /// After an accepted step of @p dt [s] that took @p wall_time [s].
-    void
-    record_step(coupling::CoupledState &state, const dda::StepResult &step, double dt, double wall_time);
+    void record_step(coupling::CoupledState &state,
+                     const dda::StepResult  &step,
+                     double                  dt,
+                     double                  wall_time);
 
     /// Last picture, joints, section, and what the histories say for the summary.
-    void
-    finish(coupling::CoupledState &state, Summary &summary);
+    void finish(coupling::CoupledState &state, Summary &summary);
 
-    const EnergyLedger &
-    energy() const
+    const EnergyLedger &energy() const
     {
       return ledger;
     }
 
     /// Flush run.h5.
-    void
-    flush()
+    void flush()
     {
       file.flush();
     }
@@ -86,34 +84,24 @@ namespace hybrid::output
     std::vector<MonitorSeries> monitors;
     std::vector<Profile>       profiles;
     int                        base_monitor = -1; ///< index in monitors
-    int                        time_series = -1, input_series[3] = {-1, -1, -1}, step_series[4] = {-1, -1, -1, -1};
-    int                        energy_time = -1, energy_residual = -1, interface_time = -1, interface_force = -1;
-    std::vector<int>           energy_series;
-    std::vector<double>        times, input_acceleration;
-    std::vector<Vec2>          reference_centroids;
-    std::vector<double>        peak_displacement; ///< of each block relative to the base [m]
-    double                     next_picture = 0., next_audit = 0.;
+    int time_series = -1, input_series[3] = {-1, -1, -1}, step_series[4] = {-1, -1, -1, -1};
+    int energy_time = -1, energy_residual = -1, interface_time = -1, interface_force = -1;
+    std::vector<int>    energy_series;
+    std::vector<double> times, input_acceleration;
+    std::vector<Vec2>   reference_centroids;
+    std::vector<double> peak_displacement; ///< of each block relative to the base [m]
+    double              next_picture = 0., next_audit = 0.;
     std::chrono::steady_clock::time_point last_flush;
 
-    void
-    add_monitors();
-    void
-    add_boreholes();
-    void
-    add_series();
-    void
-    record_motion(const coupling::CoupledState &state);
-    void
-    record_energy(coupling::CoupledState &state);
-    void
-    record_picture(const coupling::CoupledState &state);
-    void
-    update_peaks(const coupling::CoupledState &state);
-    void
-    write_section(const coupling::CoupledState &state);
-    void
-    write_joints(const coupling::CoupledState &state);
-    Vec2
-    base_displacement() const;
+    void add_monitors();
+    void add_boreholes();
+    void add_series();
+    void record_motion(const coupling::CoupledState &state);
+    void record_energy(coupling::CoupledState &state);
+    void record_picture(const coupling::CoupledState &state);
+    void update_peaks(const coupling::CoupledState &state);
+    void write_section(const coupling::CoupledState &state);
+    void write_joints(const coupling::CoupledState &state);
+    Vec2 base_displacement() const;
   };
 } // namespace hybrid::output

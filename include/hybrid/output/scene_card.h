@@ -20,14 +20,13 @@ namespace hybrid::output
 
 
   /// Parts that a scene does not have are nullptr. @param motion the outcrop motion.
-  SceneCard
-  make_scene_card(const scene::SceneParameters &scene,
-                  const scene::Motion          &motion,
-                  const dda::Model             *blocks,
-                  const continuum::Continuum   *continuum);
+  SceneCard make_scene_card(const scene::SceneParameters &scene,
+                            const scene::Motion          &motion,
+                            const dda::Model             *blocks,
+                            const continuum::Continuum   *continuum);
 
 
-  /// Frequency below which a motion has the part @p share of its squared acceleration spectrum [Hz].
-  double
-  highest_frequency(const scene::Motion &motion, double share = 0.95);
+  /// Frequency below which a motion has the part @p share of its squared acceleration spectrum
+  /// [Hz].
+  double highest_frequency(const scene::Motion &motion, double share = 0.95);
 } // namespace hybrid::output
