@@ -43,6 +43,7 @@ namespace
     if (error)
       throw InputError("Output/Directory: cannot make the directory '" + scene.output.directory +
                        "': " + error.message());
+    std::filesystem::remove(scene.output.directory + "/summary.json", error); // of an earlier run
     log.open_file(scene.output.directory + "/log.txt");
     std::ofstream(scene.output.directory + "/params.used.prm") << scene.used_prm;
   }

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <sys/resource.h>
 
 namespace hybrid
 {
@@ -25,6 +26,15 @@ namespace hybrid
     double seconds_since(const SteadyClock::time_point start)
     {
       return std::chrono::duration<double>(SteadyClock::now() - start).count();
+    }
+
+
+
+    /// Largest resident memory so far [MB].
+    double peak_memory()
+    {
+      rusage usage;
+      return getrusage(RUSAGE_SELF, &usage) == 0 ? usage.ru_maxrss / 1024. : 0.;
     }
 
 
@@ -225,6 +235,7 @@ namespace hybrid
     summary.timings["continuum"] = step.timings().continuum;
     summary.timings["blocks"]    = step.timings().blocks;
     summary.wall_time            = seconds_since(start);
+    summary.peak_memory          = peak_memory();
     output::write_summary(summary, scene.output.directory + "/summary.json");
 
     char text[300];

@@ -44,9 +44,8 @@ namespace hybrid::output
       if (continuum)
         text +=
           line("  sides              on   %s", sides[static_cast<int>(scene.continuum.sides)]);
-      text += line("  bedding planes     %s  %zu elastic joints",
-                   state(!scene.bedding.names.empty()),
-                   scene.bedding.names.size());
+      const std::size_t planes = continuum ? scene.bedding.names.size() : 0;
+      text += line("  bedding planes     %s  %zu elastic joints", state(planes > 0), planes);
       text += line("  blocks             %s", state(scene.blocks.enabled));
       if (scene.blocks.enabled)
         {

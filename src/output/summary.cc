@@ -144,6 +144,7 @@ namespace hybrid::output
     object.add("steps", summary.steps);
     object.add("simulated_time_s", summary.simulated_time);
     object.add("wall_time_s", summary.wall_time);
+    object.add("peak_memory_mb", summary.peak_memory);
     object.add("blocks", summary.blocks);
     object.add("continuum_unknowns", summary.continuum_unknowns);
     object.add("interface_unknowns", summary.interface_unknowns);

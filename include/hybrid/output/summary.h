@@ -43,6 +43,7 @@ namespace hybrid::output
     long         steps              = 0;  ///< accepted
     double       simulated_time     = 0.; ///< [s]
     double       wall_time          = 0.; ///< [s]
+    double       peak_memory        = 0.; ///< resident, of this process [MB]
     long         blocks             = 0;
     long         continuum_unknowns = 0;
     long         interface_unknowns = 0;

@@ -187,7 +187,6 @@ namespace hybrid::scene
     double picture_interval = 0.1; ///< simulated time between VTU files [s]; 0: only first and last
     double flush_interval   = 2.;  ///< wall time between flushes of run.h5 [s]
     double audit_interval   = 0.01; ///< simulated time between energy audits [s]
-    bool   force            = true; ///< overwrite an existing run of the same directory
   };
 
   /// Everything a scene says.
