@@ -59,6 +59,77 @@ namespace hybrid::continuum
   }
 
 
+  double Continuum::Implementation::add_boundary_energy(ContinuumState &state)
+  {
+    const std::size_t n          = n_dofs();
+    const double      gamma      = newmark.gamma;
+    ContinuumEnergy  &energy     = state.energy;
+    const auto       &edge_nodes = boundary->boundary_nodes();
+    gather_boundary(state.velocity, edge0);
+    gather_boundary(v1, edge1);
+    boundary->incoming(state.time,
+                       state.displacement.data() + n,
+                       state.velocity.data() + n,
+                       incoming0);
+    boundary->forces(incoming0, edge0, edge_force0);
+    boundary->forces(incoming1, edge1, edge_force1);
+    double boundary_work = 0.;
+    double strain_change = 0.;
+    for (std::size_t k = 0; k < edge_nodes.size(); ++k)
+      for (int c = 0; c < 2; ++c)
+        {
+          const std::size_t i = 2 * k + c, dof = 2 * edge_nodes[k] + c;
+          edge_du[i]    = u1[dof] - state.displacement[dof];
+          edge_du_ff[i] = incoming1.displacement[i] - incoming0.displacement[i];
+          edge_v_ff[i]  = (1. - gamma) * incoming0.velocity[i] + gamma * incoming1.velocity[i];
+          boundary_work += edge_du[i] * ((1. - gamma) * edge_force0[i] + gamma * edge_force1[i]);
+          strain_change += edge_du[i] * (edge_force1[i] - edge_force0[i]);
+          edge1[i] = (1. - gamma) * edge0[i] + gamma * edge1[i];
+        }
+    const double loss = boundary->dashpot_loss(edge_du, edge1, edge_du_ff, edge_v_ff);
+    energy.boundary_loss += loss;
+    energy.input_work += boundary_work + loss;
+    return strain_change;
+  }
+
+
+  double Continuum::Implementation::add_base_energy(ContinuumState &state)
+  {
+    if (boundary->moving_nodes().empty())
+      return 0.;
+    const double gamma = newmark.gamma;
+    const int    node  = boundary->moving_nodes().front();
+    const Vec2   moved(u1[2 * node] - state.displacement[2 * node],
+                     u1[2 * node + 1] - state.displacement[2 * node + 1]);
+    const Vec2   r0 = base_reaction(state.displacement.data(),
+                                  state.velocity.data(),
+                                  state.acceleration.data(),
+                                  edge_force0);
+    const Vec2   r1 = base_reaction(u1.data(), v1.data(), a1.data(), edge_force1);
+    state.energy.input_work += moved.dot((1. - gamma) * r0 + gamma * r1);
+    return moved.dot(r1 - r0);
+  }
+
+
+  double Continuum::Implementation::add_surface_energy(ContinuumState        &state,
+                                                       const Eigen::VectorXd *force)
+  {
+    const double gamma         = newmark.gamma;
+    double       strain_change = 0.;
+    for (std::size_t k = 0; k < surface.size(); ++k)
+      for (int c = 0; c < 2; ++c)
+        {
+          const std::size_t i = 2 * k + c, dof = 2 * surface[k] + c;
+          const double      old   = state.surface_force.empty() ? 0. : state.surface_force[i];
+          const double      now   = force == nullptr ? 0. : (*force)[i];
+          const double      moved = u1[dof] - state.displacement[dof];
+          state.energy.surface_work += moved * ((1. - gamma) * old + gamma * now);
+          strain_change += moved * (now - old);
+        }
+    return strain_change;
+  }
+
+
   void Continuum::Implementation::add_energy(ContinuumState        &state,
                                              const double           dt,
                                              const Eigen::VectorXd *force)
@@ -76,61 +147,12 @@ namespace hybrid::continuum
           0.5 * scheme * (dt * dt - state.time_step * state.time_step) * dot(da, product);
       }
 
-    // Boundary.
-    const auto &edge_nodes = boundary->boundary_nodes();
-    gather_boundary(state.velocity, edge0);
-    gather_boundary(v1, edge1);
-    boundary->incoming(state.time,
-                       state.displacement.data() + n,
-                       state.velocity.data() + n,
-                       incoming0);
-    boundary->forces(incoming0, edge0, edge_force0);
-    boundary->forces(incoming1, edge1, edge_force1);
-    double boundary_work = 0.;
-    double strain_change = 0.; // Du . K Du
-    for (std::size_t k = 0; k < edge_nodes.size(); ++k)
-      for (int c = 0; c < 2; ++c)
-        {
-          const std::size_t i = 2 * k + c, dof = 2 * edge_nodes[k] + c;
-          edge_du[i]    = u1[dof] - state.displacement[dof];
-          edge_du_ff[i] = incoming1.displacement[i] - incoming0.displacement[i];
-          edge_v_ff[i]  = (1. - gamma) * incoming0.velocity[i] + gamma * incoming1.velocity[i];
-          boundary_work += edge_du[i] * ((1. - gamma) * edge_force0[i] + gamma * edge_force1[i]);
-          strain_change += edge_du[i] * (edge_force1[i] - edge_force0[i]);
-          edge1[i] = (1. - gamma) * edge0[i] + gamma * edge1[i];
-        }
-    const double loss = boundary->dashpot_loss(edge_du, edge1, edge_du_ff, edge_v_ff);
-    energy.boundary_loss += loss;
-    energy.input_work += boundary_work + loss;
+    // Du . K Du, from the equilibrium of both ends: what pushes from outside, then inertia and
+    // damping.
+    double strain_change = add_boundary_energy(state);
+    strain_change += add_base_energy(state);
+    strain_change += add_surface_energy(state, force);
 
-    // Moving base.
-    if (!boundary->moving_nodes().empty())
-      {
-        const int  node = boundary->moving_nodes().front();
-        const Vec2 moved(u1[2 * node] - state.displacement[2 * node],
-                         u1[2 * node + 1] - state.displacement[2 * node + 1]);
-        const Vec2 r0 = base_reaction(state.displacement.data(),
-                                      state.velocity.data(),
-                                      state.acceleration.data(),
-                                      edge_force0);
-        const Vec2 r1 = base_reaction(u1.data(), v1.data(), a1.data(), edge_force1);
-        energy.input_work += moved.dot((1. - gamma) * r0 + gamma * r1);
-        strain_change += moved.dot(r1 - r0);
-      }
-
-    // Interface.
-    for (std::size_t k = 0; k < surface.size(); ++k)
-      for (int c = 0; c < 2; ++c)
-        {
-          const std::size_t i = 2 * k + c, dof = 2 * surface[k] + c;
-          const double      old   = state.surface_force.empty() ? 0. : state.surface_force[i];
-          const double      now   = force == nullptr ? 0. : (*force)[i];
-          const double      moved = u1[dof] - state.displacement[dof];
-          energy.surface_work += moved * ((1. - gamma) * old + gamma * now);
-          strain_change += moved * (now - old);
-        }
-
-    // Inside.
     for (std::size_t i = 0; i < n; ++i)
       {
         du[i] = u1[i] - state.displacement[i];

@@ -89,6 +89,12 @@ namespace hybrid::continuum
     void                      predict(const ContinuumState &state, double dt);
     void finish(ContinuumState &state, double dt, const Eigen::VectorXd *force);
 
+    /// Parts of add_energy(): work of boundary, moving base and interface forces over the step.
+    /// @return the change of these forces times the displacement of the step [J/m].
+    double add_boundary_energy(ContinuumState &state);
+    double add_base_energy(ContinuumState &state);
+    double add_surface_energy(ContinuumState &state, const Eigen::VectorXd *force);
+
     // energy of a step (continuum_energy.cc)
     void gather_boundary(const std::vector<double> &x, std::vector<double> &on_boundary) const;
     void add_energy(ContinuumState &state, double dt, const Eigen::VectorXd *force);
