@@ -47,7 +47,7 @@ namespace hybrid::output
     step_series[0] = file.add_series("steps/dt", "s", 1, "step size");
     step_series[1] = file.add_series("steps/iterations", "1", 1, "open-close iterations");
     step_series[2] =
-      file.add_series("steps/solver_iterations", "1", 1, "conjugate gradient iterations");
+      file.add_series("steps/solver_iterations", "1", 1, "iterations of the linear solver");
     step_series[3]  = file.add_series("steps/wall_time", "s", 1, "wall time of the step");
     energy_time     = file.add_series("energy/time", "s", 1, "times of the audits");
     energy_residual = file.add_series("energy/residual", "1", 1, "relative residual of the audit");

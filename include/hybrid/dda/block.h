@@ -48,7 +48,7 @@ namespace hybrid::dda
    * Mass matrix of a first-order block, exact (Shi 1988), with the mass
    * moments turned by @p rotation.
    *
-   * Kinetic energy 1/2 v^T M v stays equal to the bit-level round-off when
+   * Kinetic energy 1/2 v^T M v stays the same to round-off when
    * moments, strain rates and accelerations are turned together: that is how
    * a step ends, so a rotation update neither gains nor loses energy.
    */

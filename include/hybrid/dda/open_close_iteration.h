@@ -14,7 +14,7 @@ namespace hybrid::dda
   {
     bool   converged          = false; ///< if not, nothing was changed: cut the step
     int    iterations         = 0;     ///< of the open-close iteration
-    int    solver_iterations  = 0;     ///< of conjugate gradients, summed
+    int    solver_iterations  = 0;     ///< of the linear solver, summed
     int    factorizations     = 0;
     double residual           = 0.; ///< relative force residual at the end [-]
     double displacement_ratio = 0.; ///< largest displacement over block size [-]
@@ -35,7 +35,7 @@ namespace hybrid::dda
    *   S w = g + f_base - f_static,
    * where c acts through the whole step (see Springs: (d - d*) / (beta dt^2) =
    * a + c / (2 beta)), with gaps and slips of the exact finite motion and contact states that
-   * agree with the forces. Newton's method with the symmetric tangent and a
+   * agree with the forces. Newton's method with the consistent tangent and a
    * line search; the tangent is kept as long as it serves. Not converged is a status: the
    * state is changed only by accept().
    */
