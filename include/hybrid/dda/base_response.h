@@ -15,8 +15,8 @@ namespace hybrid::dda
    */
   struct BaseResponse
   {
-    bool            prescribed = true;
-    Eigen::VectorXd displacement; ///< prescribed w, or the first guess of it [m]
+    bool                   prescribed = true;
+    Eigen::VectorXd        displacement;        ///< prescribed w, or the first guess of it [m]
     const Eigen::MatrixXd *stiffness = nullptr; ///< S [N/m per m], symmetric positive definite
     Eigen::VectorXd        load;                ///< g [N/m]
   };
