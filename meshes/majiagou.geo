@@ -2,29 +2,33 @@
 // The bedrock is cut into five layers by the bedding planes and by unnamed continuations to the sides,
 // so that every plane is a row of element edges and still ends as a tip.
 
-DefineConstant[ h = {4, Min 1, Max 20, Name "Resolution/h"} ]; // edge length at the slip surface and in the mass [m]
+DefineConstant[ h = {4, Min 1, Max 20, Name "Resolution/h"} ]; // edge length in the mass and at the slip surface [m]
 
-size_far     = 24;   // bedrock far from the slip surface [m]
-growth_start = h;    // the size stays h up to this distance below the slip surface [m]
-growth_end   = 130;  // and reaches size_far here [m]
+// The toe part, which is thin and yields first, is finer.
+toe_part   = 0.6; // of h up to toe_end
+toe_end    = 345; // where the slip surface is at the reservoir level, roughly [m]
+toe_growth = 60;  // and h from there on over this distance [m]
+
+size_far     = 24;  // bedrock far from the slip surface [m]
+growth_start = h;   // the size stays h up to this distance below the slip surface [m]
+growth_end   = 130; // and reaches size_far here [m]
 
 Mesh.Algorithm                              = 6; // frontal Delaunay; 8 crashes in gmsh 4.8.4
 Mesh.RecombinationAlgorithm                 = 3; // blossom full-quad: no triangle is left over
 Mesh.CharacteristicLengthFromPoints         = 0;
 Mesh.CharacteristicLengthExtendFromBoundary = 0;
 
-// ---- slip surface, toe to crest
+// ---- slip surface, toe to crest: a smooth curve through the points of the section. A mass that slides over knees
+// has to shear through at each of them, along whatever block edges the mesh has there.
 slip_x[] = {200, 228, 258, 288, 334, 400, 470, 540, 600, 655, 690, 712};
 slip_y[] = {130, 136, 140.5, 147, 164, 184.5, 205.5, 222.5, 239, 259, 275, 290};
 For i In {0:#slip_x[] - 1}
   slip_point[] += newp;
   Point(slip_point[i]) = {slip_x[i], slip_y[i], 0};
 EndFor
-For i In {0:#slip_x[] - 2}
-  l = newl;
-  Line(l) = {slip_point[i], slip_point[i + 1]};
-  slip[] += l;
-EndFor
+l = newl;
+Spline(l) = {slip_point[]};
+slip[] = {l};
 toe   = slip_point[0];
 crest = slip_point[#slip_x[] - 1];
 
@@ -129,10 +133,10 @@ EndFor
 ll = newll; Curve Loop(ll) = {loop[]};
 mass = news; Plane Surface(mass) = {ll};
 
-// ---- size: h in the mass and at the slip surface, growing with the distance from it
+// ---- size: h in the mass and at the slip surface (less at the toe), growing with the distance from it
 Field[1] = Distance;
 Field[1].CurvesList = {slip[]};
-Field[1].NumPointsPerCurve = 100;
+Field[1].NumPointsPerCurve = 1000;
 Field[2] = Threshold;
 Field[2].InField = 1;
 Field[2].SizeMin = h;
@@ -140,11 +144,11 @@ Field[2].SizeMax = size_far;
 Field[2].DistMin = growth_start;
 Field[2].DistMax = growth_end;
 Field[3] = MathEval;
-Field[3].F = Sprintf("%.16g", h);
+Field[3].F = Sprintf("%.16g * (%g + %g * Min(1, Max(0, (x - %g) / %g)))", h, toe_part, 1 - toe_part, toe_end, toe_growth);
 Field[4] = Restrict;
 Field[4].InField = 3;
 Field[4].SurfacesList = {mass};
-Field[4].CurvesList = {mass_surface[]};
+Field[4].CurvesList = {mass_surface[], slip[]};
 Field[5] = Min;
 Field[5].FieldsList = {2, 4};
 Background Field = 5;
