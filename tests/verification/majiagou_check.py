@@ -123,12 +123,12 @@ def judge_elastic(scene, judgement):
 
 
 def report_slip(profiles, scene):
-    loss = scene.run.get("energy/friction")[-1]
+    loss = scene.run.get("energy/friction_loss")[-1]
     print("slip: friction took %.4g J/m" % loss)
     for profile in profiles:
         print(
-            "slip, %s: %.3g mm are left at the ground, %.3g mm just above the sliding surface, %.3g mm in the rock below"
-            % (profile.name, 1e3 * profile.rest[-1], 1e3 * profile.rest[1], 1e3 * profile.rest[0])
+            "slip, %s: %.3g mm are left at the ground, %.3g mm just above the sliding surface"
+            % (profile.name, 1e3 * profile.rest[-1], 1e3 * profile.rest[1])
         )
 
 
@@ -146,7 +146,7 @@ def report(summary):
             1e3 * summary["wall_time_s"] / max(summary["steps"], 1),
             summary["iterations"] / max(summary["steps"], 1),
             summary["cuts"],
-            "%.0f MB" % (1e-6 * summary["peak_memory_bytes"]) if "peak_memory_bytes" in summary else "not recorded",
+            "%.0f MB" % summary["peak_memory_mb"],
         )
     )
 
