@@ -6,8 +6,8 @@
 #include <hybrid/output/probes.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/scene_card.h>
+#include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/mesh_check.h>
-#include <hybrid/scene/motion_reader.h>
 #include <hybrid/scene/section_mesh_reader.h>
 #include <hybrid/simulation.h>
 
@@ -79,7 +79,8 @@ namespace hybrid
     : scene(parameters)
     , log(run_log)
     , mesh(scene::read_section_mesh(parameters.mesh))
-    , motion(scene::make_motion(parameters.motion, parameters.time.time_step))
+    , input(scene::make_input_motion(parameters.motion, parameters.time))
+    , motion(input.motion)
   {
     scene::check_section_mesh(mesh, scene);
     if (scene.continuum_model == scene::ContinuumModel::elastic)
@@ -133,6 +134,10 @@ namespace hybrid
     const output::SceneCard card =
       output::make_scene_card(scene, motion, blocks.get(), continuum.get());
     log.info(card.text);
+    for (const std::string &note : input.notes)
+      log.info("Motion     " + note);
+    for (const std::string &warning : input.warnings)
+      log.warning(warning);
     for (const std::string &warning : card.warnings)
       log.warning(warning);
   }
@@ -210,7 +215,7 @@ namespace hybrid
   {
     const auto          start = SteadyClock::now();
     output::Summary     summary;
-    output::RunRecorder recorder({scene, mesh, motion, blocks.get(), continuum.get()});
+    output::RunRecorder recorder({scene, mesh, motion, input.fit, blocks.get(), continuum.get()});
     settle();
     summary.timings["static_stage"] = seconds_since(start);
 

@@ -7,7 +7,7 @@
 #include <hybrid/dda/static_stage.h>
 #include <hybrid/output/log.h>
 #include <hybrid/output/run_recorder.h>
-#include <hybrid/scene/motion.h>
+#include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/scene_parameters.h>
 #include <hybrid/scene/section_mesh.h>
 
@@ -46,6 +46,7 @@ namespace hybrid
     const scene::SceneParameters          scene;
     output::Log                          &log;
     scene::SectionMesh                    mesh;
+    const scene::InputMotion              input;  ///< as given
     scene::Motion                         motion; ///< at an outcrop
     std::unique_ptr<continuum::Continuum> continuum;
     std::unique_ptr<dda::Model>           blocks;

@@ -30,6 +30,7 @@ namespace hybrid::output
     file.set_attribute("/", "title", parts.scene.title);
     file.set_attribute("/", "base_monitor", parts.scene.monitors.base_monitor);
     add_series();
+    write_spectrum();
     add_monitors();
     add_boreholes();
   }
@@ -66,6 +67,23 @@ namespace hybrid::output
     interface_time = file.add_series("interface/time", "s", 1, "times of the pictures");
     interface_force =
       file.add_series("interface/force", "N/m", 2 * nodes, "of the blocks on each node");
+  }
+
+
+
+  void RunRecorder::write_spectrum()
+  {
+    const scene::SpectrumFit &fit = parts.fit;
+    const std::size_t         n   = fit.frequency.size();
+    if (n == 0)
+      return;
+    file.write_table("spectrum/frequency", "Hz", fit.frequency.data(), n, 1, "of oscillators");
+    file.write_table(
+      "spectrum/target", "m/s2", fit.target.data(), n, 1, "pseudo-acceleration asked for");
+    file.write_table(
+      "spectrum/reached", "m/s2", fit.reached.data(), n, 1, "of the motion as given");
+    file.set_attribute("spectrum", "damping", std::vector<double>{fit.damping});
+    file.set_attribute("spectrum", "outcrop", parts.scene.motion.outcrop ? "yes" : "no");
   }
 
 

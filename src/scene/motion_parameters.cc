@@ -12,23 +12,28 @@ namespace hybrid::scene
         motion.type,
         {{"none", "none"},
          {"ricker", "ricker"},
+         {"sine", "sine"},
          {"synthetic", "synthetic"},
+         {"spectrum", "spectrum"},
          {"text", "text"},
          {"at2", "at2"}},
-        "Source of the motion: a Ricker wavelet, a synthetic accelerogram, a text file "
-        "of two columns (time [s], acceleration [Unit]), or a PEER .at2 file.");
+        "Source of the motion: a Ricker wavelet, a sine burst, a synthetic accelerogram, one that "
+        "has a given response spectrum, a text file of two columns (time [s], acceleration "
+        "[Unit]), or a PEER .at2 file.");
       section.file("File", motion.file, "a text or .at2 file", "The record.");
-      section.choice<double>("Unit",
-                             motion.file_unit,
-                             {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}},
-                             "Unit of the accelerations in a text file (.at2 files are in g).");
+      section.choice<double>(
+        "Unit",
+        motion.file_unit,
+        {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}},
+        "Unit of the accelerations in a text or spectrum file (.at2 files are in "
+        "g, unless their header says otherwise).");
       section.number_or(
         "Peak",
         {"as recorded", motion.peak},
         "m/s2",
         ParameterRange::at_least(0.),
-        "Scale the motion to this peak acceleration; as recorded: leave a record as it is, "
-        "give ricker and synthetic 1 m/s2.");
+        "Scale the motion to this peak acceleration; as recorded: leave a record as it is "
+        "and a spectrum as given; ricker, sine and synthetic have 1 m/s2.");
     }
 
     void declare_synthesis(ParameterSection &section, MotionParameters &motion)
@@ -39,20 +44,49 @@ namespace hybrid::scene
         motion.frequency,
         "Hz",
         positive,
-        "Dominant frequency of the Ricker wavelet, predominant one of the synthetic motion.");
+        "Dominant frequency of the Ricker wavelet, that of the sine burst, predominant one of the "
+        "synthetic motion.");
+      section.number("Cycles", motion.cycles, "", positive, "Number of cycles of the sine burst.");
+      section.number("Taper",
+                     motion.taper,
+                     "",
+                     ParameterRange::at_least(0.),
+                     "Cycles over which the sine burst rises to its peak, and falls at the end; at "
+                     "most half of Cycles.");
       section.number("Lowest frequency",
                      motion.lowest_frequency,
                      "Hz",
                      positive,
-                     "High-pass corner of the synthetic motion.");
+                     "Lowest frequency of a synthetic motion or of the spectrum to be met.");
       section.number("Highest frequency",
                      motion.highest_frequency,
                      "Hz",
                      positive,
-                     "Low-pass corner of the synthetic motion.");
+                     "Highest frequency of a synthetic motion or of the spectrum to be met.");
       section.number(
-        "Duration", motion.duration, "s", positive, "Duration of the synthetic motion.");
-      section.integer("Seed", motion.seed, {0, 2147483647}, "Seed of the synthetic motion.");
+        "Duration", motion.duration, "s", positive, "Duration of a synthetic or spectrum motion.");
+      section.integer("Seed",
+                      motion.seed,
+                      {0, 2147483647},
+                      "Seed of a synthetic or spectrum motion.");
+    }
+
+    void declare_spectrum(ParameterSection &section, MotionParameters &motion)
+    {
+      section.file("Spectrum file",
+                   motion.spectrum_file,
+                   "a text file of two columns",
+                   "Response spectrum that Type = spectrum meets: period or frequency, and "
+                   "pseudo-acceleration [Unit].");
+      section.choice<bool>("Spectrum column",
+                           motion.spectrum_by_frequency,
+                           {{"period", false}, {"frequency", true}},
+                           "First column of the spectrum file: period [s] or frequency [Hz].");
+      section.number("Spectrum damping",
+                     motion.spectrum_damping,
+                     "",
+                     ParameterRange::open(0., 1.),
+                     "Damping ratio of the oscillators that the spectrum is for.");
     }
   } // namespace
 
@@ -74,9 +108,10 @@ namespace hybrid::scene
     section.number(
       "Start", motion.start, "s", ParameterRange::at_least(0.), "Time at which the motion starts.");
     declare_synthesis(section, motion);
+    declare_spectrum(section, motion);
     section.toggle("Baseline correction",
                    motion.baseline_correction,
-                   "Make velocity and displacement end at zero (text, at2 and synthetic).");
+                   "Make velocity and displacement end at zero (all types; a ricker does anyway).");
   }
 
   void check(const MotionParameters &motion, const ParameterTable &table)
@@ -86,7 +121,17 @@ namespace hybrid::scene
                         "Motion/Type = " + motion.type + " needs the file of a record");
     if (!motion.file.empty() && !table.is_set("Motion/Type"))
       throw table.error("Motion/File", "is not used unless Motion/Type is set to text or at2");
-    if (motion.type == "synthetic" && motion.lowest_frequency >= motion.highest_frequency)
+    if (motion.type == "spectrum" && motion.spectrum_file.empty())
+      throw table.error("Motion/Spectrum file",
+                        "Motion/Type = spectrum needs the file of a spectrum");
+    if (!motion.spectrum_file.empty() && motion.type != "spectrum")
+      throw table.error("Motion/Spectrum file",
+                        "is not used unless Motion/Type is set to spectrum");
+    if (motion.type == "sine" && 2. * motion.taper > motion.cycles)
+      throw table.error("Motion/Taper",
+                        "must be at most half of Motion/Cycles = " + number_text(motion.cycles));
+    if ((motion.type == "synthetic" || motion.type == "spectrum") &&
+        motion.lowest_frequency >= motion.highest_frequency)
       throw table.error("Motion/Lowest frequency",
                         "must be below Motion/Highest frequency = " +
                           number_text(motion.highest_frequency) + " [Hz]");

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/scene/baseline.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/motion_reader.h>
-#include <hybrid/scene/synthetic_motion.h>
 #include <hybrid/scene/text_table.h>
 
 #include <algorithm>
@@ -23,42 +21,6 @@ namespace hybrid::scene
       std::ostringstream text;
       text << value;
       return text.str();
-    }
-
-
-    Motion make_ricker(const double frequency, const double time_step)
-    {
-      if (!(frequency > 0.))
-        throw InputError("Motion/Frequency is " + in_words(frequency) +
-                         "; a Ricker wavelet needs a positive one.");
-
-      // at least 400 samples per period: the chords between them are 3e-5 of the peak off
-      const double dt   = time_step / std::max(1., std::ceil(400. * frequency * time_step - 1e-9));
-      const int    half = static_cast<int>(std::ceil(1.5 / (frequency * dt) - 1e-9));
-
-      std::vector<double> a(2 * half + 1);
-      for (int i = 0; i <= 2 * half; ++i)
-        {
-          const double s = M_PI * frequency * (i - half) * dt;
-          a[i]           = (1. - 2. * s * s) * std::exp(-s * s);
-        }
-      return Motion(dt, a);
-    }
-
-
-    Motion scaled_to_peak(const Motion &motion, const double peak, const std::string &source)
-    {
-      const double found = motion.peak_acceleration();
-      if (!(found > 0.))
-        throw InputError(source + ": the motion is zero and cannot be scaled to the peak of " +
-                         in_words(peak) + " m/s2.");
-      const Motion        scaled = motion.scaled(peak / found);
-      std::vector<double> a      = scaled.samples();
-      // the last bit of peak / found must not show in the peak
-      for (std::size_t i = 0; i < a.size(); ++i)
-        if (std::abs(a[i]) > peak || std::abs(motion.samples()[i]) == found)
-          a[i] = std::copysign(peak, a[i]);
-      return Motion(motion.time_step(), a);
     }
 
 
@@ -240,35 +202,4 @@ namespace hybrid::scene
     return Motion(header.dt, a);
   }
 
-
-  Motion make_motion(const MotionParameters &parameters, const double time_step)
-  {
-    Motion      motion;
-    std::string source    = "Motion";
-    bool        is_record = false;
-    if (parameters.type == "none")
-      return motion;
-    else if (parameters.type == "ricker")
-      motion = make_ricker(parameters.frequency, time_step);
-    else if (parameters.type == "synthetic")
-      motion = make_synthetic_motion(parameters);
-    else if (parameters.type == "text" || parameters.type == "at2")
-      {
-        is_record = true;
-        source    = parameters.file;
-        motion = parameters.type == "text" ? read_text_motion(parameters.file, parameters.file_unit)
-                                           : read_at2_motion(parameters.file);
-      }
-    else
-      throw InputError("Motion/Type is '" + parameters.type +
-                       "'; it must be none, ricker, synthetic, text or at2.");
-
-    if (is_record && parameters.baseline_correction)
-      motion = baseline_corrected(motion);
-    if (parameters.peak == 0.)
-      return motion.scaled(0.);
-    if (parameters.peak > 0.)
-      motion = scaled_to_peak(motion, parameters.peak, source);
-    return motion;
-  }
 } // namespace hybrid::scene

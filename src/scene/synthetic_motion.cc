@@ -1,63 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/baseline.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/random_numbers.h>
 #include <hybrid/scene/synthetic_motion.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <sstream>
 
 namespace hybrid::scene
 {
   namespace
   {
-    /// Standard normal deviates, the same bits with every standard library.
-    class NormalDeviates
-    {
-    public:
-      explicit NormalDeviates(const int seed)
-        : engine(static_cast<std::mt19937_64::result_type>(seed))
-      {}
-
-      /// Two independent deviates [-] (Box and Muller 1958).
-      std::pair<double, double> next_pair()
-      {
-        const double radius = std::sqrt(-2. * std::log(1. - uniform())); // 1 - [0, 1) is never 0
-        const double angle  = 2. * M_PI * uniform();
-        return {radius * std::cos(angle), radius * std::sin(angle)};
-      }
-
-    private:
-      /// Uniform in [0, 1): the upper 53 bits of the engine.
-      double uniform()
-      {
-        return std::ldexp(static_cast<double>(engine() >> 11), -53);
-      }
-
-      std::mt19937_64 engine;
-    };
-
-
     /// Kanai-Tajimi power spectrum over that of the white noise [-]; r = f / ground frequency.
     double kanai_tajimi(const double r)
     {
       const double damping = 0.6; // of the ground filter [-]
       const double b       = 4. * damping * damping * r * r;
       return (1. + b) / ((1. - r * r) * (1. - r * r) + b);
-    }
-
-
-    /// @p s = t/T in [0, 1].
-    double envelope(const double s)
-    {
-      const double rise = 0.15, fall = 0.6;
-      if (s < rise)
-        return (s / rise) * (s / rise);
-      if (s <= fall)
-        return 1.;
-      const double c = std::cos(0.5 * M_PI * (s - fall) / (1. - fall));
-      return c * c;
     }
 
 
@@ -82,6 +42,18 @@ namespace hybrid::scene
   } // namespace
 
 
+  double earthquake_envelope(const double s)
+  {
+    const double rise = 0.15, fall = 0.6;
+    if (s < rise)
+      return (s / rise) * (s / rise);
+    if (s <= fall)
+      return 1.;
+    const double c = std::cos(0.5 * M_PI * (s - fall) / (1. - fall));
+    return c * c;
+  }
+
+
   Motion make_synthetic_motion(const MotionParameters &parameters)
   {
     check(parameters);
@@ -95,12 +67,12 @@ namespace hybrid::scene
     const std::size_t harmonics =
       std::max(1., std::floor((parameters.highest_frequency - parameters.lowest_frequency) / df));
     std::vector<double> a(n, 0.);
-    NormalDeviates      deviates(parameters.seed);
+    RandomNumbers       random(static_cast<std::uint64_t>(parameters.seed));
     for (std::size_t k = 0; k < harmonics; ++k)
       {
         const double f         = parameters.lowest_frequency + (k + 0.5) * df;
         const double amplitude = std::sqrt(kanai_tajimi(f / parameters.frequency));
-        const auto [c, s]      = deviates.next_pair();
+        const auto [c, s]      = random.normal_pair();
         for (std::size_t i = 0; i < n; ++i)
           {
             const double phase = 2. * M_PI * f * (i * dt);
@@ -108,7 +80,7 @@ namespace hybrid::scene
           }
       }
     for (std::size_t i = 0; i < n; ++i)
-      a[i] *= envelope(double(i) / (n - 1));
+      a[i] *= earthquake_envelope(double(i) / (n - 1));
 
     Motion motion(dt, a);
     if (parameters.baseline_correction)

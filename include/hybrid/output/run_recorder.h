@@ -10,6 +10,7 @@
 #include <hybrid/scene/motion.h>
 #include <hybrid/scene/scene_parameters.h>
 #include <hybrid/scene/section_mesh.h>
+#include <hybrid/scene/spectrum_motion.h>
 
 #include <chrono>
 #include <memory>
@@ -24,6 +25,7 @@ namespace hybrid::output
     const scene::SceneParameters &scene;
     const scene::SectionMesh     &mesh;
     const scene::Motion          &motion; ///< outcrop motion
+    const scene::SpectrumFit     &fit;    ///< to a target spectrum; empty: none
     const dda::Model             *blocks;
     continuum::Continuum         *continuum; ///< points are registered in it
   };
@@ -96,6 +98,7 @@ namespace hybrid::output
     void add_monitors();
     void add_boreholes();
     void add_series();
+    void write_spectrum();
     void record_motion(const coupling::CoupledState &state);
     void record_energy(coupling::CoupledState &state);
     void record_picture(const coupling::CoupledState &state);

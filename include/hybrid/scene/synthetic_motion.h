@@ -6,6 +6,10 @@
 
 namespace hybrid::scene
 {
+  /// Amplitude over time s = t/T in [0, 1] [-]: s^2 up to 15 %, 1 until 60 %, cos^2 to zero at 1.
+  double earthquake_envelope(double s);
+
+
   /**
    * Artificial accelerogram: band-limited Gaussian noise with the Kanai-Tajimi spectrum
    *   S(f) ~ (1 + 4 z^2 r^2) / ((1 - r^2)^2 + 4 z^2 r^2),  r = f / frequency, z = 0.6

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The outcrop motion: acceleration, velocity, displacement and Fourier spectrum."""
+"""The outcrop motion: acceleration, velocity, displacement, Fourier and response spectrum (beside the target)."""
 
 import matplotlib.pyplot as plt
 import numpy as np
 import style
+from response_spectrum import pseudo_acceleration
 from run_data import MissingData
 
 COMPONENTS = (("horizontal", style.HORIZONTAL), ("vertical", style.VERTICAL))
@@ -48,10 +49,35 @@ def draw_spectrum(axes, time, values):
     axes.grid(True, which="minor", color="#f1f1f1", lw=0.5)
 
 
+def response(run, time, values):
+    """Frequencies [Hz], damping, and factor from outcrop to the given motion for the response spectrum of a run."""
+    if run.has("spectrum/frequency"):
+        outcrop = run.text(run.attribute("spectrum", "outcrop", "yes")) == "yes"
+        damping = float(np.ravel(run.attribute("spectrum", "damping", 0.05))[0])
+        return run.get("spectrum/frequency"), damping, 1.0 if outcrop else 0.5
+    lowest = max(0.1, 1 / (time[-1] - time[0]))
+    return np.geomspace(lowest, max(min(50.0, 0.2 / (time[1] - time[0])), 2 * lowest), 60), 0.05, 1.0
+
+
+def draw_response(run, axes, time, values):
+    frequency, damping, factor = response(run, time, values)
+    for c in moving_components(values):
+        amplitude = pseudo_acceleration(factor * values[:, c], time[1] - time[0], frequency, damping)
+        axes.loglog(1 / frequency, amplitude, color=COMPONENTS[c][1], lw=1.0, label="motion" if factor == 1 else "incident motion")
+    if run.has("spectrum/target"):
+        axes.loglog(1 / frequency, run.get("spectrum/target"), "--", color=style.TEXT, lw=1.0, label="target")
+    axes.legend(loc="lower left")
+    axes.set_xlabel("period [s]")
+    axes.set_ylabel("pseudo-acceleration\n[m/s²], %g %% damping" % (100 * damping))
+    axes.grid(True, which="minor", color="#f1f1f1", lw=0.5)
+
+
 def draw(run, directory):
     time, acceleration = run.equal_steps(run.history("input/acceleration"))
     moving_components(acceleration)
-    figure, axes = plt.subplots(4, 1, figsize=(9, 8), constrained_layout=True)
+    figure = plt.figure(figsize=(9, 8), constrained_layout=True)
+    panels = figure.subplot_mosaic([["a", "a"], ["v", "v"], ["u", "u"], ["fourier", "response"]], height_ratios=[1, 1, 1, 1.25])
+    axes = [panels[name] for name in ("a", "v", "u", "fourier")]
     draw_history(axes[0], time, acceleration, "acceleration", "m/s²")
     draw_history(axes[1], time, run.equal_steps(run.history("input/velocity"))[1], "velocity", "m/s")
     displacement = run.equal_steps(run.history("input/displacement"))[1]
@@ -62,6 +88,7 @@ def draw(run, directory):
         axes[i].tick_params(labelbottom=False)
     axes[2].set_xlabel("time [s]")
     draw_spectrum(axes[3], time, acceleration)
+    draw_response(run, panels["response"], time, acceleration)
     if len(moving_components(acceleration)) > 1:
         axes[0].legend(loc="upper left", ncol=2)
     style.title(figure, "Input motion (outcrop): " + run.title())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/baseline.h>
+#include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/motion_reader.h>
 
 #include "temporary_files.h"
@@ -292,8 +293,8 @@ namespace hybrid::scene::test
     parameters.highest_frequency = 0.2;
     expect_part(message_of([&]() { make_motion(parameters, 1e-3); }),
                 "Motion/Highest frequency is 0.2");
-    parameters.type = "sine";
-    expect_part(message_of([&]() { make_motion(parameters, 1e-3); }), "Motion/Type is 'sine'");
+    parameters.type = "cosine";
+    expect_part(message_of([&]() { make_motion(parameters, 1e-3); }), "Motion/Type is 'cosine'");
     parameters.type = "text";
     parameters.peak = 1.;
     parameters.file = write("record.txt", "0 0\n0.1 0\n0.2 0\n");
