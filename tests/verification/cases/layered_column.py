@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Vertically incident plane wave in a layered column over an undamped half space: transfer matrices.
+
+Rayleigh damping C = alpha M + beta K: rho (w^2 - i alpha w) = G (1 + i beta w) k^2 for exp(i w t).
+"""
+
+import numpy as np
+
+
+class Layer:
+    def __init__(self, thickness, density, young, poisson, wave):
+        """wave: "S" or "P"; thickness [m], density [kg/m3], young [Pa]."""
+        shear = young / (2 * (1 + poisson))
+        self.thickness, self.density = thickness, density
+        self.modulus = shear if wave == "S" else 2 * shear * (1 - poisson) / (1 - 2 * poisson)
+        self.speed = np.sqrt(self.modulus / density)
+        self.impedance = density * self.speed
+
+    def wave_number(self, omega, alpha=0.0, beta=0.0):
+        return np.sqrt(self.density * (omega**2 - 1j * alpha * omega) / (self.modulus * (1 + 1j * beta * omega)))
+
+
+def surface_over_outcrop(layers, half_space, omega, alpha=0.0, beta=0.0):
+    """Complex ratio at the angular frequency omega; layers from the top down."""
+    motion, stress = 1.0 + 0j, 0.0 + 0j  # u and tau = G* du/dy (y up) at the free surface
+    for layer in layers:
+        k = layer.wave_number(omega, alpha, beta)
+        stiff = layer.modulus * (1 + 1j * beta * omega) * k
+        c, s = np.cos(k * layer.thickness), np.sin(k * layer.thickness)
+        motion, stress = motion * c - stress * s / stiff, motion * stiff * s + stress * c
+    # in the half space tau = Z (v - 2 v_up), so the outcrop moves by 2 u_up = u - tau / (i w Z)
+    return 1.0 / (motion - stress / (1j * omega * half_space.impedance))
+
+
+def fourier(time, values, frequency):
+    """Fourier integral of equally spaced samples at a frequency [Hz]."""
+    return np.sum(values * np.exp(-2j * np.pi * frequency * time)) * (time[1] - time[0])
