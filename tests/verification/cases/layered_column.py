@@ -35,3 +35,11 @@ def surface_over_outcrop(layers, half_space, omega, alpha=0.0, beta=0.0):
 def fourier(time, values, frequency):
     """Fourier integral of equally spaced samples at a frequency [Hz]."""
     return np.sum(values * np.exp(-2j * np.pi * frequency * time)) * (time[1] - time[0])
+
+
+def surface_motion(time, outcrop, layers, half_space, alpha=0.0, beta=0.0):
+    """Motion of the surface at the times of the outcrop's (equally spaced, at rest before and after)."""
+    n = 1 << int(np.ceil(np.log2(8 * len(time))))  # zeros behind, in which the layers come to rest
+    omega = 2 * np.pi * np.fft.rfftfreq(n, time[1] - time[0])
+    omega[0] = omega[1] * 1e-6  # the limit at rest, without its division by zero
+    return np.fft.irfft(np.fft.rfft(outcrop, n) * surface_over_outcrop(layers, half_space, omega, alpha, beta), n)[: len(time)]
