@@ -45,6 +45,7 @@ namespace hybrid::continuum
                                  const scene::SceneParameters &scene,
                                  scene::Motion                 m)
     : line(element_nodes.line)
+    , elastic(element_nodes.line)
     , motion(std::move(m))
     , support(2 * element_nodes.positions.size(), Support::none)
     , place(element_nodes.positions.size(), -1)
@@ -65,6 +66,8 @@ namespace hybrid::continuum
     for (const char *side : {"left", "right"})
       set_side(rock, element_nodes, cell_material, required_faces(rock, section, side), scene);
     set_base(rock, element_nodes, cell_material, base, scene);
+    if (scene.continuum.boundary_springs)
+      set_springs(rock, element_nodes, scene.continuum);
   }
 
 
@@ -81,6 +84,7 @@ namespace hybrid::continuum
       p_impedance(material) * face.normal * face.normal.transpose() +
       s_impedance(material) * (Eigen::Matrix2d::Identity() - face.normal * face.normal.transpose());
     face.is_base = false;
+    face.shear   = material.shear_modulus();
     for (const int node : element_nodes.along(rock_face))
       {
         if (place[node] < 0)
@@ -171,7 +175,6 @@ namespace hybrid::continuum
             face.column      = static_cast<int>(columns.size());
             face.column_node = static_cast<int>(column.elements.size()) * line.degree();
             face.lambda      = material.lame_lambda();
-            face.shear       = material.shear_modulus();
             column.elements.push_back({bottom, top, material.density, face.lambda, face.shear});
           }
         faces.push_back(face);
@@ -187,6 +190,35 @@ namespace hybrid::continuum
     column.rayleigh_stiffness = scene.continuum.rayleigh_stiffness;
     column_offset.push_back(static_cast<int>(n_column_unknowns()));
     columns.emplace_back(line, column);
+  }
+
+
+  void BoundaryForces::set_springs(const RockMesh                   &rock,
+                                   const ElementNodes               &element_nodes,
+                                   const scene::ContinuumParameters &parameters)
+  {
+    Vec2 low = rock.nodes.front(), high = low;
+    for (const auto &node : rock.nodes)
+      {
+        low  = low.cwiseMin(node);
+        high = high.cwiseMax(node);
+      }
+    const Vec2 load(0.5 * (low.x() + high.x()), high.y());
+    for (const auto &face : faces)
+      {
+        const Vec2   middle = 0.5 * (element_nodes.positions[nodes[face.nodes.front()]] +
+                                   element_nodes.positions[nodes[face.nodes.back()]]);
+        const double distance =
+          parameters.spring_distance > 0. ? parameters.spring_distance : (middle - load).norm();
+        const Eigen::Matrix2d nn = face.normal * face.normal.transpose();
+        const Eigen::Matrix2d k =
+          face.shear / distance *
+          (parameters.normal_spring * nn +
+           parameters.tangential_spring * (Eigen::Matrix2d::Identity() - nn));
+        elastic.add({face.nodes, face.length, k, face.is_base || face.column >= 0});
+      }
+    for (const int node : nodes)
+      across.push_back((element_nodes.positions[node].x() - low.x()) / (high.x() - low.x()));
   }
 
 
@@ -236,6 +268,19 @@ namespace hybrid::continuum
   }
 
 
+  void BoundaryForces::incoming_base(const double time, const double *u, Incoming &in) const
+  {
+    const Vec2 wave = wave_displacement(time);
+    for (const auto &face : faces)
+      for (const int k : face.nodes)
+        for (int c = 0; c < 2 && face.is_base; ++c)
+          in.displacement[2 * k + c] =
+            columns.size() == 2
+              ? (1. - across[k]) * u[column_offset[0] + c] + across[k] * u[column_offset[1] + c]
+              : wave[c];
+  }
+
+
   void
   BoundaryForces::incoming(const double time, const double *u, const double *v, Incoming &in) const
   {
@@ -278,6 +323,8 @@ namespace hybrid::continuum
               }
           }
       }
+    if (!elastic.empty())
+      incoming_base(time, u, in);
   }
 
 
@@ -341,5 +388,12 @@ namespace hybrid::continuum
   {
     return motion.empty() ? Vec2(0., 0.)
                           : Vec2(upgoing * motion.velocity(time - start) * direction);
+  }
+
+
+  Vec2 BoundaryForces::wave_displacement(const double time) const
+  {
+    return motion.empty() ? Vec2(0., 0.)
+                          : Vec2(upgoing * motion.displacement(time - start) * direction);
   }
 } // namespace hybrid::continuum

@@ -151,6 +151,9 @@ namespace hybrid::continuum
       x->assign(boundary->n_column_unknowns(), 0.);
     for (auto *x : {&edge0, &edge1, &edge_force0, &edge_force1, &edge_du, &edge_du_ff, &edge_v_ff})
       x->assign(2 * boundary->boundary_nodes().size(), 0.);
+    if (!boundary->springs().empty())
+      for (auto *x : {&edge_u0, &edge_u1, &edge_u_ff})
+        x->assign(2 * boundary->boundary_nodes().size(), 0.);
     surface_load   = Eigen::VectorXd::Zero(2 * surface.size());
     surface_motion = surface_load;
   }

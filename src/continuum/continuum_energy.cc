@@ -59,6 +59,31 @@ namespace hybrid::continuum
   }
 
 
+  void Continuum::Implementation::add_spring_forces(const ContinuumState &state)
+  {
+    gather_boundary(state.displacement, edge_u0);
+    gather_boundary(u1, edge_u1);
+    boundary->springs().add_forces({edge_u0, incoming0.displacement}, edge_force0);
+    boundary->springs().add_forces({edge_u1, incoming1.displacement}, edge_force1);
+  }
+
+
+  void Continuum::Implementation::add_spring_energy(ContinuumState &state)
+  {
+    // What the springs take up beyond the model's work comes from the free field that moves them.
+    const double gamma = newmark.gamma;
+    for (std::size_t i = 0; i < edge_u0.size(); ++i)
+      {
+        edge_u1[i]   = (1. - gamma) * edge_u0[i] + gamma * edge_u1[i];
+        edge_u_ff[i] = (1. - gamma) * incoming0.displacement[i] + gamma * incoming1.displacement[i];
+      }
+    const auto &springs = boundary->springs();
+    state.energy.input_work += springs.product({edge_du, edge_du_ff}, {edge_u1, edge_u_ff});
+    state.energy.integration_loss +=
+      (gamma - 0.5) * springs.product({edge_du, edge_du_ff}, {edge_du, edge_du_ff});
+  }
+
+
   double Continuum::Implementation::add_boundary_energy(ContinuumState &state)
   {
     const std::size_t n          = n_dofs();
@@ -73,6 +98,9 @@ namespace hybrid::continuum
                        incoming0);
     boundary->forces(incoming0, edge0, edge_force0);
     boundary->forces(incoming1, edge1, edge_force1);
+    const bool springs = !boundary->springs().empty();
+    if (springs)
+      add_spring_forces(state);
     double boundary_work = 0.;
     double strain_change = 0.;
     for (std::size_t k = 0; k < edge_nodes.size(); ++k)
@@ -89,6 +117,8 @@ namespace hybrid::continuum
     const double loss = boundary->dashpot_loss(edge_du, edge1, edge_du_ff, edge_v_ff);
     energy.boundary_loss += loss;
     energy.input_work += boundary_work + loss;
+    if (springs)
+      add_spring_energy(state);
     return strain_change;
   }
 
@@ -194,5 +224,17 @@ namespace hybrid::continuum
       (m.newmark.beta - 0.5 * m.newmark.gamma) * dt * dt * form(state.acceleration);
     m.matrices.multiply_stiffness(state.displacement.data(), product.data());
     state.energy.strain = form(state.displacement);
+    if (!m.boundary->springs().empty())
+      {
+        BoundaryForces::Incoming in;
+        std::vector<double>      u(2 * m.boundary->boundary_nodes().size());
+        m.boundary->incoming(state.time,
+                             state.displacement.data() + n,
+                             state.velocity.data() + n,
+                             in);
+        m.gather_boundary(state.displacement, u);
+        state.energy.boundary_springs =
+          0.5 * m.boundary->springs().product({u, in.displacement}, {u, in.displacement});
+      }
   }
 } // namespace hybrid::continuum

@@ -29,6 +29,7 @@ namespace hybrid::continuum
         blocks[4 * e + k] = (1. + to_rate * rayleigh_stiffness) * blocks[4 * e + k] +
                             (k % 3 == 0 ? of_mass * matrices.mass[e] : 0.);
     boundary->add_dashpots(matrices, to_rate, blocks);
+    boundary->add_springs(matrices, blocks);
 
     if (step_matrices.size() >= kept_step_sizes)
       step_matrices.pop_back();
@@ -123,6 +124,11 @@ namespace hybrid::continuum
     for (double &x : edge0)
       x = -x;
     boundary->forces(incoming1, edge0, edge_force1);
+    if (!boundary->springs().empty())
+      {
+        std::fill(edge0.begin(), edge0.end(), 0.); // k u is in A
+        boundary->springs().add_forces({edge0, incoming1.displacement}, edge_force1);
+      }
     const auto &edge_nodes = boundary->boundary_nodes();
     for (std::size_t k = 0; k < edge_nodes.size(); ++k)
       for (int c = 0; c < 2; ++c)

@@ -11,7 +11,9 @@ namespace hybrid::output
     using Terms = std::vector<std::pair<std::string, double>>;
 
     /// All terms with the sign they have in the sum.
-    Terms collect(const coupling::CoupledState &state, const bool has_continuum)
+    Terms collect(const coupling::CoupledState &state,
+                  const bool                    has_continuum,
+                  const BedrockTerms           &effects)
     {
       const dda::BlockEnergy           &b     = state.blocks.energy;
       const continuum::ContinuumEnergy &c     = state.continuum.energy;
@@ -41,6 +43,8 @@ namespace hybrid::output
                     {"bedrock_damping_loss", c.damping_loss},
                     {"bedrock_integration_loss", c.integration_loss + c.newmark},
                     {"input_work", -c.input_work}});
+      if (effects.boundary_springs)
+        terms.push_back({"boundary_springs", c.boundary_springs});
       return terms;
     }
   } // namespace
@@ -50,7 +54,7 @@ namespace hybrid::output
   std::vector<std::string> EnergyLedger::names() const
   {
     std::vector<std::string> result;
-    for (const auto &term : collect({}, has_continuum))
+    for (const auto &term : collect({}, has_continuum, effects))
       result.push_back(term.first);
     return result;
   }
@@ -59,7 +63,7 @@ namespace hybrid::output
 
   const std::vector<double> &EnergyLedger::update(const coupling::CoupledState &state)
   {
-    const Terms now = collect(state, has_continuum);
+    const Terms now = collect(state, has_continuum, effects);
     if (start.empty())
       for (const auto &term : now)
         start.push_back(term.second);

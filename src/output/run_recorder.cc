@@ -24,7 +24,7 @@ namespace hybrid::output
     , probes(run.blocks, run.continuum)
     , file(run.scene.output.directory + "/run.h5")
     , pictures(run.scene.output.directory, run.blocks, run.continuum)
-    , ledger(run.continuum != nullptr)
+    , ledger(run.continuum != nullptr, {run.scene.continuum.boundary_springs})
     , last_flush(std::chrono::steady_clock::now())
   {
     file.set_attribute("/", "title", parts.scene.title);

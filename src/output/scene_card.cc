@@ -42,8 +42,14 @@ namespace hybrid::output
                    continuum ? "  base " : "",
                    continuum ? bases[static_cast<int>(scene.continuum.base)] : "");
       if (continuum)
-        text +=
-          line("  sides              on   %s", sides[static_cast<int>(scene.continuum.sides)]);
+        {
+          text +=
+            line("  sides              on   %s", sides[static_cast<int>(scene.continuum.sides)]);
+          text += line("  boundary springs   %s  alpha_n %g, alpha_t %g",
+                       state(scene.continuum.boundary_springs),
+                       scene.continuum.normal_spring,
+                       scene.continuum.tangential_spring);
+        }
       const std::size_t planes = continuum ? scene.bedding.names.size() : 0;
       text += line("  bedding planes     %s  %zu elastic joints", state(planes > 0), planes);
       text += line("  blocks             %s", state(scene.blocks.enabled));

@@ -64,6 +64,28 @@ namespace hybrid::scene
                    "s",
                    ParameterRange::at_least(0.),
                    "beta_K of the damping C = alpha_M M + beta_K K.");
+    section.toggle("Boundary springs",
+                   continuum.boundary_springs,
+                   "Visco-elastic boundaries: springs beside the dashpots of a compliant base and "
+                   "of viscous or free-field sides, so that nothing drifts under a lasting load.");
+    section.number("Normal spring coefficient",
+                   continuum.normal_spring,
+                   "-",
+                   ParameterRange::at_least(0.),
+                   "alpha_n of the boundary springs, k_n = alpha_n G / r (Liu et al. 2006: 0.8 to "
+                   "1.2).");
+    section.number("Tangential spring coefficient",
+                   continuum.tangential_spring,
+                   "-",
+                   ParameterRange::at_least(0.),
+                   "alpha_t of the boundary springs, k_t = alpha_t G / r (Liu et al. 2006: 0.35 to "
+                   "0.65).");
+    section.number("Spring distance",
+                   continuum.spring_distance,
+                   "m",
+                   ParameterRange::at_least(0.),
+                   "r of the boundary springs: distance from the load to the boundary; 0: that of "
+                   "each face from the middle of the model's top.");
   }
 
   void declare(ParameterTable &table, BeddingParameters &bedding)
@@ -91,6 +113,12 @@ namespace hybrid::scene
       return;
     if (scene.continuum.region_material.empty())
       throw table.error("Continuum/Materials", "Model/Continuum = elastic needs a material");
+    const bool dashpots = scene.continuum.base == BaseBoundary::compliant ||
+                          scene.continuum.sides == SideBoundary::viscous ||
+                          scene.continuum.sides == SideBoundary::free_field;
+    if (scene.continuum.boundary_springs && !dashpots)
+      throw table.error("Continuum/Boundary springs",
+                        "true needs a compliant base, viscous or free-field sides");
     for (const auto &entry : scene.continuum.region_material)
       check_material_name(scene, entry.second, "Continuum/Materials", table);
     if (!scene.continuum.half_space_material.empty())

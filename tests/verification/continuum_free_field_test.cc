@@ -101,6 +101,22 @@ namespace
 } // namespace
 
 
+TEST(FreeField, springs_follow_the_column)
+{
+  for (const int component : {0, 1})
+    {
+      Ground ground(scene::SideBoundary::free_field, 90. * component);
+      ground.scene.continuum.boundary_springs = true;
+      const auto expected                     = column_surface(component);
+      double     worst                        = 0.;
+      for (const auto &history : ground.run(component))
+        for (std::size_t k = 0; k < history.size(); ++k)
+          worst = std::max(worst, std::abs(history[k] - expected[k]));
+      EXPECT_LT(worst / test::largest(expected), 1e-8);
+    }
+}
+
+
 TEST(FreeField, surface_moves_like_the_column)
 {
   for (const int component : {0, 1})

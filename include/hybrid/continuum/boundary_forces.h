@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/continuum/boundary_springs.h>
 #include <hybrid/continuum/element_nodes.h>
 #include <hybrid/continuum/free_field_column.h>
 #include <hybrid/continuum/node_matrices.h>
@@ -22,11 +23,13 @@ namespace hybrid::continuum
 
   /**
    * Base and sides of the model. The traction on a face with outward normal n is
-   *   t = t_in + Z (v_ff - v),  Z = rho (c_p n n^T + c_s (1 - n n^T)),
+   *   t = t_in + Z (v_ff - v) + k (u_ff - u),  Z = rho (c_p n n^T + c_s (1 - n n^T)),
    * with t_in = 2 Z v_up and v_ff = 0 on a compliant base (Z of the half space below), t_in = 0 and
    * v_ff = 0 on a viscous side, and stress and velocity of the free-field column on a free-field
-   * side. All integrals are consistent with the element's edge basis, so a corner takes each
-   * dashpot once.
+   * side; k = 0 unless the scene asks for springs (boundary_springs.h). Their free field is the
+   * column's on a free-field side, at rest on a viscous one; on the base it is that of the columns'
+   * feet, linear between them, and without columns the upgoing wave. All integrals are consistent
+   * with the element's edge basis, so a corner takes each dashpot once.
    */
   class BoundaryForces
   {
@@ -60,6 +63,17 @@ namespace hybrid::continuum
     void
     add_dashpots(const NodeMatrices &matrices, double factor, std::vector<double> &blocks) const;
 
+    /// Add the springs of visco-elastic boundaries to 2 x 2 blocks.
+    void add_springs(const NodeMatrices &matrices, std::vector<double> &blocks) const
+    {
+      elastic.add_stiffness(matrices, nodes, blocks);
+    }
+
+    const BoundarySprings &springs() const
+    {
+      return elastic;
+    }
+
     std::size_t n_column_unknowns() const;
 
     /// One step of the free-field columns; @p u, v, a: their unknowns at the start, the others
@@ -75,7 +89,7 @@ namespace hybrid::continuum
     {
       std::vector<double> force;        ///< t_in integrated [N/m]
       std::vector<double> velocity;     ///< v_ff [m/s]; counts on free-field sides only
-      std::vector<double> displacement; ///< u_ff [m]
+      std::vector<double> displacement; ///< u_ff [m]; on the base only with springs
     };
 
     /// @param u, v the columns' unknowns at @p time.
@@ -97,6 +111,9 @@ namespace hybrid::continuum
     /// Upgoing wave at a compliant base [m/s].
     Vec2 wave_velocity(double time) const;
 
+    /// Its displacement [m].
+    Vec2 wave_displacement(double time) const;
+
   private:
     /// A face with dashpots.
     struct Face
@@ -106,9 +123,9 @@ namespace hybrid::continuum
       Vec2             normal; ///< outward
       Eigen::Matrix2d  impedance;
       bool             is_base;
-      int              column = -1; ///< free-field column, -1: none
-      int    column_node      = 0;  ///< its node at the face's first node; nodes run upwards then
-      double lambda = 0., shear = 0.;
+      int              column = -1;   ///< free-field column, -1: none
+      int    column_node      = 0;    ///< its node at the face's first node; nodes run upwards then
+      double lambda = 0., shear = 0.; ///< of the rock beside or below [Pa]
     };
 
     void set_base(const RockMesh &,
@@ -125,16 +142,23 @@ namespace hybrid::continuum
 
     Face make_face(const RockMesh &, const ElementNodes &, const RockFace &, const Material &);
 
-    LagrangeLine                 line;
-    scene::Motion                motion;
-    Vec2                         direction{1., 0.};
-    double                       upgoing   = 0.5; ///< upgoing wave over the motion
-    double                       start     = 0.;
-    bool                         compliant = false, moves = false;
-    Material                     half_space; ///< below the first base cell if none is named
-    std::vector<Support>         support;
-    std::vector<int>             moving, nodes, place; ///< place: node -> place in nodes
-    std::vector<Face>            faces;
+    void set_springs(const RockMesh &, const ElementNodes &, const scene::ContinuumParameters &);
+
+    /// u_ff of the springs on the base.
+    void incoming_base(double time, const double *u, Incoming &in) const;
+
+    LagrangeLine         line;
+    BoundarySprings      elastic;
+    scene::Motion        motion;
+    Vec2                 direction{1., 0.};
+    double               upgoing   = 0.5; ///< upgoing wave over the motion
+    double               start     = 0.;
+    bool                 compliant = false, moves = false;
+    Material             half_space; ///< below the first base cell if none is named
+    std::vector<Support> support;
+    std::vector<int>     moving, nodes, place; ///< place: node -> place in nodes
+    std::vector<double>  across; ///< with springs, per place: x from 0 at the left end to 1 [-]
+    std::vector<Face>    faces;
     std::vector<FreeFieldColumn> columns;
     std::vector<int>             column_offset; ///< first unknown of each column
   };

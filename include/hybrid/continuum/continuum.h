@@ -21,8 +21,9 @@ namespace hybrid::continuum
     double kinetic = 0.; ///< 1/2 v M v, now
     double newmark = 0.; ///< 1/2 (beta - gamma/2) dt^2 a M a, now: the scheme's acceleration term
     double strain  = 0.; ///< 1/2 u K u, bedding planes included, now
-    double input_work   = 0.; ///< done by the incident wave's tractions or the prescribed base
-    double surface_work = 0.; ///< done by the interface forces
+    double boundary_springs = 0.; ///< in the springs of visco-elastic boundaries, now
+    double input_work       = 0.; ///< done by the incident wave's tractions or the prescribed base
+    double surface_work     = 0.; ///< done by the interface forces
     double boundary_loss =
       0.; ///< taken up by dashpots (relative to the free field where there is one)
     double damping_loss     = 0.; ///< Rayleigh damping
@@ -57,8 +58,9 @@ namespace hybrid::continuum
    * A rigid base takes the motion's acceleration; its velocity and displacement are those of the
    * Newmark scheme (the discrete integral of the record), so that no step excites high frequencies.
    * In the energy balance
-   *   kinetic + newmark + strain = input_work + surface_work - boundary_loss - damping_loss -
-   * integration_loss the free-field columns stand outside: what they send in is input work.
+   *   kinetic + newmark + strain + boundary_springs = input_work + surface_work - boundary_loss -
+   * damping_loss - integration_loss the free-field columns stand outside: what they send in is
+   * input work.
    */
   class Continuum
   {

@@ -70,6 +70,7 @@ namespace hybrid::continuum
     std::vector<double>      column_u, column_v, column_a;
     BoundaryForces::Incoming incoming0, incoming1;
     std::vector<double>      edge0, edge1, edge_force0, edge_force1, edge_du, edge_du_ff, edge_v_ff;
+    std::vector<double>      edge_u0, edge_u1, edge_u_ff; ///< with boundary springs only
     std::vector<double>      du, da, u1, v1, a1;
     Eigen::VectorXd          surface_load, surface_motion;
 
@@ -92,6 +93,8 @@ namespace hybrid::continuum
     /// Parts of add_energy(): work of boundary, moving base and interface forces over the step.
     /// @return the change of these forces times the displacement of the step [J/m].
     double add_boundary_energy(ContinuumState &state);
+    void   add_spring_forces(const ContinuumState &state);
+    void   add_spring_energy(ContinuumState &state);
     double add_base_energy(ContinuumState &state);
     double add_surface_energy(ContinuumState &state, const Eigen::VectorXd *force);
 

@@ -9,6 +9,13 @@
 
 namespace hybrid::output
 {
+  /// Terms of the bedrock that only scenes with these effects have.
+  struct BedrockTerms
+  {
+    bool boundary_springs = false;
+  };
+
+
   /**
    * The energy audit of the whole model.
    *
@@ -20,8 +27,9 @@ namespace hybrid::output
   class EnergyLedger
   {
   public:
-    explicit EnergyLedger(bool with_continuum)
+    explicit EnergyLedger(bool with_continuum, const BedrockTerms &terms_of_effects = {})
       : has_continuum(with_continuum)
+      , effects(terms_of_effects)
     {}
 
     /// Names of the terms, in the order of values().
@@ -49,6 +57,7 @@ namespace hybrid::output
 
   private:
     bool                has_continuum;
+    BedrockTerms        effects;
     std::vector<double> start, terms;
     double              exchanged = 1e-9, imbalance = 0., largest = 0.;
   };

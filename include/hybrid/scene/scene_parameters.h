@@ -76,8 +76,12 @@ namespace hybrid::scene
     SideBoundary sides = SideBoundary::viscous;
     std::string
            half_space_material; ///< rock below the base; empty: that of the cells along the base
-    double rayleigh_mass      = 0.; ///< alpha_M [1/s], C = alpha_M M + beta_K K
-    double rayleigh_stiffness = 0.; ///< beta_K [s]
+    double rayleigh_mass      = 0.;    ///< alpha_M [1/s], C = alpha_M M + beta_K K
+    double rayleigh_stiffness = 0.;    ///< beta_K [s]
+    bool   boundary_springs   = false; ///< springs beside the dashpots of base and sides
+    double normal_spring      = 1.;    ///< alpha_n of k_n = alpha_n G / r [-]
+    double tangential_spring  = 0.5;   ///< alpha_t of k_t = alpha_t G / r [-]
+    double spring_distance    = 0.;    ///< r [m]; 0: of each face from the middle of the top
   };
 
   /// Section "Bedding planes".

@@ -51,8 +51,8 @@ namespace
       }
     continuum.audit_energy(state, state.time_step);
     const auto  &e   = state.energy;
-    const double sum = e.kinetic + e.newmark + e.strain - e.input_work - e.surface_work +
-                       e.boundary_loss + e.damping_loss + e.integration_loss;
+    const double sum = e.kinetic + e.newmark + e.strain + e.boundary_springs - e.input_work -
+                       e.surface_work + e.boundary_loss + e.damping_loss + e.integration_loss;
     double largest = 0.;
     for (const double term : {e.kinetic, e.strain, e.input_work, e.surface_work, e.boundary_loss})
       largest = std::max(largest, std::abs(term));
@@ -77,6 +77,25 @@ TEST(ContinuumEnergy, closes_with_every_boundary_and_scheme)
           scene.continuum.rayleigh_mass      = 0.5;
           scene.continuum.rayleigh_stiffness = 1e-4;
           scene.bedding.names                = {"bedding_1"};
+          scene.motion.angle                 = 30.;
+          EXPECT_LT(residual(scene), 1e-9)
+            << scheme << ' ' << static_cast<int>(base) << ' ' << static_cast<int>(sides);
+        }
+}
+
+
+TEST(ContinuumEnergy, closes_with_springs_on_the_boundary)
+{
+  for (const auto base : {BaseBoundary::compliant, BaseBoundary::rigid, BaseBoundary::fixed})
+    for (const auto sides : {SideBoundary::viscous, SideBoundary::free_field})
+      for (const char *scheme : {"dissipative", "trapezoidal", "shi"})
+        {
+          auto scene                         = test::rock_scene();
+          scene.time.newmark                 = Newmark::preset(scheme);
+          scene.continuum.base               = base;
+          scene.continuum.sides              = sides;
+          scene.continuum.rayleigh_stiffness = 1e-4;
+          scene.continuum.boundary_springs   = true;
           scene.motion.angle                 = 30.;
           EXPECT_LT(residual(scene), 1e-9)
             << scheme << ' ' << static_cast<int>(base) << ' ' << static_cast<int>(sides);
