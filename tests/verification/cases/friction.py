@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Block on a plane of 30 degrees: rests for a friction angle above the slope (Coulomb), slides for one below."""
+
+import numpy as np
+from slope import down, slide
+
+ANGLE = 30.0  # deg
+
+
+def check(case):
+    case.data = case.run()
+    case.below("movement in 10 s with 31 deg of friction", largest(case.data), 1e-6, "m")
+    for step in (1e-4, 2e-3):
+        run = case.run("step_%g" % step, "Time/Time step=%g" % step, "Time/End time=1")
+        case.below("movement in 1 s at dt = %g s" % step, largest(run), 1e-6, "m")
+    case.sliding = case.run("sliding", "Materials/rock/Friction angle=29", "Gravity/Static stage=held", "Time/End time=1")
+    case.near("slide in 1 s with 29 deg", down(case.sliding, "block", ANGLE)[-1], slide(1.0, ANGLE, 29.0), 0.003, "m")
+
+
+def largest(run):
+    return np.abs(run.history("monitors/block/displacement")).max()
+
+
+def draw(case, figure):
+    rests, slides = figure.subplots(1, 2)
+    rests.plot(case.data.time, 1e9 * down(case.data, "block", ANGLE), color="C0")
+    rests.set(xlabel="time [s]", ylabel="displacement down the slope [nm]", title="friction 31 deg: rests")
+    time = case.sliding.time
+    slides.plot(time, slide(time, ANGLE, 29.0), color="0.6", linewidth=4, label="closed form")
+    slides.plot(time, down(case.sliding, "block", ANGLE), color="C0", label="hybrid")
+    slides.set(xlabel="time [s]", ylabel="displacement down the slope [m]", title="friction 29 deg: slides")
+    slides.legend()

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Infinite slope under a horizontal acceleration a (limit equilibrium of a slab of height H normal to the slope b):
+
+    c + (rho g H cos b - rho a H sin b) tan phi = rho g H sin b + rho a H cos b     at a = a_c
+
+and above it the slab slides with s'' = (a - a_c) (cos b + sin b tan phi).
+"""
+
+import numpy as np
+
+GRAVITY, DENSITY, HEIGHT, COHESION = 9.81, 2000.0, 2.0, 5e3  # SI
+SLOPE, PHI = np.radians(25.0), np.radians(30.0)
+
+
+def critical_acceleration():
+    b, mu, weight = SLOPE, np.tan(PHI), DENSITY * GRAVITY * HEIGHT
+    return (COHESION + weight * (np.cos(b) * mu - np.sin(b))) / (DENSITY * HEIGHT * (np.cos(b) + np.sin(b) * mu))
+
+
+def slip(run):
+    return run.relative_displacement("slab") @ np.array([-np.cos(SLOPE), -np.sin(SLOPE)])
+
+
+def closed_form(time, peak):
+    """Slip [m] of a rigid slab under the ramp of smooth_ramp.txt scaled to the peak [m/s2]."""
+    fine = np.linspace(0.0, time[-1], 20001)
+    excess = peak * 0.5 * (1 - np.cos(np.pi * np.minimum(fine, 2.0) / 2)) - critical_acceleration()
+    rate = np.maximum(excess, 0.0) * (np.cos(SLOPE) + np.sin(SLOPE) * np.tan(PHI))
+    h = fine[1]
+    v = np.concatenate([[0.0], np.cumsum(0.5 * h * (rate[1:] + rate[:-1]))])
+    s = np.concatenate([[0.0], np.cumsum(0.5 * h * (v[1:] + v[:-1]))])
+    return np.interp(time, fine, s)
+
+
+def check(case):
+    critical, scene_peak = critical_acceleration(), 1.984
+    case.below("peak of the scene over 1.02 of the critical acceleration, less 1", scene_peak / (1.02 * critical) - 1, 1e-3)
+    case.curves = {}
+    for part in (0.98, 1.02):
+        peak = scene_peak if part == 1.02 else part * critical
+        run = case.run() if part == 1.02 else case.run("holds", "Motion/Peak=%.10g" % peak)
+        case.curves[part] = run.time, slip(run), closed_form(run.time, peak)
+    time, found, _ = case.curves[0.98]
+    case.below("slip after the ramp at 0.98 of the critical acceleration", np.ptp(found[time > 2.5]), 1e-6, "m")
+    time, found, expected = case.curves[1.02]
+    case.true("slides at 1.02: %.3g m, as a rigid slab %.3g m" % (found[-1], expected[-1]), found[-1] > 0.01)
+    steady = time > 2.2
+    rate = 2 * np.polyfit(time[steady], found[steady], 2)[0]
+    case.near("critical acceleration from the acceleration of the slide",
+              scene_peak - rate / (np.cos(SLOPE) + np.sin(SLOPE) * np.tan(PHI)), critical, 0.02, "m/s2")
+
+
+def draw(case, figure):
+    axes = figure.subplots()
+    for part, (time, found, expected) in case.curves.items():
+        axes.plot(time, expected, color="0.7", linewidth=4)
+        axes.plot(time, found, label="hybrid, %g of the critical acceleration" % part)
+    axes.plot([], [], color="0.7", linewidth=4, label="limit equilibrium and rigid slide")
+    axes.set(xlabel="time [s]", ylabel="slip down the slope [m]")
+    axes.legend()
