@@ -165,7 +165,10 @@ namespace hybrid
                           scene.environment.static_stage == scene::StaticStage::held);
     report_static_stage();
     if (continuum != nullptr)
-      continuum->solve_static_state(state.blocks.static_force, scene.environment.gravity);
+      continuum->solve_static_state(state.blocks.static_force +
+                                      dda::water_on_surface(blocks->water,
+                                                            blocks->initial.base_nodes),
+                                    scene.environment.gravity);
   }
 
 

@@ -57,6 +57,35 @@ namespace hybrid::dda
 
 
 
+    /// Potential of the water's forces; what Newmark's weights make of their work beyond it is the
+    /// scheme's.
+    void audit_water(const StepAudit &step, BlockEnergy &energy)
+    {
+      const Geometry &g     = step.before.geometry;
+      const double    gamma = step.model.newmark.gamma;
+      for (int b = 0; b < step.model.n_blocks(); ++b)
+        {
+          const int       first = g.offset[b], n = g.offset[b + 1] - first;
+          const double    area = step.model.blocks[b].area;
+          const Vec6     &d    = step.trial.increment[b];
+          const WaterLoad start =
+            water_load(step.model.water,
+                       area,
+                       BlockMotion(step.before.blocks[b].centroid, Vec6::Zero()),
+                       {&g.vertices[first], nullptr, n});
+          const WaterLoad end =
+            water_load(step.model.water,
+                       area,
+                       step.trial.motion[b],
+                       {&g.vertices[first], &step.trial.displacement[first], n});
+          const double change = potential_change(start, end, d[1]);
+          energy.gravity += change;
+          energy.integration_loss -= change + d.dot((1. - gamma) * start.force + gamma * end.force);
+        }
+    }
+
+
+
     /// Joints and contacts, each spring by its own kinematics.
     void audit_springs(const StepAudit &step, BlockEnergy &energy)
     {
@@ -101,6 +130,8 @@ namespace hybrid::dda
   {
     BlockEnergy energy = step.before.energy;
     audit_blocks(step, energy);
+    if (step.model.water.action != Water::Action::none)
+      audit_water(step, energy);
     audit_springs(step, energy);
     return energy;
   }

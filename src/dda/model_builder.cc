@@ -3,8 +3,10 @@
 #include <hybrid/dda/polygon.h>
 #include <hybrid/dda/start_accelerations.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/weibull.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -44,9 +46,10 @@ namespace hybrid::dda
         model.gravity             = scene.environment.gravity;
         model.dynamic_coefficient = scene.time.dynamic_coefficient;
         model.joint_damping_time  = damping_time;
-        model.iteration           = {scene.blocks.maximum_iterations,
-                                     scene.blocks.tolerance,
-                                     scene.time.maximum_displacement_ratio};
+        set_water();
+        model.iteration = {scene.blocks.maximum_iterations,
+                           scene.blocks.tolerance,
+                           scene.time.maximum_displacement_ratio};
         return std::move(model);
       }
 
@@ -66,6 +69,25 @@ namespace hybrid::dda
                               belt ? "Blocks/Belt material" : "Blocks/Material");
       }
 
+      /// The same with the modulus of block @p b.
+      Material block_material(const int b) const
+      {
+        Material m = material(false, model.blocks[b].saturated);
+        m.young_modulus *= model.blocks[b].modulus_factor;
+        return m;
+      }
+
+      /// Factor of a property with Weibull's @p shape (0: 1) at a place; @p property is a number of
+      /// its own.
+      double factor(const double shape, const int property, std::vector<Vec2> places) const
+      {
+        if (shape == 0.)
+          return 1.;
+        const std::uint64_t seed =
+          16 * static_cast<std::uint64_t>(scene.heterogeneity.seed) + property;
+        return scene::Weibull(shape).quantile(scene::number_of_place(seed, std::move(places)));
+      }
+
       bool below_water(const Vec2 &x) const
       {
         return x.y() < scene.environment.water_level;
@@ -79,10 +101,19 @@ namespace hybrid::dda
       void add_contact_laws();
       void add_neighbours();
 
-      void
-      add_joint(const Joint &joint_without_law, const Material &strength, double height, bool belt);
+      /// @param ends of the joint [m]
+      void add_joint(const Joint               &joint_without_law,
+                     const Material            &strength,
+                     double                     height,
+                     bool                       belt,
+                     const std::array<Vec2, 2> &ends);
 
       double softer_modulus(int block, int other) const;
+
+      /// Part of a joint's compliance that its first block takes [-].
+      double share_of_joint(const Joint &joint) const;
+
+      void set_water();
     };
 
 
@@ -121,40 +152,62 @@ namespace hybrid::dda
           p.sxx             = m.density * moments.sxx;
           p.sxy             = m.density * moments.sxy;
           p.syy             = m.density * moments.syy;
-          p.elasticity      = block_elasticity(m, {});
-          p.damping_time    = damping_time;
-          p.region          = mesh.block_region.empty() ? 0 : mesh.block_region[b];
+          p.modulus_factor =
+            factor(scene.heterogeneity.modulus_shape,
+                   0,
+                   {g.vertices.begin() + g.offset[b], g.vertices.begin() + g.offset[b + 1]});
+          p.damping_time = damping_time;
+          p.region       = mesh.block_region.empty() ? 0 : mesh.block_region[b];
           model.blocks.push_back(p);
+          model.blocks.back().elasticity = block_elasticity(block_material(b), {});
         }
       model.bonded.assign(model.blocks.size(), false);
     }
 
 
 
-    double Builder::softer_modulus(const int block, const int other) const
+    void Builder::set_water()
     {
-      const double e = material(false, model.blocks[block].saturated).young_modulus;
-      return other == base_body
-               ? e
-               : std::min(e, material(false, model.blocks[other].saturated).young_modulus);
+      using Method                               = scene::WaterMethod;
+      const scene::EnvironmentParameters &around = scene.environment;
+      if (around.water_method == Method::paper || around.gravity == 0.)
+        return;
+      model.water = {around.water_method == Method::submerged ? Water::Action::buoyancy
+                                                              : Water::Action::pressures,
+                     around.water_level,
+                     around.water_density * around.gravity};
     }
 
 
 
-    void Builder::add_joint(const Joint    &joint,
-                            const Material &strength,
-                            const double    height,
-                            const bool      belt)
+    double Builder::softer_modulus(const int block, const int other) const
+    {
+      const double e = block_material(block).young_modulus;
+      return other == base_body ? e : std::min(e, block_material(other).young_modulus);
+    }
+
+
+
+    void Builder::add_joint(const Joint               &joint,
+                            const Material            &strength,
+                            const double               height,
+                            const bool                 belt,
+                            const std::array<Vec2, 2> &ends)
     {
       const double k_n =
         scene.blocks.penalty_ratio * softer_modulus(joint.block, joint.other) / height;
+      const double varied =
+        factor(scene.heterogeneity.strength_shape, belt ? 2 : 1, {ends.begin(), ends.end()});
+      Material m = strength;
+      m.cohesion *= varied;
+      m.residual_cohesion *= varied;
+      m.tensile_strength *= varied;
       model.joints.push_back(joint);
-      model.joints.back().law   = JointLaw(JointStrength::bond(strength,
-                                                             scene.blocks.fracture_energy,
-                                                             scene.blocks.softening_slip,
-                                                             belt),
-                                         k_n,
-                                         scene.blocks.shear_ratio * k_n);
+      model.joints.back().strength_factor = varied;
+      model.joints.back().law             = JointLaw(
+        JointStrength::bond(m, scene.blocks.fracture_energy, scene.blocks.softening_slip, belt),
+        k_n,
+        scene.blocks.shear_ratio * k_n);
       model.bonded[joint.block] = true;
       if (joint.other != base_body)
         model.bonded[joint.other] = true;
@@ -192,7 +245,8 @@ namespace hybrid::dda
               add_joint(joint,
                         material(false, below_water(0.5 * (a + e))),
                         (model.blocks[first].area + model.blocks[b].area) / length,
-                        false);
+                        false,
+                        {a, e});
               open_edges.erase(twin);
             }
         }
@@ -245,10 +299,24 @@ namespace hybrid::dda
                   add_joint(joint,
                             material(true, below_water(0.5 * (p + q))),
                             2. * model.blocks[b].area / length,
-                            true);
+                            true,
+                            {p, q});
                 }
             }
         }
+    }
+
+
+
+    double Builder::share_of_joint(const Joint &joint) const
+    {
+      // Joints are made of the softer side's stiffness: where moduli scatter, half of such a joint
+      // would be more compliance than a stiff block has.
+      if (scene.heterogeneity.modulus_shape == 0.)
+        return 0.5;
+      const double e = block_material(joint.block).young_modulus;
+      const double f = block_material(joint.other).young_modulus;
+      return f / (e + f);
     }
 
 
@@ -267,13 +335,13 @@ namespace hybrid::dda
             around[block].shear += 0.5 * density * (1. / kn + 1. / ks);
           };
           // A joint between blocks is shared; the bedrock takes no share of a belt joint.
-          add(joint.block, joint.other == base_body ? 1. : 0.5);
+          const double share = joint.other == base_body ? 1. : share_of_joint(joint);
+          add(joint.block, share);
           if (joint.other != base_body)
-            add(joint.other, 0.5);
+            add(joint.other, 1. - share);
         }
       for (std::size_t b = 0; b < model.blocks.size(); ++b)
-        model.blocks[b].elasticity =
-          block_elasticity(material(false, model.blocks[b].saturated), around[b]);
+        model.blocks[b].elasticity = block_elasticity(block_material(b), around[b]);
     }
 
 
@@ -282,9 +350,10 @@ namespace hybrid::dda
     {
       for (const BlockProperties &p : model.blocks)
         {
-          const Material &m   = material(false, p.saturated);
-          const double    k_n = scene.blocks.penalty_ratio * m.young_modulus / p.size;
-          const double    k_s = scene.blocks.shear_ratio * k_n;
+          const Material &m = material(false, p.saturated);
+          const double    k_n =
+            scene.blocks.penalty_ratio * m.young_modulus * p.modulus_factor / p.size;
+          const double k_s = scene.blocks.shear_ratio * k_n;
           model.block_contact.push_back(
             {JointLaw(JointStrength::broken(m), k_n, k_s), 0.5 * p.size});
           JointStrength base = JointStrength::broken(m);

@@ -124,6 +124,9 @@ namespace hybrid::dda
                        1e-5 * p.mass * trial.increment[b].head<2>().norm() / (dt * dt);
       }
 
+    if (model.water.action != Water::Action::none)
+      add_water(model, state);
+
     force_increment = residual.tail(2 * m) + contact_force.tail(2 * m) - state.static_force;
     if (base.prescribed)
       residual.tail(2 * m).setZero();
@@ -134,6 +137,23 @@ namespace hybrid::dda
     if (!base.prescribed)
       reference += 1e-5 * base.load.norm();
     return residual.cwiseQuotient(scale).norm() / std::max(reference, 1e-300);
+  }
+
+
+
+  void OpenCloseIteration::add_water(const Model &model, const DdaState &state)
+  {
+    const Geometry &g = state.geometry;
+    for (int b = 0; b < model.n_blocks(); ++b)
+      {
+        const int first = g.offset[b];
+        residual.segment<6>(6 * b) +=
+          water_load(model.water,
+                     model.blocks[b].area,
+                     trial.motion[b],
+                     {&g.vertices[first], &trial.displacement[first], g.offset[b + 1] - first})
+            .force;
+      }
   }
 
 

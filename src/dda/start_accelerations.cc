@@ -30,6 +30,16 @@ namespace hybrid::dda
         Vec6                   force = forces.segment<6>(6 * b);
         force[1] -= p.weight * model.gravity;
         force.tail<3>() -= p.area * block.stress;
+        if (model.water.action != Water::Action::none)
+          {
+            const Geometry &g     = state.geometry;
+            const int       first = g.offset[b];
+            force += water_load(model.water,
+                                p.area,
+                                trial.motion[b],
+                                {&g.vertices[first], nullptr, g.offset[b + 1] - first})
+                       .force;
+          }
         const Vec6             contact = contacts.segment<6>(6 * b);
         const Eigen::LLT<Mat6> mass(mass_matrix(p, block.rotation));
         block.acceleration         = mass.solve(force + contact);

@@ -15,6 +15,10 @@ namespace hybrid::output
         block_series = std::make_unique<PvdSeries>(directory, "blocks");
         joint_series = std::make_unique<PvdSeries>(directory, "joints");
         reference    = model->initial;
+        for (const dda::BlockProperties &block : model->blocks)
+          varied_modulus = varied_modulus || block.modulus_factor != 1.;
+        for (const dda::Joint &joint : model->joints)
+          varied_strength = varied_strength || joint.strength_factor != 1.;
       }
     if (continuum != nullptr)
       continuum_series = std::make_unique<PvdSeries>(directory, "continuum");
@@ -71,6 +75,13 @@ namespace hybrid::output
     writer.add_cell_field("stress xx, yy, xy [Pa]", 3, std::move(stress));
     writer.add_cell_field("rotation [rad]", 1, std::move(rotation));
     writer.add_cell_field("region", 1, std::move(region));
+    if (varied_modulus)
+      {
+        std::vector<double> factor;
+        for (const dda::BlockProperties &block : model->blocks)
+          factor.push_back(block.modulus_factor);
+        writer.add_cell_field("modulus factor", 1, std::move(factor));
+      }
     block_series->add(state.time, writer);
   }
 
@@ -106,6 +117,13 @@ namespace hybrid::output
     writer.add_cell_field("slip [m]", 1, std::move(slip));
     writer.add_cell_field("normal stress (compression positive) [Pa]", 1, std::move(normal));
     writer.add_cell_field("shear stress [Pa]", 1, std::move(shear));
+    if (varied_strength)
+      {
+        std::vector<double> factor;
+        for (const dda::Joint &joint : model->joints)
+          factor.push_back(joint.strength_factor);
+        writer.add_cell_field("strength factor", 1, std::move(factor));
+      }
     joint_series->add(state.time, writer);
   }
 

@@ -15,6 +15,13 @@ namespace hybrid::output
       const double angle = motion.angle * M_PI / 180.;
       return {std::cos(angle), std::sin(angle)};
     }
+    /// Initial place of one end of a joint [m].
+    Vec2
+    joint_point(const dda::Geometry &g, const dda::Joint &joint, const dda::Joint::Point &point)
+    {
+      const Vec2 &a = g.vertices[joint.edge], &b = g.vertices[g.next(joint.edge)];
+      return a + point.position * (b - a);
+    }
   } // namespace
 
 
@@ -31,6 +38,7 @@ namespace hybrid::output
     file.set_attribute("/", "base_monitor", parts.scene.monitors.base_monitor);
     add_series();
     write_spectrum();
+    write_heterogeneity();
     add_monitors();
     add_boreholes();
   }
@@ -67,6 +75,17 @@ namespace hybrid::output
     interface_time = file.add_series("interface/time", "s", 1, "times of the pictures");
     interface_force =
       file.add_series("interface/force", "N/m", 2 * nodes, "of the blocks on each node");
+    if (parts.blocks->water.action == dda::Water::Action::pressures)
+      {
+        const Eigen::VectorXd water =
+          dda::water_on_surface(parts.blocks->water, parts.blocks->initial.base_nodes);
+        file.write_table("interface/water_force",
+                         "N/m",
+                         water.data(),
+                         nodes,
+                         2,
+                         "of the water on each node, to be added for the total");
+      }
   }
 
 
@@ -84,6 +103,51 @@ namespace hybrid::output
       "spectrum/reached", "m/s2", fit.reached.data(), n, 1, "of the motion as given");
     file.set_attribute("spectrum", "damping", std::vector<double>{fit.damping});
     file.set_attribute("spectrum", "outcrop", parts.scene.motion.outcrop ? "yes" : "no");
+  }
+
+
+
+  void RunRecorder::write_heterogeneity()
+  {
+    const scene::HeterogeneityParameters &h = parts.scene.heterogeneity;
+    if (parts.blocks == nullptr || (h.modulus_shape == 0. && h.strength_shape == 0.))
+      return;
+    std::vector<double> modulus, strength, ends;
+    for (const dda::BlockProperties &block : parts.blocks->blocks)
+      modulus.push_back(block.modulus_factor);
+    for (const dda::Joint &joint : parts.blocks->joints)
+      {
+        strength.push_back(joint.strength_factor);
+        for (const dda::Joint::Point &point : joint.points)
+          {
+            const Vec2 x = joint_point(parts.blocks->initial, joint, point);
+            ends.insert(ends.end(), {x.x(), x.y()});
+          }
+      }
+    if (h.modulus_shape > 0.)
+      {
+        file.write_table("heterogeneity/modulus_factor",
+                         "1",
+                         modulus.data(),
+                         modulus.size(),
+                         1,
+                         "on the Young modulus of each block");
+        file.set_attribute("heterogeneity", "modulus_shape", std::vector<double>{h.modulus_shape});
+      }
+    if (h.strength_shape > 0. && !strength.empty())
+      {
+        file.write_table("heterogeneity/strength_factor",
+                         "1",
+                         strength.data(),
+                         strength.size(),
+                         1,
+                         "on cohesion and tensile strength of each joint");
+        file.write_table(
+          "heterogeneity/joint_ends", "m", ends.data(), strength.size(), 4, "initial");
+        file.set_attribute("heterogeneity",
+                           "strength_shape",
+                           std::vector<double>{h.strength_shape});
+      }
   }
 
 
@@ -363,9 +427,8 @@ namespace hybrid::output
         if (s.failure == dda::FailureKind::none)
           continue;
         const dda::Joint &joint = parts.blocks->joints[j];
-        const Vec2       &a = g.vertices[joint.edge], &b = g.vertices[g.next(joint.edge)];
-        const Vec2        p = a + joint.points[0].position * (b - a),
-                   q        = a + joint.points[1].position * (b - a);
+        const Vec2        p     = joint_point(g, joint, joint.points[0]),
+                   q            = joint_point(g, joint, joint.points[1]);
         time.push_back(s.failure_time);
         kind.push_back(s.failure == dda::FailureKind::tensile ? 1. : 2.);
         position.insert(position.end(), {0.5 * (p.x() + q.x()), 0.5 * (p.y() + q.y())});

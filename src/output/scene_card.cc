@@ -28,6 +28,15 @@ namespace hybrid::output
 
 
 
+    std::string shape_in_words(const double shape)
+    {
+      char text[32];
+      std::snprintf(text, sizeof(text), "%g", shape);
+      return shape > 0. ? text : "none";
+    }
+
+
+
     void describe_effects(const scene::SceneParameters &scene,
                           const scene::Motion          &motion,
                           std::string                  &text)
@@ -61,11 +70,20 @@ namespace hybrid::output
                        scene.blocks.damping_ratio,
                        scene.blocks.damping_frequency);
         }
+      const scene::HeterogeneityParameters &h = scene.heterogeneity;
+      if (scene.blocks.enabled && (h.modulus_shape > 0. || h.strength_shape > 0.))
+        text += line("  heterogeneity      on   Weibull shapes: modulus %s, strength %s; seed %d",
+                     shape_in_words(h.modulus_shape).c_str(),
+                     shape_in_words(h.strength_shape).c_str(),
+                     h.seed);
       text += line("  gravity            %s  %g m/s2",
                    state(scene.environment.gravity > 0.),
                    scene.environment.gravity);
-      const bool water = scene.environment.water_level > -1e299;
-      text += water ? line("  water              on   level %g m", scene.environment.water_level)
+      const bool  water     = scene.environment.water_level > -1e299;
+      const char *methods[] = {"paper", "submerged", "pressures"};
+      text += water ? line("  water              on   level %g m, %s",
+                           scene.environment.water_level,
+                           methods[static_cast<int>(scene.environment.water_method)])
                     : line("  water              off");
       text +=
         motion.empty()

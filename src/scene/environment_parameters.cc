@@ -28,5 +28,56 @@ namespace hybrid::scene
       ParameterRange::any(),
       "Elevation of the water; blocks and belt that start below it have their saturated "
       "materials.");
+    water.choice<WaterMethod>(
+      "Method",
+      environment.water_method,
+      {{"paper", WaterMethod::paper},
+       {"submerged", WaterMethod::submerged},
+       {"pressures", WaterMethod::pressures}},
+      "What water does to weights: paper: nothing, the saturated material's densities are mass and "
+      "weight as given; submerged: Density is total, the submerged part of each block has its "
+      "buoyancy; pressures: Density is total, hydrostatic pressure acts on all faces, in joints, "
+      "cracks and contacts and on the bedrock. The last two give the same effective forces.");
+    water.number("Density",
+                 environment.water_density,
+                 "kg/m3",
+                 ParameterRange::above(0.),
+                 "Density of the water (submerged and pressures).");
+  }
+
+  void check_water(const SceneParameters &scene, const ParameterTable &table)
+  {
+    if (scene.environment.water_method == WaterMethod::paper)
+      return;
+    if (!(scene.environment.water_level > -1e299))
+      throw table.error("Water/Method", "needs the elevation of the water in Water/Level");
+    for (const std::string &name : {scene.blocks.material, scene.blocks.saturated_material})
+      if (scene.blocks.enabled && !name.empty() &&
+          scene.material(name, "Blocks/Material").weight_density >= 0.)
+        throw table.error("Materials/" + name + "/Weight density",
+                          "is for Water/Method = paper; submerged and pressures take the weight "
+                          "from Density and the water");
+  }
+
+
+  void declare(ParameterTable &table, HeterogeneityParameters &heterogeneity)
+  {
+    ParameterSection section(table, {"Heterogeneity"});
+    section.number_or("Modulus shape",
+                      {"none", heterogeneity.modulus_shape},
+                      "",
+                      ParameterRange::above(0.),
+                      "Shape m of Weibull's distribution of the blocks' Young modulus, mean as the "
+                      "material says; 2 scatters much, 20 little, none is uniform.");
+    section.number_or("Strength shape",
+                      {"none", heterogeneity.strength_shape},
+                      "",
+                      ParameterRange::above(0.),
+                      "The same of cohesion and tensile strength of joints, both times one factor "
+                      "per joint.");
+    section.integer("Seed",
+                    heterogeneity.seed,
+                    {0, 2147483647},
+                    "Another seed is another sample; a block has its factor by its place.");
   }
 } // namespace hybrid::scene

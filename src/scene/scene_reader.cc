@@ -107,6 +107,7 @@ namespace hybrid::scene
     declare(table, scene.continuum);
     declare(table, scene.bedding);
     declare(table, scene.blocks);
+    declare(table, scene.heterogeneity);
     declare(table, scene.environment);
     declare(table, scene.motion);
     declare(table, scene.monitors);
@@ -128,6 +129,7 @@ namespace hybrid::scene
     check_mesh(scene, table);
     check_continuum(scene, table);
     check_blocks(scene, table);
+    check_water(scene, table);
     check(scene.motion, table);
     check(scene.monitors, table);
     if (scene.output.directory.empty())

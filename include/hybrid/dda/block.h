@@ -24,10 +24,11 @@ namespace hybrid::dda
     double size = 0.;                    ///< square root of the area [m]
     double sxx = 0., sxy = 0., syy = 0.; ///< initial mass moments about the centroid [kg m2/m]
     Eigen::Matrix3d elasticity =
-      Eigen::Matrix3d::Zero();   ///< (xx, yy, xy) stress from (ex, ey, gxy) [Pa]
-    double damping_time = 0.;    ///< beta_K of stiffness-proportional damping [s]
-    int    region       = 0;     ///< index of the mesh region
-    bool   saturated    = false; ///< initial centroid below the water level
+      Eigen::Matrix3d::Zero();     ///< (xx, yy, xy) stress from (ex, ey, gxy) [Pa]
+    double damping_time   = 0.;    ///< beta_K of stiffness-proportional damping [s]
+    double modulus_factor = 1.;    ///< on the material's Young modulus [-]
+    int    region         = 0;     ///< index of the mesh region
+    bool   saturated      = false; ///< initial centroid below the water level
   };
 
 

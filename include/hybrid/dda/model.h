@@ -4,6 +4,7 @@
 #include <hybrid/dda/block.h>
 #include <hybrid/dda/geometry.h>
 #include <hybrid/dda/joint_law.h>
+#include <hybrid/dda/water.h>
 #include <hybrid/scene/newmark.h>
 
 #include <utility>
@@ -27,12 +28,13 @@ namespace hybrid::dda
       int    other_vertex; ///< vertex of the other block, or base node
     };
 
-    int      block;     ///< block whose outward normal counts
-    int      edge;      ///< first vertex of its edge (Geometry::vertices)
-    int      other;     ///< other block, or base_body
-    double   length;    ///< of the bonded edge or segment [m]
-    Point    points[2]; ///< along the block's edge
-    JointLaw law;       ///< per area
+    int      block;                ///< block whose outward normal counts
+    int      edge;                 ///< first vertex of its edge (Geometry::vertices)
+    int      other;                ///< other block, or base_body
+    double   length;               ///< of the bonded edge or segment [m]
+    Point    points[2];            ///< along the block's edge
+    JointLaw law;                  ///< per area
+    double   strength_factor = 1.; ///< on the material's cohesion and tensile strength [-]
   };
 
 
@@ -67,6 +69,7 @@ namespace hybrid::dda
     double                        gravity             = 9.81; ///< [m/s2]
     double                        dynamic_coefficient = 1.;   ///< k01 [-]
     double                        joint_damping_time  = 0.;   ///< beta_K of the joints' springs [s]
+    Water                         water;
     IterationParameters           iteration;
 
     int n_blocks() const

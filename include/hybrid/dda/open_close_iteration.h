@@ -90,6 +90,9 @@ namespace hybrid::dda
 
     double evaluate(const Model &model, const DdaState &state, const BaseResponse &base);
 
+    /// Add the water's forces to the residual.
+    void add_water(const Model &model, const DdaState &state);
+
     void assemble(const Model &model, const BaseResponse &base, bool follow_softening);
 
     /// Move the trial along the update, as far as the residual allows: a contact that locks, closes

@@ -52,7 +52,7 @@ namespace hybrid::dda
     double kinetic          = 0.; ///< 1/2 v M v, now
     double newmark          = 0.; ///< the scheme's acceleration term, now
     double strain           = 0.; ///< of the blocks, now
-    double gravity          = 0.; ///< potential relative to the start, now
+    double gravity          = 0.; ///< potential of weight and water relative to the start, now
     double springs          = 0.; ///< stored in joints and contacts, now
     double friction_loss    = 0.; ///< plastic slip
     double fracture_loss    = 0.; ///< tensile cracking

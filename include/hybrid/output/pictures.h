@@ -29,6 +29,8 @@ namespace hybrid::output
     const continuum::Continuum *continuum;
     dda::Geometry               reference;
     VtuWriter                   writer;
+    bool                        varied_modulus  = false; ///< moduli of blocks scatter
+    bool                        varied_strength = false; ///< strengths of joints scatter
     std::unique_ptr<PvdSeries>  block_series, joint_series, continuum_series;
 
     void add_blocks(const coupling::CoupledState &state);

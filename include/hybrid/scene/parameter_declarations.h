@@ -28,6 +28,8 @@ namespace hybrid::scene
   /// Sections "Gravity" and "Water".
   void declare(ParameterTable &table, EnvironmentParameters &environment);
 
+  void declare(ParameterTable &table, HeterogeneityParameters &heterogeneity);
+
   void declare(ParameterTable &table, MotionParameters &motion);
 
   /// Sections "Monitors" and "Boreholes".
@@ -53,6 +55,9 @@ namespace hybrid::scene
 
   /// Materials of blocks and belt.
   void check_blocks(const SceneParameters &scene, const ParameterTable &table);
+
+  /// Water method against level and materials.
+  void check_water(const SceneParameters &scene, const ParameterTable &table);
 
   /// @throws InputError at parameter @p path if the table of materials lacks @p name.
   void check_material_name(const SceneParameters &scene,

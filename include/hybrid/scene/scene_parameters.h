@@ -124,6 +124,23 @@ namespace hybrid::scene
     none         ///< the dynamic stage starts unloaded
   };
 
+  /// Section "Heterogeneity": factors of mean 1 with Weibull's distribution.
+  struct HeterogeneityParameters
+  {
+    double modulus_shape = 0.; ///< m of the blocks' Young modulus [-], > 0; 0: uniform
+    double strength_shape =
+      0.; ///< m of the joints' cohesion and tensile strength [-], > 0; 0: uniform
+    int seed = 1;
+  };
+
+  /// What the water below its level does: section "Water", parameter "Method".
+  enum class WaterMethod
+  {
+    paper,     ///< nothing but the saturated materials, whose weight is as given
+    submerged, ///< buoyancy of the submerged part of each block
+    pressures  ///< hydrostatic pressure on all faces and in all joints; the bedrock carries it too
+  };
+
   /// Section "Water" and section "Gravity".
   struct EnvironmentParameters
   {
@@ -131,6 +148,8 @@ namespace hybrid::scene
     StaticStage static_stage = StaticStage::equilibrium;
     double water_level = -1e300; ///< elevation [m]; below it the saturated materials hold (initial
                                  ///< position of the block)
+    WaterMethod water_method  = WaterMethod::paper;
+    double      water_density = 1000.; ///< [kg/m3], > 0
   };
 
   /// Section "Motion".
@@ -208,6 +227,7 @@ namespace hybrid::scene
     ContinuumParameters             continuum;
     BeddingParameters               bedding;
     BlockParameters                 blocks;
+    HeterogeneityParameters         heterogeneity;
     EnvironmentParameters           environment;
     MotionParameters                motion;
     MonitorParameters               monitors;

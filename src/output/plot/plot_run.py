@@ -12,6 +12,7 @@ import style
 
 import boreholes  # isort: skip
 import energy_balance  # isort: skip
+import heterogeneity  # isort: skip
 import input_motion  # isort: skip
 import monitor_histories  # isort: skip
 import overview  # isort: skip
@@ -19,7 +20,7 @@ import section_view  # isort: skip
 import step_costs  # isort: skip
 from run_data import MissingData, RunData  # isort: skip
 
-FIGURES = (input_motion, monitor_histories, boreholes, section_view, energy_balance, step_costs, overview)
+FIGURES = (input_motion, monitor_histories, boreholes, section_view, heterogeneity, energy_balance, step_costs, overview)
 
 
 def draw_growing(figure, run, figures, attempts=3):

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 
 namespace
@@ -166,4 +168,79 @@ TEST(ModelBuilder, initial_state_is_at_rest_and_unstressed)
   EXPECT_EQ(state.blocks[0].stress.norm(), 0.);
   EXPECT_EQ(state.base_displacement.size(), 6);
   EXPECT_EQ(model.neighbours[0], std::vector<int>{1});
+}
+
+
+
+TEST(ModelBuilder, factors_of_a_heterogeneous_scene_belong_to_the_place)
+{
+  scene::SceneParameters p       = block_parameters(30.);
+  p.blocks.bonded                = true;
+  p.materials["rock"].cohesion   = 1e5;
+  p.heterogeneity.modulus_shape  = 3.;
+  p.heterogeneity.strength_shape = 3.;
+  scene::SectionMesh mesh        = square_blocks(4, 3);
+  const Model        model       = build_model(mesh, p, {});
+  std::reverse(mesh.blocks.begin(), mesh.blocks.end());
+  const Model reversed = build_model(mesh, p, {});
+
+  const int n = model.n_blocks();
+  for (int b = 0; b < n; ++b)
+    {
+      EXPECT_EQ(model.blocks[b].modulus_factor, reversed.blocks[n - 1 - b].modulus_factor);
+      EXPECT_NE(model.blocks[b].modulus_factor, model.blocks[(b + 1) % n].modulus_factor);
+    }
+  ASSERT_EQ(model.joints.size(), reversed.joints.size());
+  std::vector<double> factors, others;
+  for (std::size_t j = 0; j < model.joints.size(); ++j)
+    {
+      factors.push_back(model.joints[j].strength_factor);
+      others.push_back(reversed.joints[j].strength_factor);
+      // slip far beyond the elastic part: the cohesion is left, without softening
+      const JointResponse r = model.joints[j].law.respond({0., 1e-2}, {});
+      EXPECT_LE(-r.shear, 1e5 * factors.back() * (1. + 1e-12));
+      EXPECT_GT(-r.shear, 0.8e5 * factors.back());
+    }
+  std::sort(factors.begin(), factors.end());
+  std::sort(others.begin(), others.end());
+  EXPECT_EQ(factors, others);
+}
+
+
+
+TEST(ModelBuilder, modulus_factor_scales_the_stiffness_of_block_and_joint)
+{
+  scene::SceneParameters p      = block_parameters(30.);
+  p.blocks.bonded               = true;
+  p.blocks.stiffness_correction = false;
+  const Model uniform           = build_model(square_blocks(2, 1), p, {});
+  p.heterogeneity.modulus_shape = 4.;
+  const Model  varied           = build_model(square_blocks(2, 1), p, {});
+  const double f0 = varied.blocks[0].modulus_factor, f1 = varied.blocks[1].modulus_factor;
+  for (int b = 0; b < 2; ++b)
+    EXPECT_LT((varied.blocks[b].elasticity -
+               varied.blocks[b].modulus_factor * uniform.blocks[b].elasticity)
+                .norm(),
+              1e-9 * uniform.blocks[b].elasticity.norm());
+  EXPECT_NEAR(varied.joints[0].law.normal_stiffness() / uniform.joints[0].law.normal_stiffness(),
+              std::min(f0, f1),
+              1e-12);
+  EXPECT_EQ(varied.joints[0].strength_factor, 1.);
+}
+
+
+
+TEST(ModelBuilder, water_acts_where_the_scene_says_so)
+{
+  scene::SceneParameters p    = block_parameters(30.);
+  p.environment.water_level   = 7.;
+  p.environment.water_density = 1025.;
+  EXPECT_EQ(build_model(square_blocks(1, 1), p, {}).water.action, Water::Action::none);
+  p.environment.water_method = scene::WaterMethod::submerged;
+  const Model model          = build_model(square_blocks(1, 1), p, {});
+  EXPECT_EQ(model.water.action, Water::Action::buoyancy);
+  EXPECT_EQ(model.water.level, 7.);
+  EXPECT_NEAR(model.water.unit_weight, 1025. * 9.81, 1e-9);
+  p.environment.water_method = scene::WaterMethod::pressures;
+  EXPECT_EQ(build_model(square_blocks(1, 1), p, {}).water.action, Water::Action::pressures);
 }

@@ -205,3 +205,27 @@ TEST_F(SceneErrors, MonitorFileMustHoldTheNamedRows)
                {"'S1' is a monitor of Monitors/Points already"},
                {file, "Monitors/Names=S1", "Monitors/Points=S1: 0, 0"});
 }
+
+TEST_F(SceneErrors, WaterThatActsNeedsALevelAndTotalDensities)
+{
+  expect_error(write_scene(),
+               {"Water/Method", "needs the elevation of the water in Water/Level"},
+               {"Water/Method=submerged"});
+  expect_error(write_scene(),
+               {"Materials/clay/Weight density", "is for Water/Method = paper"},
+               {"Water/Method=pressures", "Water/Level=3", "Materials/clay/Weight density=1400"});
+  expect_option_error("Heterogeneity/Modulus shape=0", {"must be", "number > 0"});
+}
+
+TEST_F(SceneErrors, MotionsNeedWhatTheirTypeUses)
+{
+  expect_error(write_scene(),
+               {"Motion/Spectrum file", "needs the file of a spectrum"},
+               {"Motion/Type=spectrum"});
+  write("target.txt", "1 1\n2 1\n");
+  expect_error(write_scene("subsection Motion\n  set Spectrum file = target.txt\nend\n"),
+               {"Motion/Spectrum file", "is not used unless Motion/Type is set to spectrum"});
+  expect_error(write_scene(),
+               {"Motion/Taper", "at most half of Motion/Cycles = 3"},
+               {"Motion/Type=sine", "Motion/Cycles=3"});
+}
