@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/input_tables.h>
 #include <hybrid/output/monitor_summary.h>
 #include <hybrid/output/run_recorder.h>
 #include <hybrid/scene/input_error.h>
@@ -15,13 +16,6 @@ namespace hybrid::output
       const double angle = motion.angle * M_PI / 180.;
       return {std::cos(angle), std::sin(angle)};
     }
-    /// Initial place of one end of a joint [m].
-    Vec2
-    joint_point(const dda::Geometry &g, const dda::Joint &joint, const dda::Joint::Point &point)
-    {
-      const Vec2 &a = g.vertices[joint.edge], &b = g.vertices[g.next(joint.edge)];
-      return a + point.position * (b - a);
-    }
   } // namespace
 
 
@@ -37,8 +31,12 @@ namespace hybrid::output
     file.set_attribute("/", "title", parts.scene.title);
     file.set_attribute("/", "base_monitor", parts.scene.monitors.base_monitor);
     add_series();
-    write_spectrum();
-    write_heterogeneity();
+    write_spectrum(file, parts.fit, parts.scene.motion.outcrop);
+    if (parts.blocks != nullptr)
+      {
+        write_heterogeneity(file, parts.scene.heterogeneity, *parts.blocks);
+        write_water(file, *parts.blocks);
+      }
     add_monitors();
     add_boreholes();
   }
@@ -75,79 +73,6 @@ namespace hybrid::output
     interface_time = file.add_series("interface/time", "s", 1, "times of the pictures");
     interface_force =
       file.add_series("interface/force", "N/m", 2 * nodes, "of the blocks on each node");
-    if (parts.blocks->water.action == dda::Water::Action::pressures)
-      {
-        const Eigen::VectorXd water =
-          dda::water_on_surface(parts.blocks->water, parts.blocks->initial.base_nodes);
-        file.write_table("interface/water_force",
-                         "N/m",
-                         water.data(),
-                         nodes,
-                         2,
-                         "of the water on each node, to be added for the total");
-      }
-  }
-
-
-
-  void RunRecorder::write_spectrum()
-  {
-    const scene::SpectrumFit &fit = parts.fit;
-    const std::size_t         n   = fit.frequency.size();
-    if (n == 0)
-      return;
-    file.write_table("spectrum/frequency", "Hz", fit.frequency.data(), n, 1, "of oscillators");
-    file.write_table(
-      "spectrum/target", "m/s2", fit.target.data(), n, 1, "pseudo-acceleration asked for");
-    file.write_table(
-      "spectrum/reached", "m/s2", fit.reached.data(), n, 1, "of the motion as given");
-    file.set_attribute("spectrum", "damping", std::vector<double>{fit.damping});
-    file.set_attribute("spectrum", "outcrop", parts.scene.motion.outcrop ? "yes" : "no");
-  }
-
-
-
-  void RunRecorder::write_heterogeneity()
-  {
-    const scene::HeterogeneityParameters &h = parts.scene.heterogeneity;
-    if (parts.blocks == nullptr || (h.modulus_shape == 0. && h.strength_shape == 0.))
-      return;
-    std::vector<double> modulus, strength, ends;
-    for (const dda::BlockProperties &block : parts.blocks->blocks)
-      modulus.push_back(block.modulus_factor);
-    for (const dda::Joint &joint : parts.blocks->joints)
-      {
-        strength.push_back(joint.strength_factor);
-        for (const dda::Joint::Point &point : joint.points)
-          {
-            const Vec2 x = joint_point(parts.blocks->initial, joint, point);
-            ends.insert(ends.end(), {x.x(), x.y()});
-          }
-      }
-    if (h.modulus_shape > 0.)
-      {
-        file.write_table("heterogeneity/modulus_factor",
-                         "1",
-                         modulus.data(),
-                         modulus.size(),
-                         1,
-                         "on the Young modulus of each block");
-        file.set_attribute("heterogeneity", "modulus_shape", std::vector<double>{h.modulus_shape});
-      }
-    if (h.strength_shape > 0. && !strength.empty())
-      {
-        file.write_table("heterogeneity/strength_factor",
-                         "1",
-                         strength.data(),
-                         strength.size(),
-                         1,
-                         "on cohesion and tensile strength of each joint");
-        file.write_table(
-          "heterogeneity/joint_ends", "m", ends.data(), strength.size(), 4, "initial");
-        file.set_attribute("heterogeneity",
-                           "strength_shape",
-                           std::vector<double>{h.strength_shape});
-      }
   }
 
 

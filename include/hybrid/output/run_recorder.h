@@ -98,8 +98,6 @@ namespace hybrid::output
     void add_monitors();
     void add_boreholes();
     void add_series();
-    void write_spectrum();
-    void write_heterogeneity();
     void record_motion(const coupling::CoupledState &state);
     void record_energy(coupling::CoupledState &state);
     void record_picture(const coupling::CoupledState &state);

@@ -156,3 +156,47 @@ TEST(StaticStage, motion_starts_with_the_acceleration_of_the_real_strengths)
       EXPECT_NEAR(rest[1], -9.81, 1e-9);
     }
 }
+
+
+
+TEST(StaticStage, buoyancy_and_pressures_give_the_same_effective_forces)
+{
+  // bonded squares on an incline of 20 degrees, the water line cuts through some of them
+  const double       angle = 20. * M_PI / 180., level = 2.;
+  scene::SectionMesh mesh = square_blocks(6, 2, 1., angle);
+  std::vector<Vec2>  surface(mesh.nodes.begin(), mesh.nodes.begin() + 7);
+  for (int k = 0; k < 6; ++k)
+    mesh.lines["sliding_surface"].push_back({k, k + 1});
+  scene::SceneParameters p      = strong(30.);
+  p.environment.water_level     = level;
+  const auto settled_base_force = [&](const scene::WaterMethod method, double &submerged) {
+    p.environment.water_method = method;
+    const Model        model   = build_model(mesh, p, surface);
+    DdaState           state   = initial_state(model);
+    const StaticResult r       = settle(model, state);
+    EXPECT_TRUE(r.equilibrium);
+    submerged = 0.; // area
+    for (int b = 0; b < model.n_blocks(); ++b)
+      submerged += water_load({Water::Action::buoyancy, level, 1.},
+                              model.blocks[b].area,
+                              BlockMotion(state.blocks[b].centroid, Vec6::Zero()),
+                              {&state.geometry.vertices[4 * b], nullptr, 4})
+                     .force[1];
+    return state.static_force;
+  };
+  double                area = 0., same_area = 0., dry_area = 0.;
+  const Eigen::VectorXd buoyancy  = settled_base_force(scene::WaterMethod::submerged, area);
+  const Eigen::VectorXd pressures = settled_base_force(scene::WaterMethod::pressures, same_area);
+  const Eigen::VectorXd dry       = settled_base_force(scene::WaterMethod::paper, dry_area);
+  EXPECT_GT(area, 3.);
+  EXPECT_LT(area, 9.);
+  EXPECT_LT((buoyancy - pressures).norm(), 1e-8 * buoyancy.norm());
+  const auto sum_of_y = [](const Eigen::VectorXd &f) {
+    double sum = 0.;
+    for (Eigen::Index k = 1; k < f.size(); k += 2)
+      sum += f[k];
+    return sum;
+  };
+  EXPECT_NEAR(sum_of_y(buoyancy), -12. * weight + 9810. * area, 1e-7 * 12. * weight);
+  EXPECT_NEAR(sum_of_y(dry), -12. * weight, 1e-7 * 12. * weight);
+}
