@@ -26,7 +26,14 @@ namespace hybrid::scene
         throw InputError(sentence.str());
       }
 
-    const double        dt = wave_spacing(f, time_step);
+    const double dt = wave_spacing(f, time_step);
+    if (!(cycles / f / dt <= 1e7))
+      {
+        std::ostringstream sentence;
+        sentence << "Motion/Cycles is " << cycles << "; a sine burst of " << f << " Hz has at most "
+                 << 1e7 * f * dt << ".";
+        throw InputError(sentence.str());
+      }
     std::vector<double> a;
     for (int i = 0; i * dt <= cycles / f * (1. + 1e-12); ++i)
       {

@@ -16,8 +16,10 @@ namespace hybrid::scene
 {
   namespace
   {
-    constexpr int iterations     = 60;
-    constexpr int control_points = 100;
+    constexpr double samples_per_period = 30.; // of the highest frequency
+    constexpr int    iterations         = 60;
+    constexpr int    control_points     = 100;
+    constexpr double most_samples       = 3e5; // a quarter of a minute
 
 
     /// Motion from amplitudes and phases at multiples of 1/(2T), so that it does not repeat in T.
@@ -27,7 +29,7 @@ namespace hybrid::scene
       Synthesis(const MotionParameters &parameters, const double highest)
         : correct(parameters.baseline_correction)
         , duration(parameters.duration)
-        , half(static_cast<std::size_t>(std::ceil(30. * highest * duration)))
+        , half(static_cast<std::size_t>(std::ceil(samples_per_period * highest * duration)))
         , spectrum(2 * half, 0.)
       {}
 
@@ -177,6 +179,8 @@ namespace hybrid::scene
              "a band that overlaps that of the spectrum file");
     if (!(parameters.duration * lowest >= 2.))
       refuse("Duration", parameters.duration, "at least two periods of the lowest frequency");
+    if (!(samples_per_period * highest * parameters.duration <= most_samples))
+      refuse("Duration", parameters.duration, "at most 10000 periods of the highest frequency");
 
     Synthesis           synthesis(parameters, highest);
     const std::size_t   first     = std::max(1., std::ceil(lowest / synthesis.spacing() - 1e-9));

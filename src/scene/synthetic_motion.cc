@@ -38,6 +38,8 @@ namespace hybrid::scene
         refuse("Highest frequency", parameters.highest_frequency, "more than the lowest frequency");
       if (!(parameters.duration * parameters.highest_frequency >= 1.))
         refuse("Duration", parameters.duration, "at least one period of the highest frequency");
+      if (!(parameters.duration * parameters.highest_frequency <= 5000.))
+        refuse("Duration", parameters.duration, "at most 5000 periods of the highest frequency");
     }
   } // namespace
 

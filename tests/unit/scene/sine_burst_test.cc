@@ -76,8 +76,9 @@ namespace hybrid::scene::test
   }
 
 
-  TEST(SineBurst, too_long_a_taper_is_refused)
+  TEST(SineBurst, too_long_a_taper_or_burst_is_refused)
   {
+    EXPECT_THROW(make_sine_burst(burst(1e12, 0., true), 1e-3), InputError);
     EXPECT_THROW(make_sine_burst(burst(4., 2.1, true), 1e-3), InputError);
   }
 } // namespace hybrid::scene::test

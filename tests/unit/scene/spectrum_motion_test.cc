@@ -94,5 +94,7 @@ namespace hybrid::scene::test
     p          = parameters(1);
     p.duration = 2.;
     expect_part(message_of([&]() { make_spectrum_motion(p); }), "Motion/Duration is 2");
+    p.duration = 1e9;
+    expect_part(message_of([&]() { make_spectrum_motion(p); }), "at most 10000 periods");
   }
 } // namespace hybrid::scene::test
