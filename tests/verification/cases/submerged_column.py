@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Submerged column at rest: effective, pore and total stress over depth."""
+
+import base64
+import re
+
+import numpy as np
+
+GRAVITY, DENSITY, WATER, WIDTH, GROUND, INTERFACE, LEVEL = 9.81, 2200.0, 1000.0, 10.0, 20.0, 10.0, 30.0
+
+shown = {}
+
+
+def array(text, name):
+    """A data array of a .vtu file."""
+    kind, size, data = re.search(r'type="(\w+)" Name="%s" NumberOfComponents="(\d)" format="binary">([^<]*)<' % re.escape(name),
+                                 text).groups()
+    types = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4"}
+    return np.frombuffer(base64.b64decode(data)[8:], types[kind]).reshape(-1, int(size))
+
+
+def vertical_stress(case, variant, part, field):
+    """Height [m] and vertical stress [Pa] of the cells of the last picture."""
+    text = sorted((case.work / variant / "vtu").glob(part + "_*.vtu"))[-1].read_text(encoding="utf-8")
+    points = array(text, "Points") if 'Name="Points"' in text else array(text, "points")
+    nodes, ends = array(text, "connectivity")[:, 0], array(text, "offsets")[:, 0]
+    height = np.array([points[cell, 1].mean() for cell in np.split(nodes, ends[:-1])])
+    return height, array(text, field)[:, 1]
+
+
+def effective(height):
+    return (DENSITY - WATER) * GRAVITY * (GROUND - height)
+
+
+def total(height):
+    return effective(height) + WATER * GRAVITY * (LEVEL - height)
+
+
+def check(case):
+    force = {}
+    for method in ("pressures", "submerged"):
+        run = case.run(method, "Water/Method=" + method)
+        force[method] = run.get("interface/force")[0].reshape(-1, 2)
+        case.near(method + ": effective force on the bedrock", -force[method][:, 1].sum(), WIDTH * effective(INTERFACE), 0.001,
+                  "N/m")
+        height, stress = vertical_stress(case, method, "blocks", "stress xx, yy, xy [Pa]")
+        rows = np.round(height / 2.5 - 0.5)  # pairs of triangles: their mean is that of the row
+        for row in np.unique(rows):
+            middle = 2.5 * (row + 0.5)
+            case.near("%s: effective stress of blocks at y = %.2f m" % (method, middle), -stress[rows == row].mean(),
+                      effective(middle), 0.01, "Pa")
+        shown[method] = height, stress
+        height, stress = vertical_stress(case, method, "continuum", "static stress xx, yy, xy [Pa]")
+        carried = WATER * GRAVITY * (LEVEL - INTERFACE) if method == "pressures" else 0.0
+        expected = effective(INTERFACE) + carried + DENSITY * GRAVITY * (INTERFACE - height)
+        # forces go to nodes one by one: the element under the surface sees them as points
+        deep = height < INTERFACE - 2.5
+        case.below(method + ": stress of the bedrock, largest error over the largest stress",
+                   np.abs(-stress - expected)[deep].max() / expected.max(), 0.01)
+        shown["rock_" + method] = height, stress
+    water = case.run("water").get("interface/water_force")
+    case.near("force of the water on the bedrock", -water[:, 1].sum(), WIDTH * WATER * GRAVITY * (LEVEL - INTERFACE), 1e-9, "N/m")
+    case.below("effective forces, pressures less submerged", np.abs(force["pressures"] - force["submerged"]).max(),
+               1e-8 * np.abs(force["pressures"]).max(), "N/m")
+
+
+def draw(case, figure):
+    axes = figure.subplots()
+    y = np.linspace(INTERFACE, GROUND, 20)
+    axes.plot(1e-3 * effective(y), y, "k--", lw=1, label="closed form")
+    axes.plot(1e-3 * (total(INTERFACE) + DENSITY * GRAVITY * np.array([INTERFACE, 0.0])), [0, INTERFACE], "k--", lw=1)
+    height, stress = shown["pressures"]
+    axes.plot(-1e-3 * stress, height, ".", label="blocks (effective)")
+    height, stress = shown["rock_pressures"]
+    axes.plot(-1e-3 * stress, height, "x", label="bedrock (total)")
+    axes.set_xlabel("vertical pressure [kPa]")
+    axes.set_ylabel("y [m]")
+    axes.legend()
