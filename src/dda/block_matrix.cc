@@ -127,43 +127,81 @@ namespace hybrid::dda
 
 
 
+  Vec6 BlockMatrix::row_above(const int i, const Eigen::VectorXd &x) const
+  {
+    const double *nodes = x.data() + 6 * n_blocks();
+    Vec6          sum   = Vec6::Zero();
+    for (int s = pair_begin[i]; s < pair_begin[i + 1]; ++s)
+      sum.noalias() += off_diagonal[s] * Eigen::Map<const Vec6>(x.data() + 6 * pairs[s][1]);
+    for (int s = coupling_begin[i]; s < coupling_begin[i + 1]; ++s)
+      sum.noalias() +=
+        block_node[s] * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * couplings[s][1]);
+    return sum;
+  }
+
+
+
+  Vec6 BlockMatrix::row_below(const int i, const Eigen::VectorXd &x) const
+  {
+    Vec6 sum = Vec6::Zero();
+    for (int k = row_begin[i]; k < row_begin[i + 1] && row_other[k] < i; ++k)
+      sum.noalias() += lower[~row_slot[k]] * Eigen::Map<const Vec6>(x.data() + 6 * row_other[k]);
+    return sum;
+  }
+
+
+
+  void BlockMatrix::multiply_nodes(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+  {
+    const int     m   = n_nodes();
+    const double *in  = x.data() + 6 * n_blocks();
+    double       *out = y.data() + 6 * n_blocks();
+    for (int k = 0; k < m; ++k)
+      {
+        Eigen::Vector2d sum = node_diagonal[k] * Eigen::Map<const Eigen::Vector2d>(in + 2 * k);
+        if (k + 1 < m)
+          sum.noalias() += node_next[k] * Eigen::Map<const Eigen::Vector2d>(in + 2 * k + 2);
+        if (k > 0)
+          sum.noalias() += node_previous[k - 1] * Eigen::Map<const Eigen::Vector2d>(in + 2 * k - 2);
+        Eigen::Map<Eigen::Vector2d>(out + 2 * k) = sum;
+      }
+  }
+
+
+
+  void BlockMatrix::subtract_blocks_from_nodes(Eigen::VectorXd &x) const
+  {
+    double *nodes = x.data() + 6 * n_blocks();
+    for (int k = 0; k < n_nodes(); ++k)
+      for (int e = node_begin[k]; e < node_begin[k + 1]; ++e)
+        {
+          const int s = node_coupling[e];
+          Eigen::Map<Eigen::Vector2d>(nodes + 2 * k).noalias() -=
+            node_block[s] * Eigen::Map<const Vec6>(x.data() + 6 * couplings[s][0]);
+        }
+  }
+
+
+
   void BlockMatrix::multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
   {
-    const int     n = n_blocks(), m = n_nodes();
-    const double *nodes = x.data() + 6 * n;
+    const int n = n_blocks();
 
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < n; ++i)
       {
-        Vec6 sum = diagonal[i] * Eigen::Map<const Vec6>(x.data() + 6 * i);
-        for (int k = row_begin[i]; k < row_begin[i + 1]; ++k)
-          {
-            const Eigen::Map<const Vec6> other(x.data() + 6 * row_other[k]);
-            if (row_slot[k] >= 0)
-              sum.noalias() += off_diagonal[row_slot[k]] * other;
-            else
-              sum.noalias() += lower[~row_slot[k]] * other;
-          }
-        for (int s = coupling_begin[i]; s < coupling_begin[i + 1]; ++s)
-          sum.noalias() +=
-            block_node[s] * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * couplings[s][1]);
-        Eigen::Map<Vec6>(y.data() + 6 * i) = sum;
+        const Vec6 own                     = diagonal[i] * Eigen::Map<const Vec6>(x.data() + 6 * i);
+        Eigen::Map<Vec6>(y.data() + 6 * i) = own + row_below(i, x) + row_above(i, x);
       }
 
-    for (int k = 0; k < m; ++k)
-      {
-        Eigen::Vector2d sum = node_diagonal[k] * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * k);
-        if (k + 1 < m)
-          sum.noalias() += node_next[k] * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * k + 2);
-        if (k > 0)
-          sum.noalias() +=
-            node_previous[k - 1] * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * k - 2);
-        for (int e = node_begin[k]; e < node_begin[k + 1]; ++e)
-          {
-            const int s = node_coupling[e];
-            sum.noalias() += node_block[s] * Eigen::Map<const Vec6>(x.data() + 6 * couplings[s][0]);
-          }
-        Eigen::Map<Eigen::Vector2d>(y.data() + 6 * n + 2 * k) = sum;
-      }
+    multiply_nodes(x, y);
+    double *nodes = y.data() + 6 * n;
+    for (int k = 0; k < n_nodes(); ++k)
+      for (int e = node_begin[k]; e < node_begin[k + 1]; ++e)
+        {
+          const int s = node_coupling[e];
+          Eigen::Map<Eigen::Vector2d>(nodes + 2 * k).noalias() +=
+            node_block[s] * Eigen::Map<const Vec6>(x.data() + 6 * couplings[s][0]);
+        }
   }
 } // namespace hybrid::dda

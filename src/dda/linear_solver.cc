@@ -1,104 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/linear_solver.h>
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-extern "C"
-{
-  // LAPACK: Cholesky factorisation and solve of a symmetric band matrix.
-  void
-  dpbtrf_(const char *uplo, const int *n, const int *kd, double *ab, const int *ldab, int *info);
-  void dpbtrs_(const char   *uplo,
-               const int    *n,
-               const int    *kd,
-               const int    *nrhs,
-               const double *ab,
-               const int    *ldab,
-               double       *b,
-               const int    *ldb,
-               int          *info);
-}
 
 namespace hybrid::dda
 {
   namespace
   {
-    constexpr int diagonal_limit = 60; ///< iterations with diagonal blocks before a factor is made
-    constexpr int factor_limit   = 12; ///< iterations with an old factor before a new one is made
-    constexpr int hard_limit     = 2000;
-
-    /// Entries below this part of the diagonal are lost in round-off anyway.
-    constexpr double round_off = 1e-16;
-
-
-
-    double weighted_norm(const Eigen::VectorXd &v, const Eigen::VectorXd &scale)
-    {
-      return v.cwiseQuotient(scale).norm();
-    }
-
-
-
-    int half_band_width(const Eigen::MatrixXd &s)
-    {
-      const int n = static_cast<int>(s.rows());
-      for (int band = n - 1; band > 0; --band)
-        for (int j = 0; j + band < n; ++j)
-          if (std::abs(s(j + band, j)) > round_off * std::sqrt(s(j, j) * s(j + band, j + band)))
-            return band;
-      return 0;
-    }
+    constexpr int swept_limit  = 40; ///< iterations with sweeps before a factor is made
+    constexpr int factor_limit = 12; ///< iterations with an old factor before a new one is made
+    constexpr int hard_limit   = 2000;
   } // namespace
-
-
-
-  void LinearSolver::set_base_stiffness(const Eigen::MatrixXd *stiffness)
-  {
-    std::vector<double> key;
-    if (stiffness != nullptr && stiffness->rows() > 0)
-      key = {static_cast<double>(stiffness->rows()),
-             (*stiffness)(0, 0),
-             stiffness->diagonal().sum(),
-             (*stiffness)(stiffness->rows() - 1, stiffness->rows() - 1)};
-    if (stiffness == base_source && key == base_key)
-      return;
-    base_source = stiffness;
-    base_key    = key;
-    if (stiffness == nullptr)
-      return;
-
-    const int n = static_cast<int>(stiffness->rows());
-    band        = half_band_width(*stiffness);
-    base_band   = Eigen::MatrixXd::Zero(band + 1, n);
-    for (int j = 0; j < n; ++j)
-      for (int below = 0; below <= band && j + below < n; ++below)
-        base_band(below, j) = (*stiffness)(j + below, j);
-    base_factor       = base_band;
-    const int leading = band + 1;
-    int       info    = 0;
-    dpbtrf_("L", &n, &band, base_factor.data(), &leading, &info);
-    if (info != 0)
-      {
-        // The band is not definite by itself: fall back to the diagonal.
-        base_factor.setZero();
-        for (int j = 0; j < n; ++j)
-          base_factor(0, j) = std::sqrt((*stiffness)(j, j));
-      }
-  }
 
 
 
   void LinearSolver::matrix_changed(const BlockMatrix &matrix)
   {
     factor_is_current = false;
-    inverse_diagonal.resize(matrix.n_blocks());
-#pragma omp parallel for schedule(static)
-    for (int i = 0; i < matrix.n_blocks(); ++i)
-      inverse_diagonal[i] = matrix.diagonal[i].partialPivLu().inverse();
+    swept.set(matrix, base);
   }
 
 
@@ -108,80 +28,46 @@ namespace hybrid::dda
                               Eigen::VectorXd       &y) const
   {
     matrix.multiply(x, y);
-    if (base_source == nullptr)
-      return;
-    const int     n = 2 * matrix.n_nodes(), offset = 6 * matrix.n_blocks();
-    const double *in  = x.data() + offset;
-    double       *out = y.data() + offset;
-    for (int j = 0; j < n; ++j)
-      {
-        const double *column = base_band.data() + static_cast<std::ptrdiff_t>(j) * (band + 1);
-        const double  xj     = in[j];
-        const int     last   = std::min(band, n - 1 - j);
-        double        sum    = column[0] * xj;
-        for (int below = 1; below <= last; ++below)
-          {
-            sum += column[below] * in[j + below];
-            out[j + below] += column[below] * xj;
-          }
-        out[j] += sum;
-      }
+    const int nodes = 6 * matrix.n_blocks();
+    base.add_product(x.data() + nodes, y.data() + nodes);
   }
 
 
 
-  void LinearSolver::precondition(const Eigen::VectorXd &residual, Eigen::VectorXd &result)
+  void LinearSolver::precondition(const BlockMatrix &matrix, const Eigen::VectorXd &residual)
   {
-    const int n = static_cast<int>(inverse_diagonal.size());
-    if (use_factor)
-      factor.solve(residual, result);
-    else
-      {
-#pragma omp parallel for schedule(static)
-        for (int i = 0; i < n; ++i)
-          Eigen::Map<Vec6>(result.data() + 6 * i).noalias() =
-            inverse_diagonal[i] * Eigen::Map<const Vec6>(residual.data() + 6 * i);
-      }
-    const int m = static_cast<int>(residual.size()) - 6 * n;
-    if (m == 0)
-      return;
-    std::copy_n(residual.data() + 6 * n, m, result.data() + 6 * n);
-    if (base_source == nullptr)
-      return;
-    const int leading = band + 1, one = 1;
-    int       info = 0;
-    dpbtrs_("L", &m, &band, &one, base_factor.data(), &leading, result.data() + 6 * n, &m, &info);
+    const int nodes = 6 * matrix.n_blocks();
+    factor.solve(residual, z);
+    z.tail(z.size() - nodes) = residual.tail(z.size() - nodes);
+    base.solve(z.data() + nodes);
   }
 
 
 
-  LinearSolver::Result LinearSolver::conjugate_gradients(const BlockMatrix     &matrix,
-                                                         const Eigen::VectorXd &scale,
-                                                         const double           tolerance,
-                                                         const int              limit,
-                                                         Eigen::VectorXd       &x)
+  LinearSolver::Result LinearSolver::conjugate_gradients(const Target &target)
   {
     Result result;
-    precondition(r, z);
-    p          = z;
-    double rho = r.dot(z);
-    while (result.iterations < limit)
+    p          = r;
+    dual_p     = dual_r;
+    double rho = r.dot(dual_r);
+    while (result.iterations < target.limit)
       {
         ++result.iterations;
-        multiply(matrix, p, q);
-        const double alpha = rho / p.dot(q);
+        swept.multiply(p, q);
+        const double alpha = rho / dual_p.dot(q);
         if (!(alpha > 0.) || !std::isfinite(alpha))
           return result;
-        x += alpha * p;
+        unknown += alpha * p;
         r -= alpha * q;
-        if (weighted_norm(r, scale) <= tolerance)
+        swept.multiply_diagonal(r, dual_r);
+        if (target.met_by(dual_r))
           {
             result.converged = true;
             return result;
           }
-        precondition(r, z);
-        const double next = r.dot(z);
-        p                 = z + (next / rho) * p;
+        const double next = r.dot(dual_r);
+        p                 = r + (next / rho) * p;
+        dual_p            = dual_r + (next / rho) * dual_p;
         rho               = next;
       }
     return result;
@@ -189,40 +75,37 @@ namespace hybrid::dda
 
 
 
-  LinearSolver::Result LinearSolver::stabilised_gradients(const BlockMatrix     &matrix,
-                                                          const Eigen::VectorXd &scale,
-                                                          const double           tolerance,
-                                                          const int              limit,
-                                                          Eigen::VectorXd       &x)
+  template <typename System>
+  LinearSolver::Result LinearSolver::stabilised_gradients(System &system, const Target &target)
   {
-    // BiCGStab (van der Vorst 1992), preconditioned from the right.
     Result result;
-    shadow     = r;
+    shadow     = dual_r;
     double rho = r.dot(shadow);
     p          = r;
-    while (result.iterations < limit)
+    while (result.iterations < target.limit)
       {
         ++result.iterations;
-        precondition(p, z);
-        multiply(matrix, z, q);
+        system.multiply(p, q);
         const double alpha = rho / q.dot(shadow);
         if (!std::isfinite(alpha))
           return result;
-        x += alpha * z;
+        unknown += alpha * p;
         r -= alpha * q;
-        if (weighted_norm(r, scale) <= tolerance)
+        system.dual(r, dual_r);
+        if (target.met_by(dual_r))
           {
             result.converged = true;
             return result;
           }
-        precondition(r, z);
-        multiply(matrix, z, t);
-        const double omega = t.dot(r) / t.squaredNorm();
+        system.multiply(r, t);
+        system.dual(t, dual_t);
+        const double omega = t.dot(dual_r) / t.dot(dual_t);
         if (!std::isfinite(omega) || omega == 0.)
           return result;
-        x += omega * z;
+        unknown += omega * r;
         r -= omega * t;
-        if (weighted_norm(r, scale) <= tolerance)
+        dual_r -= omega * dual_t;
+        if (target.met_by(dual_r))
           {
             result.converged = true;
             return result;
@@ -239,24 +122,62 @@ namespace hybrid::dda
 
 
 
-  LinearSolver::Result LinearSolver::iterate(const BlockMatrix     &matrix,
-                                             const Eigen::VectorXd &b,
-                                             const Eigen::VectorXd &scale,
-                                             const double           tolerance,
-                                             const int              limit,
-                                             Eigen::VectorXd       &x)
+  LinearSolver::Result
+  LinearSolver::solve_swept(const bool symmetric, const Target &target, Eigen::VectorXd &x)
   {
-    x.setZero();
-    r = b;
-    if (weighted_norm(r, scale) <= tolerance)
+    struct System
+    {
+      SweptSystem &swept;
+
+      void multiply(const Eigen::VectorXd &v, Eigen::VectorXd &product)
       {
-        Result result;
-        result.converged = true;
-        return result;
+        swept.multiply(v, product);
       }
-    return matrix.symmetric ? conjugate_gradients(matrix, scale, tolerance, limit, x)
-                            : stabilised_gradients(matrix, scale, tolerance, limit, x);
+
+      void dual(const Eigen::VectorXd &v, Eigen::VectorXd &image) const
+      {
+        swept.multiply_diagonal(v, image);
+      }
+    };
+    System system{swept};
+    swept.sweep_forward(r, r);
+    system.dual(r, dual_r);
+    const Result result =
+      symmetric ? conjugate_gradients(target) : stabilised_gradients(system, target);
+    swept.sweep_backward(unknown, x);
+    return result;
   }
+
+
+
+  LinearSolver::Result LinearSolver::solve_with_factor(const BlockMatrix &matrix,
+                                                       const Target      &target,
+                                                       Eigen::VectorXd   &x)
+  {
+    struct System
+    {
+      LinearSolver      &solver;
+      const BlockMatrix &matrix;
+
+      void multiply(const Eigen::VectorXd &v, Eigen::VectorXd &product)
+      {
+        solver.precondition(matrix, v);
+        solver.multiply(matrix, solver.z, product);
+      }
+
+      void dual(const Eigen::VectorXd &v, Eigen::VectorXd &image) const
+      {
+        image = v;
+      }
+    };
+    System system{*this, matrix};
+    dual_r              = r;
+    const Result result = stabilised_gradients(system, target);
+    precondition(matrix, unknown);
+    x = z;
+    return result;
+  }
+
 
 
   LinearSolver::Result LinearSolver::solve(const BlockMatrix     &matrix,
@@ -265,31 +186,32 @@ namespace hybrid::dda
                                            const double           tolerance,
                                            Eigen::VectorXd       &x)
   {
-    const int size = matrix.size();
-    x.resize(size);
-    r.resize(size);
-    z.resize(size);
-    p.resize(size);
-    q.resize(size);
-    t.resize(size);
-    shadow.resize(size);
-
-    int spent  = 0;
-    use_factor = use_factor && factor.ready(matrix.n_blocks());
-    Result result =
-      iterate(matrix, b, scale, tolerance, use_factor ? factor_limit : diagonal_limit, x);
+    const Eigen::Index size = matrix.size();
+    for (Eigen::VectorXd *work : {&x, &unknown, &r, &dual_r, &p, &dual_p, &q, &t, &dual_t, &z})
+      work->resize(size);
+    x.setZero();
+    Result result;
+    result.converged = b.cwiseQuotient(scale).norm() <= tolerance;
     if (result.converged)
       return result;
 
-    spent = result.iterations;
+    const auto attempt = [&](const int limit) {
+      const Target target{scale, tolerance, limit};
+      unknown.setZero();
+      r = b;
+      return use_factor ? solve_with_factor(matrix, target, x)
+                        : solve_swept(matrix.symmetric, target, x);
+    };
+    use_factor = use_factor && factor.ready(matrix.n_blocks());
+    result     = attempt(use_factor ? factor_limit : swept_limit);
+    if (result.converged)
+      return result;
+
+    const int spent    = result.iterations;
+    bool      factored = false;
     if (!factor_is_current || !use_factor)
-      {
-        use_factor        = factor.factorize(matrix);
-        factor_is_current = use_factor;
-        result.factored   = use_factor;
-      }
-    const bool factored = result.factored;
-    result              = iterate(matrix, b, scale, tolerance, hard_limit, x);
+      factored = use_factor = factor_is_current = factor.factorize(matrix);
+    result = attempt(hard_limit);
     result.iterations += spent;
     result.factored = factored;
     return result;

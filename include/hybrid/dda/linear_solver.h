@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/base_band.h>
 #include <hybrid/dda/block_matrix.h>
 #include <hybrid/dda/sparse_factor.h>
+#include <hybrid/dda/swept_system.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <vector>
@@ -13,13 +14,14 @@ namespace hybrid::dda
 {
   /**
    * Krylov solver for blocks and base nodes: conjugate gradients while the
-   * matrix is symmetric, BiCGStab while joints slide with friction or soften.
+   * matrix is symmetric, BiCGStab (van der Vorst 1992) while joints slide with
+   * friction or soften.
    *
-   * Preconditioner of the blocks: their 6x6 diagonal blocks where inertia
-   * dominates (small steps, soft joints), or a sparse factor of an
-   * earlier matrix, kept until it serves badly (static stage, stiff joints).
-   * The choice follows iteration counts only, so results are deterministic.
-   * Preconditioner of the base: the Cholesky factor of S.
+   * Preconditioner: a symmetric Gauss-Seidel sweep where inertia dominates (small
+   * steps, soft joints), or a sparse factor of an earlier matrix, kept until it
+   * serves badly (static stage, stiff joints). The choice follows iteration
+   * counts only, so results are deterministic. Preconditioner of the base: the
+   * Cholesky factor of S.
    */
   class LinearSolver
   {
@@ -32,10 +34,13 @@ namespace hybrid::dda
     };
 
     /// The base's own stiffness S (n x n, symmetric positive definite) for the next solves;
-    /// nullptr: none. Entries below round-off are dropped: it is kept as a band.
-    void set_base_stiffness(const Eigen::MatrixXd *stiffness);
+    /// nullptr: none.
+    void set_base_stiffness(const Eigen::MatrixXd *stiffness)
+    {
+      base.set(stiffness);
+    }
 
-    /// The matrix has changed: its diagonal blocks are inverted anew; a sparse factor may be kept.
+    /// The matrix has changed: a sparse factor may be kept.
     void matrix_changed(const BlockMatrix &matrix);
 
     /// y = (K + S) x.
@@ -49,39 +54,38 @@ namespace hybrid::dda
                  Eigen::VectorXd       &x);
 
   private:
-    const Eigen::MatrixXd *base_source = nullptr;
-    std::vector<double>
-                    base_key;  ///< a few entries of S, to notice another matrix at the same address
-    int             band = 0;  ///< half band width of S
-    Eigen::MatrixXd base_band; ///< rows 0..band: S(j + r, j), LAPACK lower band storage
-    Eigen::MatrixXd base_factor; ///< its Cholesky factor, same storage
-    std::vector<Mat6> inverse_diagonal;
-    SparseFactor      factor;
-    bool              use_factor        = false;
-    bool              factor_is_current = false;
-    Eigen::VectorXd   r, z, p, q, t, shadow;
+    /// When to stop.
+    struct Target
+    {
+      const Eigen::VectorXd &scale;
+      double                 tolerance;
+      int                    limit; ///< of iterations
 
-    void precondition(const Eigen::VectorXd &residual, Eigen::VectorXd &result);
+      bool met_by(const Eigen::VectorXd &residual) const
+      {
+        return residual.cwiseQuotient(scale).norm() <= tolerance;
+      }
+    };
 
-    /// From x = 0 and r = b.
-    Result conjugate_gradients(const BlockMatrix     &matrix,
-                               const Eigen::VectorXd &scale,
-                               double                 tolerance,
-                               int                    limit,
-                               Eigen::VectorXd       &x);
+    BaseBand        base;
+    SweptSystem     swept;
+    SparseFactor    factor;
+    bool            use_factor        = false;
+    bool            factor_is_current = false;
+    Eigen::VectorXd unknown, r, dual_r, p, dual_p, q, t, dual_t, shadow, z; ///< work
 
-    /// The same for unsymmetric matrices.
-    Result stabilised_gradients(const BlockMatrix     &matrix,
-                                const Eigen::VectorXd &scale,
-                                double                 tolerance,
-                                int                    limit,
-                                Eigen::VectorXd       &x);
+    void precondition(const BlockMatrix &matrix, const Eigen::VectorXd &residual);
 
-    Result iterate(const BlockMatrix     &matrix,
-                   const Eigen::VectorXd &b,
-                   const Eigen::VectorXd &scale,
-                   double                 tolerance,
-                   int                    limit,
-                   Eigen::VectorXd       &x);
+    /// Conjugate gradients in the scalar product of the swept system, from unknown = 0 and r.
+    Result conjugate_gradients(const Target &target);
+
+    /// BiCGStab for @p system, which has multiply() and a scalar product by dual(); from unknown =
+    /// 0 and r.
+    template <typename System>
+    Result stabilised_gradients(System &system, const Target &target);
+
+    Result solve_swept(bool symmetric, const Target &target, Eigen::VectorXd &x);
+
+    Result solve_with_factor(const BlockMatrix &matrix, const Target &target, Eigen::VectorXd &x);
   };
 } // namespace hybrid::dda
