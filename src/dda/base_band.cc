@@ -27,6 +27,9 @@ namespace hybrid::dda
     /// Entries below this part of the diagonal are lost in round-off anyway.
     constexpr double round_off = 1e-16;
 
+    /// Joints and contacts softer than this part of the base are left out of its factor.
+    constexpr double soft_part = 0.1;
+
 
 
     int half_band_width(const Eigen::MatrixXd &s)
@@ -58,22 +61,64 @@ namespace hybrid::dda
       return;
 
     size  = static_cast<int>(stiffness->rows());
-    width = half_band_width(*stiffness);
+    width = std::min(size - 1, std::max(3, half_band_width(*stiffness)));
     band  = Eigen::MatrixXd::Zero(width + 1, size);
     for (int j = 0; j < size; ++j)
       for (int below = 0; below <= width && j + below < size; ++below)
         band(below, j) = (*stiffness)(j + below, j);
-    factor            = band;
-    const int leading = width + 1;
-    int       info    = 0;
-    dpbtrf_("L", &size, &width, factor.data(), &leading, &info);
-    if (info != 0)
+    base_factor = band;
+    joined      = false;
+    if (!factorize(base_factor))
       {
         // The band is not definite by itself: fall back to the diagonal.
-        factor.setZero();
+        base_factor.setZero();
         for (int j = 0; j < size; ++j)
-          factor(0, j) = std::sqrt((*stiffness)(j, j));
+          base_factor(0, j) = std::sqrt((*stiffness)(j, j));
       }
+  }
+
+
+
+  bool BaseBand::factorize(Eigen::MatrixXd &matrix) const
+  {
+    const int leading = width + 1;
+    int       info    = 0;
+    dpbtrf_("L", &size, &width, matrix.data(), &leading, &info);
+    return info == 0;
+  }
+
+
+
+  void BaseBand::matrix_changed(const BlockMatrix &matrix)
+  {
+    joined = false;
+    if (source == nullptr)
+      return;
+    const int m = matrix.n_nodes();
+    for (int k = 0; k < m; ++k)
+      for (int c = 0; c < 2; ++c)
+        joined = joined || matrix.node_diagonal[k](c, c) > soft_part * band(0, 2 * k + c);
+    if (!joined)
+      return;
+    own.resize(m);
+    next.resize(m);
+    joined_factor = band;
+    for (int k = 0; k < m; ++k)
+      {
+        const Eigen::Matrix2d &d = matrix.node_diagonal[k];
+        own[k]                   = 0.5 * (d + d.transpose());
+        joined_factor(0, 2 * k) += own[k](0, 0);
+        joined_factor(1, 2 * k) += own[k](1, 0);
+        joined_factor(0, 2 * k + 1) += own[k](1, 1);
+        next[k].setZero();
+        if (k + 1 == m)
+          continue;
+        next[k] = 0.5 * (matrix.node_next[k] + matrix.node_previous[k].transpose());
+        for (int c = 0; c < 2; ++c)
+          for (int r = 0; r < 2; ++r)
+            joined_factor(2 + r - c, 2 * k + c) += next[k](c, r);
+      }
+    joined = factorize(joined_factor); // not definite while joints soften: S alone
   }
 
 
@@ -99,12 +144,31 @@ namespace hybrid::dda
 
 
 
+  void BaseBand::add_nodes(const double *x, double *y, const double sign) const
+  {
+    if (!joined)
+      return;
+    for (std::size_t k = 0; k < own.size(); ++k)
+      {
+        const Eigen::Map<const Eigen::Vector2d> here(x + 2 * k);
+        Eigen::Map<Eigen::Vector2d>(y + 2 * k) += sign * own[k] * here;
+        if (k + 1 == own.size())
+          break;
+        const Eigen::Map<const Eigen::Vector2d> after(x + 2 * k + 2);
+        Eigen::Map<Eigen::Vector2d>(y + 2 * k) += sign * next[k] * after;
+        Eigen::Map<Eigen::Vector2d>(y + 2 * k + 2) += sign * next[k].transpose() * here;
+      }
+  }
+
+
+
   void BaseBand::solve(double *x) const
   {
     if (source == nullptr || size == 0)
       return;
-    const int leading = width + 1, one = 1;
-    int       info = 0;
+    const Eigen::MatrixXd &factor  = joined ? joined_factor : base_factor;
+    const int              leading = width + 1, one = 1;
+    int                    info = 0;
     dpbtrs_("L", &size, &width, &one, factor.data(), &leading, x, &size, &info);
   }
 } // namespace hybrid::dda

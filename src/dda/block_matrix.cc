@@ -169,15 +169,17 @@ namespace hybrid::dda
 
 
 
-  void BlockMatrix::subtract_blocks_from_nodes(Eigen::VectorXd &x) const
+  void BlockMatrix::add_blocks_to_nodes(const Eigen::VectorXd &x,
+                                        Eigen::VectorXd       &y,
+                                        const double           sign) const
   {
-    double *nodes = x.data() + 6 * n_blocks();
+    double *nodes = y.data() + 6 * n_blocks();
     for (int k = 0; k < n_nodes(); ++k)
       for (int e = node_begin[k]; e < node_begin[k + 1]; ++e)
         {
           const int s = node_coupling[e];
-          Eigen::Map<Eigen::Vector2d>(nodes + 2 * k).noalias() -=
-            node_block[s] * Eigen::Map<const Vec6>(x.data() + 6 * couplings[s][0]);
+          Eigen::Map<Eigen::Vector2d>(nodes + 2 * k).noalias() +=
+            sign * node_block[s] * Eigen::Map<const Vec6>(x.data() + 6 * couplings[s][0]);
         }
   }
 
@@ -195,13 +197,6 @@ namespace hybrid::dda
       }
 
     multiply_nodes(x, y);
-    double *nodes = y.data() + 6 * n;
-    for (int k = 0; k < n_nodes(); ++k)
-      for (int e = node_begin[k]; e < node_begin[k + 1]; ++e)
-        {
-          const int s = node_coupling[e];
-          Eigen::Map<Eigen::Vector2d>(nodes + 2 * k).noalias() +=
-            node_block[s] * Eigen::Map<const Vec6>(x.data() + 6 * couplings[s][0]);
-        }
+    add_blocks_to_nodes(x, y);
   }
 } // namespace hybrid::dda

@@ -18,6 +18,7 @@ namespace hybrid::dda
   void LinearSolver::matrix_changed(const BlockMatrix &matrix)
   {
     factor_is_current = false;
+    base.matrix_changed(matrix);
     swept.set(matrix, base);
   }
 
@@ -44,27 +45,82 @@ namespace hybrid::dda
 
 
 
-  LinearSolver::Result LinearSolver::conjugate_gradients(const Target &target)
+  struct LinearSolver::Swept
+  {
+    LinearSolver &solver;
+    const Target &target;
+    double        bound = target.tolerance; ///< of the residual without its part below the diagonal
+
+    void multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y)
+    {
+      solver.swept.multiply(x, y);
+    }
+
+    void dual(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+    {
+      solver.swept.multiply_diagonal(x, y);
+    }
+
+    bool solved(const Eigen::VectorXd &residual, const Eigen::VectorXd &dual_residual)
+    {
+      if (dual_residual.cwiseQuotient(target.scale).norm() > bound)
+        return false;
+      solver.swept.undo_forward(residual, solver.z);
+      const bool done = target.met_by(solver.z);
+      if (!done)
+        bound *= 0.3;
+      return done;
+    }
+  };
+
+
+
+  struct LinearSolver::Factored
+  {
+    LinearSolver      &solver;
+    const BlockMatrix &matrix;
+    const Target      &target;
+
+    void multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y)
+    {
+      solver.precondition(matrix, x);
+      solver.multiply(matrix, solver.z, y);
+    }
+
+    void dual(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+    {
+      y = x;
+    }
+
+    bool solved(const Eigen::VectorXd &residual, const Eigen::VectorXd &) const
+    {
+      return target.met_by(residual);
+    }
+  };
+
+
+
+  template <typename System>
+  LinearSolver::Result LinearSolver::conjugate_gradients(System &system, const int limit)
   {
     Result result;
+    system.dual(r, dual_r);
     p          = r;
     dual_p     = dual_r;
     double rho = r.dot(dual_r);
-    while (result.iterations < target.limit)
+    while (result.iterations < limit)
       {
         ++result.iterations;
-        swept.multiply(p, q);
+        system.multiply(p, q);
         const double alpha = rho / dual_p.dot(q);
         if (!(alpha > 0.) || !std::isfinite(alpha))
           return result;
         unknown += alpha * p;
         r -= alpha * q;
-        swept.multiply_diagonal(r, dual_r);
-        if (target.met_by(dual_r))
-          {
-            result.converged = true;
-            return result;
-          }
+        system.dual(r, dual_r);
+        result.converged = system.solved(r, dual_r);
+        if (result.converged)
+          return result;
         const double next = r.dot(dual_r);
         p                 = r + (next / rho) * p;
         dual_p            = dual_r + (next / rho) * dual_p;
@@ -76,13 +132,14 @@ namespace hybrid::dda
 
 
   template <typename System>
-  LinearSolver::Result LinearSolver::stabilised_gradients(System &system, const Target &target)
+  LinearSolver::Result LinearSolver::stabilised_gradients(System &system, const int limit)
   {
     Result result;
+    system.dual(r, dual_r);
     shadow     = dual_r;
     double rho = r.dot(shadow);
     p          = r;
-    while (result.iterations < target.limit)
+    while (result.iterations < limit)
       {
         ++result.iterations;
         system.multiply(p, q);
@@ -92,11 +149,9 @@ namespace hybrid::dda
         unknown += alpha * p;
         r -= alpha * q;
         system.dual(r, dual_r);
-        if (target.met_by(dual_r))
-          {
-            result.converged = true;
-            return result;
-          }
+        result.converged = system.solved(r, dual_r);
+        if (result.converged)
+          return result;
         system.multiply(r, t);
         system.dual(t, dual_t);
         const double omega = t.dot(dual_r) / t.dot(dual_t);
@@ -105,11 +160,9 @@ namespace hybrid::dda
         unknown += omega * r;
         r -= omega * t;
         dual_r -= omega * dual_t;
-        if (target.met_by(dual_r))
-          {
-            result.converged = true;
-            return result;
-          }
+        result.converged = system.solved(r, dual_r);
+        if (result.converged)
+          return result;
         const double next = r.dot(shadow);
         const double beta = next / rho * alpha / omega;
         if (!std::isfinite(beta))
@@ -125,25 +178,10 @@ namespace hybrid::dda
   LinearSolver::Result
   LinearSolver::solve_swept(const bool symmetric, const Target &target, Eigen::VectorXd &x)
   {
-    struct System
-    {
-      SweptSystem &swept;
-
-      void multiply(const Eigen::VectorXd &v, Eigen::VectorXd &product)
-      {
-        swept.multiply(v, product);
-      }
-
-      void dual(const Eigen::VectorXd &v, Eigen::VectorXd &image) const
-      {
-        swept.multiply_diagonal(v, image);
-      }
-    };
-    System system{swept};
+    Swept system{*this, target};
     swept.sweep_forward(r, r);
-    system.dual(r, dual_r);
-    const Result result =
-      symmetric ? conjugate_gradients(target) : stabilised_gradients(system, target);
+    const Result result = symmetric ? conjugate_gradients(system, target.limit)
+                                    : stabilised_gradients(system, target.limit);
     swept.sweep_backward(unknown, x);
     return result;
   }
@@ -154,25 +192,8 @@ namespace hybrid::dda
                                                        const Target      &target,
                                                        Eigen::VectorXd   &x)
   {
-    struct System
-    {
-      LinearSolver      &solver;
-      const BlockMatrix &matrix;
-
-      void multiply(const Eigen::VectorXd &v, Eigen::VectorXd &product)
-      {
-        solver.precondition(matrix, v);
-        solver.multiply(matrix, solver.z, product);
-      }
-
-      void dual(const Eigen::VectorXd &v, Eigen::VectorXd &image) const
-      {
-        image = v;
-      }
-    };
-    System system{*this, matrix};
-    dual_r              = r;
-    const Result result = stabilised_gradients(system, target);
+    Factored     system{*this, matrix, target};
+    const Result result = stabilised_gradients(system, target.limit);
     precondition(matrix, unknown);
     x = z;
     return result;

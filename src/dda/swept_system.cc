@@ -43,7 +43,7 @@ namespace hybrid::dda
         Eigen::Map<Vec6>(result.data() + 6 * i).noalias() = inverse_diagonal[i] * rest;
       }
     result.tail(2 * matrix->n_nodes()) = b.tail(2 * matrix->n_nodes());
-    matrix->subtract_blocks_from_nodes(result);
+    matrix->add_blocks_to_nodes(result, result, -1.);
     base->solve(result.data() + 6 * n);
   }
 
@@ -57,7 +57,9 @@ namespace hybrid::dda
     sweep_backward(x, place);
     y.head(6 * n) = above;
     matrix->multiply_nodes(place, y);
-    if (!base->exists())
+    if (base->exists())
+      base->add_nodes(place.data() + 6 * n, y.data() + 6 * n, -1.);
+    else
       y.tail(m) -= place.tail(m);
     sweep_forward(y, y);
     y += place;
@@ -78,5 +80,17 @@ namespace hybrid::dda
       }
     y.tail(m).setZero();
     base->add_product(x.data() + 6 * n, y.data() + 6 * n);
+    base->add_nodes(x.data() + 6 * n, y.data() + 6 * n, 1.);
+  }
+
+
+
+  void SweptSystem::undo_forward(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+  {
+    const int n = matrix->n_blocks();
+    multiply_diagonal(x, y);
+    for (int i = 0; i < n; ++i)
+      Eigen::Map<Vec6>(y.data() + 6 * i) += matrix->row_below(i, x);
+    matrix->add_blocks_to_nodes(x, y);
   }
 } // namespace hybrid::dda

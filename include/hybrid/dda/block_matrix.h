@@ -52,8 +52,8 @@ namespace hybrid::dda
     /// y_n = K_nn x_n for the entries of the nodes.
     void multiply_nodes(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 
-    /// x_n -= K_nb x_b for the entries of the nodes.
-    void subtract_blocks_from_nodes(Eigen::VectorXd &x) const;
+    /// y_n += sign K_nb x_b for the entries of the nodes; y may be x.
+    void add_blocks_to_nodes(const Eigen::VectorXd &x, Eigen::VectorXd &y, double sign = 1.) const;
 
     int n_blocks() const
     {

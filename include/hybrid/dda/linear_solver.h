@@ -20,8 +20,8 @@ namespace hybrid::dda
    * Preconditioner: a symmetric Gauss-Seidel sweep where inertia dominates (small
    * steps, soft joints), or a sparse factor of an earlier matrix, kept until it
    * serves badly (static stage, stiff joints). The choice follows iteration
-   * counts only, so results are deterministic. Preconditioner of the base: the
-   * Cholesky factor of S.
+   * counts only, so results are deterministic. Preconditioner of the base:
+   * BaseBand.
    */
   class LinearSolver
   {
@@ -76,13 +76,15 @@ namespace hybrid::dda
 
     void precondition(const BlockMatrix &matrix, const Eigen::VectorXd &residual);
 
-    /// Conjugate gradients in the scalar product of the swept system, from unknown = 0 and r.
-    Result conjugate_gradients(const Target &target);
+    struct Swept;    ///< swept system, as conjugate_gradients() and stabilised_gradients() see it
+    struct Factored; ///< system with the factor, likewise
 
-    /// BiCGStab for @p system, which has multiply() and a scalar product by dual(); from unknown =
-    /// 0 and r.
+    // Both start from unknown = 0 and r. A system has a product (multiply), a scalar product (dual)
+    // and knows when the residual of the original system is small enough (solved).
     template <typename System>
-    Result stabilised_gradients(System &system, const Target &target);
+    Result conjugate_gradients(System &system, int limit);
+    template <typename System>
+    Result stabilised_gradients(System &system, int limit);
 
     Result solve_swept(bool symmetric, const Target &target, Eigen::VectorXd &x);
 

@@ -14,8 +14,8 @@ namespace hybrid::dda
    * The system A x = b of blocks and base nodes, preconditioned by one
    * symmetric Gauss-Seidel sweep over blocks, then nodes.
    *
-   * With A = L + D_A + U, D the 6x6 diagonal blocks and the base's own
-   * stiffness S (or the unit matrix without a base), it reads
+   * With A = L + D_A + U, D the 6x6 diagonal blocks and the base's S + P
+   * (BaseBand; the unit matrix without a base), it reads
    * @f[ \hat A \hat x = \hat b, \quad \hat A = (D+L)^{-1} A (D+U)^{-1} D, \quad
    *     \hat b = (D+L)^{-1} b, \quad x = (D+U)^{-1} D \hat x. @f]
    * In Eisenstat's (1981) form a product with \hat A is one backward and one
@@ -39,9 +39,11 @@ namespace hybrid::dda
     /// x of \hat x.
     void sweep_backward(const Eigen::VectorXd &hat, Eigen::VectorXd &x);
 
-    /// y = D x. D times the residual of the swept system is that of A but for the part below the
-    /// diagonal.
+    /// y = D x.
     void multiply_diagonal(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
+
+    /// y = (D + L) x: the residual of A from that of the swept system.
+    void undo_forward(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 
   private:
     const BlockMatrix *matrix = nullptr;
