@@ -26,9 +26,38 @@ For i In {0:#slip_x[] - 1}
   slip_point[] += newp;
   Point(slip_point[i]) = {slip_x[i], slip_y[i], 0};
 EndFor
-l = newl;
-Spline(l) = {slip_point[]};
-slip[] = {l};
+last_point = #slip_x[] - 1;
+For i In {0:last_point - 1}
+  run[]   += slip_x[i + 1] - slip_x[i];
+  slope[] += (slip_y[i + 1] - slip_y[i]) / run[i]; // of the straight line
+EndFor
+// slope of the curve at each point: of the parabola through it and its neighbours
+For i In {0:last_point}
+  a = i - 1;
+  If (i == 0)
+    a = 0;
+  ElseIf (i == last_point)
+    a = last_point - 2;
+  EndIf
+  bend = (slope[a + 1] - slope[a]) / (run[a] + run[a + 1]);
+  curve_slope[] += slope[a] + bend * (2 * slip_x[i] - slip_x[a] - slip_x[a + 1]);
+EndFor
+pieces = 10; // of the spline through each part: cubic with the slopes at its ends (Hermite)
+For i In {0:last_point - 1}
+  part[] = {slip_point[i]};
+  For k In {1:pieces - 1}
+    t = k / pieces;
+    p = newp;
+    Point(p) = {slip_x[i] + t * run[i],
+                slip_y[i] * (1 + 2 * t) * (1 - t)^2 + slip_y[i + 1] * (3 - 2 * t) * t^2 +
+                (curve_slope[i] * (1 - t) - curve_slope[i + 1] * t) * run[i] * t * (1 - t), 0};
+    part[] += p;
+  EndFor
+  part[] += slip_point[i + 1];
+  l = newl;
+  Spline(l) = {part[]};
+  slip[] += l;
+EndFor
 toe   = slip_point[0];
 crest = slip_point[#slip_x[] - 1];
 
@@ -136,7 +165,7 @@ mass = news; Plane Surface(mass) = {ll};
 // ---- size: h in the mass and at the slip surface (less at the toe), growing with the distance from it
 Field[1] = Distance;
 Field[1].CurvesList = {slip[]};
-Field[1].NumPointsPerCurve = 1000;
+Field[1].NumPointsPerCurve = 100;
 Field[2] = Threshold;
 Field[2].InField = 1;
 Field[2].SizeMin = h;
