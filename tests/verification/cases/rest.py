@@ -12,8 +12,10 @@ def check(case):
         run = case.run() if step == 1e-3 else case.run("step_%g" % step, "Time/Time step=%g" % step)
         case.data[step] = run
         case.below("largest movement of a block at dt = %g s" % step, largest(run), 1e-6, "m")
-    row = case.run("slope", "Mesh/Numbers=Angle = 15; Columns = 3; Rows = 1", "Monitors/Points=foot: 1.32, 0.871")
-    case.below("largest movement of a row on 15 deg", largest(row), 1e-6, "m")
+    slope = ["Mesh/Numbers=Angle = 15; Columns = 3; Rows = 1", "Monitors/Points=foot: 1.32, 0.871"]
+    case.below("largest movement of a row on 15 deg", largest(case.run("slope", *slope)), 1e-6, "m")
+    slides = case.run("slides", "Materials/rock/Friction angle=14", "Gravity/Static stage=held", *slope)
+    case.true("with 14 deg of friction the row slides: %.3g m" % largest(slides), largest(slides) > 0.1)
 
 
 def largest(run):
