@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/coupling/block_bedrock.h>
 #include <hybrid/coupling/condensed_base.h>
 #include <hybrid/coupling/rigid_base.h>
+#include <hybrid/dda/bedrock_blocks.h>
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/model_builder.h>
 #include <hybrid/output/probes.h>
@@ -87,7 +89,7 @@ namespace hybrid
       continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
     if (!scene.motion.outcrop)
       motion = motion.scaled(2.); // an outcrop moves twice as much as the incident wave
-    if (scene.blocks.enabled)
+    if (scene.has_blocks())
       make_blocks();
     else if (continuum != nullptr)
       state.continuum = continuum->initial_state();
@@ -98,6 +100,11 @@ namespace hybrid
 
   void Simulation::make_blocks()
   {
+    if (scene.has_bedrock_blocks())
+      {
+        make_bedrock_blocks();
+        return;
+      }
     if (continuum != nullptr)
       {
         base            = std::make_unique<coupling::CondensedBase>(*continuum);
@@ -113,6 +120,20 @@ namespace hybrid
       }
     blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, base->surface_nodes()));
     state.blocks = dda::initial_state(*blocks);
+  }
+
+
+
+  void Simulation::make_bedrock_blocks()
+  {
+    std::vector<Vec2> nodes;
+    for (const int node : dda::cut_bedrock(mesh, scene).base)
+      nodes.push_back(mesh.nodes[node]);
+    blocks       = std::make_unique<dda::Model>(dda::build_model(mesh, scene, nodes));
+    auto bedrock = std::make_unique<coupling::BlockBedrock>(nodes, motion, scene, blocks->boundary);
+    state.continuum = bedrock->initial_state();
+    state.blocks    = dda::initial_state(*blocks);
+    base            = std::move(bedrock);
   }
 
 
@@ -154,8 +175,9 @@ namespace hybrid
             scene.environment.gravity);
         return;
       }
+    // The bedrock has no weight of its own to settle under.
     if (scene.environment.static_stage == scene::StaticStage::none ||
-        scene.environment.gravity == 0.)
+        scene.environment.gravity == 0. || !scene.blocks.enabled)
       {
         state.blocks.energy = dda::held_energy(*blocks, state.blocks);
         return;

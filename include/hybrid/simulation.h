@@ -56,6 +56,9 @@ namespace hybrid
 
     void make_blocks();
 
+    /// A bedrock of blocks and what it stands on.
+    void make_bedrock_blocks();
+
     /// Every monitor and borehole lies in the model: found before anything is written. @throws
     /// InputError.
     void check_points() const;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/bedrock_forces.h>
 #include <hybrid/dda/block_energy.h>
 
 namespace hybrid::dda
@@ -63,7 +64,7 @@ namespace hybrid::dda
     {
       const Geometry &g     = step.before.geometry;
       const double    gamma = step.model.newmark.gamma;
-      for (int b = 0; b < step.model.n_blocks(); ++b)
+      for (int b = 0; b < step.model.n_mass(); ++b)
         {
           const int       first = g.offset[b], n = g.offset[b + 1] - first;
           const double    area = step.model.blocks[b].area;
@@ -133,6 +134,8 @@ namespace hybrid::dda
     if (step.model.water.action != Water::Action::none)
       audit_water(step, energy);
     audit_springs(step, energy);
+    if (step.model.n_bedrock > 0)
+      audit_bedrock({step.model, step.before, step.trial, step.incoming}, energy);
     return energy;
   }
 

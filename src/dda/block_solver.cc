@@ -11,10 +11,12 @@ namespace hybrid::dda
     ContactDetection::Parameters detection_parameters(const Model &model)
     {
       double largest = 0., smallest = std::numeric_limits<double>::infinity();
-      for (const BlockProperties &block : model.blocks)
+      // Blocks of the bedrock never meet each other: the sizes of the mass count, if there is one.
+      const int n_mass = model.n_mass();
+      for (int b = 0; b < (n_mass > 0 ? n_mass : model.n_blocks()); ++b)
         {
-          largest  = std::max(largest, block.size);
-          smallest = std::min(smallest, block.size);
+          largest  = std::max(largest, model.blocks[b].size);
+          smallest = std::min(smallest, model.blocks[b].size);
         }
       // Two bodies that move towards each other by the largest allowed displacement each.
       const double moved = 2. * model.iteration.maximum_displacement_ratio * largest;
@@ -66,6 +68,9 @@ namespace hybrid::dda
     skipped.awake.assign(model.blocks.size(), 0);
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
       skipped.awake[b] = !model.bonded[b];
+    if (model.n_bedrock > 0)
+      for (int b = 0; b < model.n_blocks(); ++b)
+        skipped.bedrock.push_back(model.is_bedrock(b));
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       {
         const Joint &joint = model.joints[j];
@@ -73,9 +78,9 @@ namespace hybrid::dda
         // overlap already.
         if (state.joints[j].failure != FailureKind::none)
           {
-            skipped.awake[joint.block] = 1;
-            if (joint.other != base_body)
-              skipped.awake[joint.other] = 1;
+            for (const int body : {joint.block, joint.other})
+              if (body != base_body && !model.is_bedrock(body))
+                skipped.awake[body] = 1;
           }
         if (state.joints[j].released)
           continue;

@@ -9,6 +9,9 @@ namespace hybrid::dda
 {
   namespace
   {
+    /// Outlines with more edges name those that are near: a layer of bedrock has hundreds.
+    constexpr int many_edges = 16;
+
     using Pairs = std::vector<std::pair<int, int>>;
 
     bool has_pair(const Pairs &sorted, const int first, const int second)
@@ -71,7 +74,7 @@ namespace hybrid::dda
   void ContactCandidates::set_skipped_pairs(const SkippedPairs &given)
   {
     if (given.bonded == skipped.bonded && given.bonded_base == skipped.bonded_base &&
-        given.awake == skipped.awake)
+        given.awake == skipped.awake && given.bedrock == skipped.bedrock)
       return;
     skipped = given;
     lookup  = given;
@@ -156,10 +159,29 @@ namespace hybrid::dda
           ++distance_tests;
           const Vec2 *outline = &geometry.vertices[geometry.offset[block]];
           const int   n       = geometry.offset[block + 1] - geometry.offset[block];
-          if (distance_to_outline(outline, n, point) <= distance + margin ||
-              contains(outline, n, point))
+          if (n > many_edges)
+            add_near_edges(geometry, {body, vertex, block, -1}, point);
+          else if (distance_to_outline(outline, n, point) <= distance + margin ||
+                   contains(outline, n, point))
             candidates.push_back({body, vertex, block, -1});
         }
+  }
+
+
+
+  void ContactCandidates::add_near_edges(const Geometry         &geometry,
+                                         const ContactCandidate &any_edge,
+                                         const Vec2             &point)
+  {
+    const int first   = geometry.offset[any_edge.edge_body],
+              n       = geometry.offset[any_edge.edge_body + 1] - first;
+    const auto before = candidates.size();
+    for (int e = first; e < first + n; ++e)
+      if (distance_to_segment(geometry.vertices[e], geometry.vertices[geometry.next(e)], point) <=
+          distance + margin)
+        candidates.push_back({any_edge.vertex_body, any_edge.vertex, any_edge.edge_body, e});
+    if (candidates.size() == before && contains(&geometry.vertices[first], n, point))
+      candidates.push_back(any_edge);
   }
 
 
@@ -167,6 +189,8 @@ namespace hybrid::dda
   bool ContactCandidates::is_skipped_pair(const int block, const int other) const
   {
     if (block == other || has_pair(lookup.bonded, block, other))
+      return true;
+    if (!lookup.bedrock.empty() && lookup.bedrock[block] && lookup.bedrock[other])
       return true;
     const bool is_awake = lookup.awake.empty() || lookup.awake[block] || lookup.awake[other];
     return !is_awake && !neighbour_offset.empty() &&

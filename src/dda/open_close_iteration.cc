@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/bedrock_forces.h>
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/open_close_iteration.h>
 
@@ -126,6 +127,13 @@ namespace hybrid::dda
 
     if (model.water.action != Water::Action::none)
       add_water(model, state);
+    if (model.n_bedrock > 0)
+      {
+        for (const BoundaryEdge &edge : model.boundary)
+          trial.rate[edge.block] =
+            end_rate(model.newmark, edge.block, acceleration_by_contacts(edge.block));
+        add_bedrock_forces({model, state, trial, incoming}, residual, absolute);
+      }
 
     force_increment = residual.tail(2 * m) + contact_force.tail(2 * m) - state.static_force;
     if (base.prescribed)
@@ -144,7 +152,7 @@ namespace hybrid::dda
   void OpenCloseIteration::add_water(const Model &model, const DdaState &state)
   {
     const Geometry &g = state.geometry;
-    for (int b = 0; b < model.n_blocks(); ++b)
+    for (int b = 0; b < model.n_mass(); ++b)
       {
         const int first = g.offset[b];
         residual.segment<6>(6 * b) +=
@@ -159,6 +167,7 @@ namespace hybrid::dda
 
 
   void OpenCloseIteration::assemble(const Model        &model,
+                                    const DdaState     &state,
                                     const BaseResponse &base,
                                     const bool          follow_softening)
   {
@@ -174,6 +183,8 @@ namespace hybrid::dda
       }
     const double weight = contact_weight(model.newmark);
     springs.add_stiffness(trial, {follow_softening, weight}, matrix);
+    if (model.n_bedrock > 0)
+      add_bedrock_stiffness({model, state, trial, incoming}, matrix);
     if (!base.prescribed && weight != 1. && springs.pushes_base())
       matrix.symmetric = false;
     if (base.prescribed)
@@ -270,6 +281,7 @@ namespace hybrid::dda
   {
     StepResult result;
     springs.collect(model, state);
+    incoming = base.boundary_force;
     predict(model, state, base, dt);
     solver.set_base_stiffness(base.prescribed ? nullptr : base.stiffness);
 
@@ -298,7 +310,7 @@ namespace hybrid::dda
           }
         // A kept tangent that no longer takes most of the residual away is made anew.
         if (stale || (result.iterations > 0 && result.residual > 1e-3 * previous))
-          assemble(model, base, result.residual <= previous);
+          assemble(model, state, base, result.residual <= previous);
         stale = false;
 
         const double               target = 0.2 * model.iteration.tolerance * reference;
@@ -382,7 +394,7 @@ namespace hybrid::dda
       // over.
       constexpr double released_part = 0.1;
       const double     reach         = released_part * joint.length;
-      if (state.failure != FailureKind::none &&
+      if (state.failure != FailureKind::none && !joint.within_bedrock() &&
           (std::max(state.points[0].jump.norm(), state.points[1].jump.norm()) > reach))
         state.released = true;
     }
@@ -394,8 +406,10 @@ namespace hybrid::dda
   {
     const int    n  = model.n_blocks();
     const double dt = trial.dt;
-    state.energy =
-      audit_step({model, state, trial, springs, mass, acceleration, contact_acceleration});
+    state.energy    = audit_step(
+      {model, state, trial, springs, mass, acceleration, contact_acceleration, incoming});
+    if (incoming.size() > 0)
+      state.boundary_force = incoming;
     const double          gamma    = model.newmark.gamma;
     const Eigen::VectorXd contacts = contact_force.tail(2 * model.n_base_nodes());
     state.energy.base_work -= ((1. - gamma) * (state.base_force - state.base_contact_force) +

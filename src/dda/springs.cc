@@ -79,6 +79,19 @@ namespace hybrid::dda
 
 
 
+    /// The mass's law of a base where it meets base or bedrock, else that of the vertex's block.
+    const ContactLaw &law_of(const Model &model, const Contact &contact)
+    {
+      const int vertex = contact.vertex_body, edge = contact.edge_body;
+      if (vertex == base_body || edge == base_body)
+        return model.base_contact[std::max(vertex, edge)];
+      if (model.is_bedrock(vertex) != model.is_bedrock(edge))
+        return model.base_contact[std::min(vertex, edge)];
+      return model.block_contact[vertex];
+    }
+
+
+
     /// Fill response, state and tangents of one spring from its kinematics.
     void apply_law(const Springs::Spring &spring,
                    const JointDamping    &damping,
@@ -117,7 +130,7 @@ namespace hybrid::dda
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       {
         const Joint &joint = model.joints[j];
-        if (state.joints[j].released)
+        if (state.joints[j].released || (model.hold_bedrock && joint.within_bedrock()))
           continue;
         for (int end = 0; end < 2; ++end)
           {
@@ -153,7 +166,7 @@ namespace hybrid::dda
         const bool        node_on_block = contact.vertex_body == base_body;
         const bool        on_base       = node_on_block || contact.edge_body == base_body;
         const int         owner         = node_on_block ? contact.edge_body : contact.vertex_body;
-        const ContactLaw &law = on_base ? model.base_contact[owner] : model.block_contact[owner];
+        const ContactLaw &law           = law_of(model, contact);
         Spring            s;
         s.block      = owner;
         s.other      = on_base ? base_body : contact.edge_body;
@@ -266,8 +279,10 @@ namespace hybrid::dda
     response.weight[0]     = 1.;
     response.weight[1]     = 0.;
     const SpringState &old = spring.old;
+    const double       damping_time =
+      joint.within_bedrock() ? model.bedrock_damping_time : model.joint_damping_time;
     apply_law(spring,
-              {model.joint_damping_time / trial.dt, old.gap, old.slip - old.history.plastic_slip},
+              {damping_time / trial.dt, old.gap, old.slip - old.history.plastic_slip},
               response);
   }
 

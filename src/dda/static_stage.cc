@@ -35,8 +35,10 @@ namespace hybrid::dda
     /// of scheme with contacts and all other forces balanced at the end of the step.
     Model static_model(const Model &model, const bool held)
     {
-      Model copy              = model;
-      copy.joint_damping_time = 0.;
+      Model copy                = model;
+      copy.joint_damping_time   = 0.;
+      copy.bedrock_damping_time = 0.;
+      copy.hold_bedrock         = true;
       for (BlockProperties &block : copy.blocks)
         block.damping_time = 0.;
       copy.newmark             = Newmark::preset("shi");
@@ -93,6 +95,7 @@ namespace hybrid::dda
       }
 
     stop_blocks(state);
+    bear_static_forces(model, state);
     start_accelerations(model, state);
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
       result.largest_displacement = std::max(result.largest_displacement,

@@ -29,6 +29,11 @@ namespace hybrid::output
       if (!has_continuum)
         {
           terms.push_back({"base_work", -b.base_work});
+          if (effects.blocks)
+            terms.insert(terms.end(),
+                         {{"bedrock_static_stress", b.static_work},
+                          {"boundary_loss", b.boundary_loss},
+                          {"input_work", -b.input_work}});
           return terms;
         }
       const double prestress =

@@ -55,24 +55,27 @@ namespace hybrid::output
   {
     const dda::Geometry &g = model->initial;
     probe.block            = block;
-    // The first three vertices that are not in a line; a block stays an affine image of itself.
-    const int first = g.offset[block], last = g.offset[block + 1] - 1;
-    for (int v = first + 1; v < last; ++v)
-      {
-        const Vec2 a = g.vertices[v] - g.vertices[first], b = g.vertices[v + 1] - g.vertices[first];
-        const double area = cross(a, b);
-        if (std::abs(area) < 1e-6 * a.norm() * b.norm())
-          continue;
-        const Vec2   p  = x - g.vertices[first];
-        const double wa = cross(p, b) / area, wb = cross(a, p) / area;
-        probe.vertices[0] = first;
-        probe.vertices[1] = v;
-        probe.vertices[2] = v + 1;
-        probe.weights[0]  = 1. - wa - wb;
-        probe.weights[1]  = wa;
-        probe.weights[2]  = wb;
-        return;
-      }
+    // The three vertices that span most with the first; a block stays an affine image of itself.
+    const int first = g.offset[block], end = g.offset[block + 1];
+    double    most = 0.;
+    for (int v = first + 1; v < end; ++v)
+      for (int w = v + 1; w < end; ++w)
+        {
+          const double area =
+            cross(g.vertices[v] - g.vertices[first], g.vertices[w] - g.vertices[first]);
+          if (std::abs(area) <= most)
+            continue;
+          most              = std::abs(area);
+          probe.vertices[0] = first;
+          probe.vertices[1] = v;
+          probe.vertices[2] = w;
+        }
+    const Vec2 p = x - g.vertices[first], a = g.vertices[probe.vertices[1]] - g.vertices[first],
+               b      = g.vertices[probe.vertices[2]] - g.vertices[first];
+    const double area = cross(a, b), wa = cross(p, b) / area, wb = cross(a, p) / area;
+    probe.weights[0] = 1. - wa - wb;
+    probe.weights[1] = wa;
+    probe.weights[2] = wb;
   }
 
 

@@ -25,7 +25,8 @@ namespace hybrid::output
     , probes(run.blocks, run.continuum)
     , file(run.scene.output.directory + "/run.h5")
     , pictures(run.scene.output.directory, run.blocks, run.continuum)
-    , ledger(run.continuum != nullptr, {run.scene.continuum.boundary_springs})
+    , ledger(run.continuum != nullptr,
+             {run.scene.continuum.boundary_springs, run.scene.has_bedrock_blocks()})
     , last_flush(std::chrono::steady_clock::now())
   {
     file.set_attribute("/", "title", parts.scene.title);

@@ -6,6 +6,7 @@
 #include <complex>
 #include <cstdarg>
 #include <cstdio>
+#include <utility>
 
 namespace hybrid::output
 {
@@ -46,20 +47,26 @@ namespace hybrid::output
       const char *bases[]   = {"compliant", "rigid", "fixed"};
       const bool  continuum = scene.continuum_model == scene::ContinuumModel::elastic;
       text += "Effects\n";
+      const bool layers    = scene.bedrock == scene::BedrockModel::layers;
+      const bool triangles = scene.bedrock == scene::BedrockModel::triangles;
       text += line("  continuum          %s%s%s",
                    state(continuum),
                    continuum ? "  base " : "",
                    continuum ? bases[static_cast<int>(scene.continuum.base)] : "");
+      if (layers || triangles)
+        text += line("  bedrock blocks     on   %s, base %s",
+                     layers ? "layers" : "triangles",
+                     layers ? "rigid" : bases[static_cast<int>(scene.continuum.base)]);
+      const bool has_sides = continuum || layers || triangles;
+      if (has_sides)
+        text +=
+          line("  sides              on   %s", sides[static_cast<int>(scene.continuum.sides)]);
       if (continuum)
-        {
-          text +=
-            line("  sides              on   %s", sides[static_cast<int>(scene.continuum.sides)]);
-          text += line("  boundary springs   %s  alpha_n %g, alpha_t %g",
-                       state(scene.continuum.boundary_springs),
-                       scene.continuum.normal_spring,
-                       scene.continuum.tangential_spring);
-        }
-      const std::size_t planes = continuum ? scene.bedding.names.size() : 0;
+        text += line("  boundary springs   %s  alpha_n %g, alpha_t %g",
+                     state(scene.continuum.boundary_springs),
+                     scene.continuum.normal_spring,
+                     scene.continuum.tangential_spring);
+      const std::size_t planes = has_sides ? scene.bedding.names.size() : 0;
       text += line("  bedding planes     %s  %zu elastic joints", state(planes > 0), planes);
       text += line("  blocks             %s", state(scene.blocks.enabled));
       if (scene.blocks.enabled)
@@ -99,19 +106,70 @@ namespace hybrid::output
 
 
 
+    /// Smallest and largest size of the blocks from @p begin to before @p end [m].
+    std::pair<double, double> sizes(const dda::Model &model, const int begin, const int end)
+    {
+      double smallest = 1e300, largest = 0.;
+      for (int b = begin; b < end; ++b)
+        {
+          smallest = std::min(smallest, model.blocks[b].size);
+          largest  = std::max(largest, model.blocks[b].size);
+        }
+      return {smallest, largest};
+    }
+
+
+
+    void describe_bedrock_blocks(const dda::Model             &model,
+                                 const scene::SceneParameters &scene,
+                                 const double                  wanted,
+                                 SceneCard                    &card)
+    {
+      const int first                = model.n_mass();
+      const auto [smallest, largest] = sizes(model, first, model.n_blocks());
+      if (scene.bedrock == scene::BedrockModel::layers)
+        {
+          card.text += line("Bedrock    %d layers on the one that moves, size %.3g to %.3g m",
+                            model.n_bedrock,
+                            smallest,
+                            largest);
+          return;
+        }
+      double slowest = 1e300;
+      for (const auto &entry : scene.continuum.region_material)
+        slowest =
+          std::min(slowest, scene.material(entry.second, "Continuum/Materials").s_wave_speed());
+      const double resolved = slowest / (points_per_wavelength * largest);
+      card.text += line(
+        "Bedrock    %d triangles, size %.3g to %.3g m; slowest S wave %.4g m/s: resolves %.3g Hz",
+        model.n_bedrock,
+        smallest,
+        largest,
+        slowest,
+        resolved);
+      if (wanted > resolved)
+        card.warnings.push_back(line(
+          "the bedrock's blocks resolve %.3g Hz at ten per wave length, the motion has energy up to "
+          "%.3g Hz",
+          resolved,
+          wanted));
+    }
+
+
+
     void describe_blocks(const dda::Model             &model,
                          const scene::SceneParameters &scene,
                          const double                  wanted,
                          SceneCard                    &card)
     {
-      double smallest = 1e300, largest = 0.;
-      for (const dda::BlockProperties &b : model.blocks)
-        {
-          smallest = std::min(smallest, b.size);
-          largest  = std::max(largest, b.size);
-        }
-      const Material &m       = scene.material(scene.blocks.material, "Blocks/Material");
-      double          slowest = m.s_wave_speed();
+      if (model.n_bedrock > 0)
+        describe_bedrock_blocks(model, scene, wanted, card);
+      const int n_mass = model.n_mass();
+      if (n_mass == 0)
+        return;
+      const auto [smallest, largest] = sizes(model, 0, n_mass);
+      const Material &m              = scene.material(scene.blocks.material, "Blocks/Material");
+      double          slowest        = m.s_wave_speed();
       if (scene.environment.water_level > -1e299 && !scene.blocks.saturated_material.empty())
         slowest =
           std::min(slowest,
@@ -120,7 +178,7 @@ namespace hybrid::output
       const double resolved = slowest / (points_per_wavelength * largest);
       card.text += line(
         "Blocks     %d blocks, %zu joints, size %.3g to %.3g m; slowest S wave %.4g m/s: resolves %.3g Hz",
-        model.n_blocks(),
+        n_mass,
         model.joints.size(),
         smallest,
         largest,

@@ -109,10 +109,12 @@ namespace hybrid::scene
 
   void check_continuum(const SceneParameters &scene, const ParameterTable &table)
   {
-    if (scene.continuum_model == ContinuumModel::none)
+    if (scene.continuum_model == ContinuumModel::none && !scene.has_bedrock_blocks())
       return;
     if (scene.continuum.region_material.empty())
-      throw table.error("Continuum/Materials", "Model/Continuum = elastic needs a material");
+      throw table.error("Continuum/Materials",
+                        scene.has_bedrock_blocks() ? "a bedrock of blocks needs a material"
+                                                   : "Model/Continuum = elastic needs a material");
     const bool dashpots = scene.continuum.base == BaseBoundary::compliant ||
                           scene.continuum.sides == SideBoundary::viscous ||
                           scene.continuum.sides == SideBoundary::free_field;

@@ -43,24 +43,36 @@ namespace hybrid::scene
     }
 
 
+    /// The bedrock is made of the mesh's cells.
+    bool needs_bedrock_cells(const SceneParameters &scene)
+    {
+      return scene.continuum_model == ContinuumModel::elastic || scene.has_bedrock_blocks();
+    }
+
+
     void check_groups(const SectionMesh &mesh, const SceneParameters &scene)
     {
-      const bool has_continuum = scene.continuum_model == ContinuumModel::elastic;
-      if (has_continuum)
+      const bool        has_cells = needs_bedrock_cells(scene);
+      const std::string why =
+        scene.has_bedrock_blocks() ? "a bedrock of blocks" : "the elastic continuum";
+      if (has_cells)
         {
           if (mesh.bedrock_cells.empty())
-            throw InputError(
-              "The mesh has no surface group 'bedrock' (or it is empty), which the elastic continuum needs.");
+            throw InputError("The mesh has no surface group 'bedrock' (or it is empty), which " +
+                             why + " needs.");
           for (const char *const name : {"base", "left", "right"})
-            require_line(mesh, name, "the elastic continuum");
+            require_line(mesh, name, why);
           for (const std::string &name : scene.bedding.names)
             require_line(mesh, name, "the section Bedding planes");
         }
       if (scene.blocks.enabled && mesh.blocks.empty())
         throw InputError(
           "The mesh has no surface group 'sliding_mass' (or it is empty), which blocks need.");
-      if (has_continuum && scene.blocks.enabled)
-        require_line(mesh, "sliding_surface", "blocks on a continuum");
+      if (has_cells && scene.blocks.enabled)
+        require_line(mesh,
+                     "sliding_surface",
+                     scene.has_bedrock_blocks() ? "a sliding mass on " + why
+                                                : "blocks on a continuum");
     }
 
 
@@ -185,7 +197,7 @@ namespace hybrid::scene
   {
     check_groups(mesh, scene);
     check_blocks(mesh);
-    if (scene.continuum_model == ContinuumModel::elastic)
+    if (needs_bedrock_cells(scene))
       {
         check_cells(mesh);
         check_bedrock_lines(mesh);

@@ -46,7 +46,7 @@ namespace hybrid::scene
       "Surface file",
       mesh.surface_file,
       "a CSV file x,y [m]",
-      "Polyline of a rigid base instead of the surface of the mesh; for Model/Continuum = none.");
+      "Polyline of a rigid base instead of the surface of the mesh; for Model/Bedrock = rigid.");
   }
 
   void check_mesh(const SceneParameters &scene, const ParameterTable &table)
@@ -59,6 +59,8 @@ namespace hybrid::scene
     if (mesh.file.empty() && scene.continuum_model == ContinuumModel::elastic)
       throw table.error("Mesh/File",
                         "Model/Continuum = elastic needs a mesh: name a .geo or .msh file");
+    if (mesh.file.empty() && scene.has_bedrock_blocks())
+      throw table.error("Mesh/File", "a bedrock of blocks needs a mesh: name a .geo or .msh file");
     if (mesh.file.empty() && mesh.polygons_file.empty())
       throw table.error("Mesh/File",
                         "name a .geo or .msh file here, or blocks in Mesh/Polygons file");
@@ -66,5 +68,8 @@ namespace hybrid::scene
       throw table.error("Mesh/Surface file",
                         "with Model/Continuum = elastic the surface is that of the mesh; "
                         "remove this file or set Model/Continuum = none");
+    if (!mesh.surface_file.empty() && scene.has_bedrock_blocks())
+      throw table.error("Mesh/Surface file",
+                        "only a rigid base (Model/Bedrock = rigid) can have one");
   }
 } // namespace hybrid::scene

@@ -5,6 +5,18 @@
 
 namespace hybrid::scene
 {
+  const Material &SceneParameters::bedrock_material(const std::string &region) const
+  {
+    auto found = continuum.region_material.find(region);
+    if (found == continuum.region_material.end())
+      found = continuum.region_material.find("*");
+    if (found == continuum.region_material.end())
+      throw InputError("Continuum/Materials: region '" + region + "' of the mesh has none");
+    return material(found->second, "Continuum/Materials");
+  }
+
+
+
   const Material &SceneParameters::material(const std::string &name, const std::string &where) const
   {
     const auto found = materials.find(name);

@@ -35,8 +35,19 @@ namespace hybrid::scene
         "Continuum",
         scene.continuum_model,
         {{"elastic", ContinuumModel::elastic}, {"none", ContinuumModel::none}},
-        "The bedrock: elastic finite elements, or none (a rigid base with the "
-        "prescribed motion: pure DDA).");
+        "Short form that counts while Bedrock is automatic: elastic stands for Bedrock = continuum, "
+        "none for Bedrock = rigid.");
+      model.choice<BedrockModel>(
+        "Bedrock",
+        scene.bedrock,
+        {{"automatic", BedrockModel::automatic},
+         {"continuum", BedrockModel::continuum},
+         {"layers", BedrockModel::layers},
+         {"triangles", BedrockModel::triangles},
+         {"rigid", BedrockModel::rigid}},
+        "The bedrock: elastic finite elements; one block per layer between bedding planes, the lowest "
+        "with the prescribed motion; bonded triangular blocks that carry the waves; or a rigid base "
+        "with the prescribed motion. All but the first are pure DDA.");
       model.choice(
         "Blocks",
         {"bonded", "loose", "none"},
@@ -66,6 +77,7 @@ namespace hybrid::scene
       for (const ParameterLine &line : lines)
         table.set(line);
       table.assign();
+      resolve_bedrock(scene, table);
       check(scene, table);
       std::ostringstream used;
       table.print(used);
@@ -121,13 +133,14 @@ namespace hybrid::scene
 
   void check(const SceneParameters &scene, const ParameterTable &table)
   {
-    if (scene.continuum_model == ContinuumModel::none && !scene.blocks.enabled)
+    if (scene.continuum_model == ContinuumModel::none && !scene.has_blocks())
       throw table.error("Model/Blocks",
                         "together with Model/Continuum = none there is nothing to simulate");
     for (const auto &entry : scene.materials)
       check(entry.second, table);
     check_mesh(scene, table);
     check_continuum(scene, table);
+    check_bedrock(scene, table);
     check_blocks(scene, table);
     check_water(scene, table);
     check(scene.motion, table);

@@ -231,6 +231,7 @@ namespace hybrid::scene
             gmsh::model::mesh::getElements(types, elements, element_nodes, dim, entity);
             for (std::size_t t = 0; t < types.size(); ++t)
               read_elements(name, types[t], elements[t], element_nodes[t]);
+            mesh.bedrock_surface.resize(mesh.bedrock_cells.size(), entity);
           }
       }
 

@@ -19,5 +19,6 @@ namespace hybrid::dda
     Eigen::VectorXd        displacement;        ///< prescribed w, or the first guess of it [m]
     const Eigen::MatrixXd *stiffness = nullptr; ///< S [N/m per m], symmetric positive definite
     Eigen::VectorXd        load;                ///< g [N/m]
+    Eigen::VectorXd boundary_force; ///< incoming, see ViscousBoundary [N/m]; empty: no dashpots act
   };
 } // namespace hybrid::dda

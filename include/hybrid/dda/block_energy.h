@@ -26,6 +26,7 @@ namespace hybrid::dda
     const std::vector<Mat6> &mass;
     const std::vector<Vec6> &acceleration;         ///< a at the end of the step, unrotated
     const std::vector<Vec6> &contact_acceleration; ///< c
+    const Eigen::VectorXd   &incoming; ///< at artificial boundaries, end of the step [N/m]
   };
 
   /// Energy after the step.

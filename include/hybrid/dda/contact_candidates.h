@@ -9,13 +9,13 @@
 
 namespace hybrid::dda
 {
-  /// A vertex near a block (edge = -1: any edge of it) or near a base segment.
+  /// A vertex near a block (edge = -1: any edge of it), one edge of it, or a base segment.
   struct ContactCandidate
   {
     int vertex_body; ///< block, or base_body
     int vertex;      ///< vertex or base node
     int edge_body;   ///< block, or base_body
-    int edge;        ///< first node of the base segment, or -1
+    int edge;        ///< its first vertex or base node, or -1
   };
 
 
@@ -27,6 +27,8 @@ namespace hybrid::dda
     std::vector<std::pair<int, int>>
                       bonded_base; ///< (block, first node of base segment) with an unreleased joint
     std::vector<char> awake; ///< per block: has a released joint or was never bonded; empty: all
+    std::vector<char> bedrock{}; ///< per block: part of the bedrock, whose blocks never meet each
+                                 ///< other; empty: none
   };
 
 
@@ -37,6 +39,7 @@ namespace hybrid::dda
    * point has moved by margin / 2. Pairs of one block with itself are left
    * out, and
    *   - bonded pairs of blocks: their joint carries the load;
+   *   - pairs of blocks of the bedrock;
    *   - blocks that share a vertex of the original mesh, unless one of them is
    *     awake: an intact mass has thousands of these, all at distance zero;
    *   - a block bonded to the base and not awake, with the whole base; when
@@ -79,6 +82,10 @@ namespace hybrid::dda
     void build(const Geometry &geometry);
 
     void add_candidates(const Geometry &geometry, int body, int vertex);
+
+    /// The edges of a large outline near @p point, or @p any_edge if it is deep inside.
+    void
+    add_near_edges(const Geometry &geometry, const ContactCandidate &any_edge, const Vec2 &point);
 
     bool is_skipped_pair(int block, int other) const;
 

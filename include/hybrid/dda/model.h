@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/dda/block.h>
+#include <hybrid/dda/boundary_edge.h>
 #include <hybrid/dda/geometry.h>
 #include <hybrid/dda/joint_law.h>
 #include <hybrid/dda/water.h>
@@ -12,6 +13,16 @@
 
 namespace hybrid::dda
 {
+  /// What a joint bonds.
+  enum class JointKind
+  {
+    body,   ///< blocks of the sliding mass
+    belt,   ///< sliding mass and what it stands on
+    weld,   ///< blocks of the bedrock, or one and the base: never fails
+    bedding ///< likewise, along a bedding plane
+  };
+
+
   /**
    * An artificial joint: bonds an edge of a block to an edge of another block
    * or to a segment of the base, with springs at both ends.
@@ -35,6 +46,14 @@ namespace hybrid::dda
     Point    points[2];            ///< along the block's edge
     JointLaw law;                  ///< per area
     double   strength_factor = 1.; ///< on the material's cohesion and tensile strength [-]
+
+    JointKind kind = JointKind::body;
+
+    /// Both sides are bedrock: the joint carries the load however far they slide.
+    bool within_bedrock() const
+    {
+      return kind == JointKind::weld || kind == JointKind::bedding;
+    }
   };
 
 
@@ -72,9 +91,31 @@ namespace hybrid::dda
     Water                         water;
     IterationParameters           iteration;
 
+    int    n_bedrock            = 0;     ///< the last blocks are the bedrock
+    bool   hold_bedrock         = false; ///< the bedrock does not move (static stage)
+    double bedrock_damping_time = 0.;    ///< beta_K of the springs within the bedrock [s]
+    std::vector<BoundaryEdge> boundary;  ///< artificial boundaries of the bedrock
+
     int n_blocks() const
     {
       return static_cast<int>(blocks.size());
+    }
+
+    /// Blocks of the sliding mass: the first ones.
+    int n_mass() const
+    {
+      return n_blocks() - n_bedrock;
+    }
+
+    bool is_bedrock(const int block) const
+    {
+      return block >= n_mass();
+    }
+
+    /// Number of a block within the bedrock.
+    int bedrock_number(const int block) const
+    {
+      return block - n_mass();
     }
 
     int n_base_nodes() const

@@ -74,6 +74,7 @@ namespace hybrid::dda
     std::vector<Vec6> contact_acceleration; ///< of contacts, likewise
     Eigen::VectorXd   residual, absolute, scale, update, force_increment;
     Eigen::VectorXd   contact_force;         ///< of unilateral springs on blocks and base nodes
+    Eigen::VectorXd   incoming;              ///< at artificial boundaries, end of the step [N/m]
     double            tangent_dt      = -1.; ///< step of the tangent in matrix
     int               tangent_pattern = -1;
     double            reference       = 0.; ///< norm of absolute forces [N]
@@ -93,7 +94,10 @@ namespace hybrid::dda
     /// Add the water's forces to the residual.
     void add_water(const Model &model, const DdaState &state);
 
-    void assemble(const Model &model, const BaseResponse &base, bool follow_softening);
+    void assemble(const Model        &model,
+                  const DdaState     &state,
+                  const BaseResponse &base,
+                  bool                follow_softening);
 
     /// Move the trial along the update, as far as the residual allows: a contact that locks, closes
     /// or slides back on the way would otherwise make the iteration cycle. Returns the residual

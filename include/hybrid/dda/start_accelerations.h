@@ -13,4 +13,9 @@ namespace hybrid::dda
    * where a mass was held until now.
    */
   void start_accelerations(const Model &model, DdaState &state);
+
+
+  /// From now on the bedrock's blocks bear what the springs of @p state put on them, and feel
+  /// changes only.
+  void bear_static_forces(const Model &model, DdaState &state);
 } // namespace hybrid::dda

@@ -60,13 +60,17 @@ namespace hybrid::dda
     double integration_loss = 0.; ///< Newmark's own dissipation, springs included
     double switch_loss      = 0.; ///< stored energy that vanished when springs were replaced
     double base_work        = 0.; ///< done by the base on the blocks
+    double boundary_loss    = 0.; ///< dashpots on edges of the bedrock's blocks
+    double input_work       = 0.; ///< done by what comes in through them
+    double static_work      = 0.; ///< against the static forces that the bedrock bears
 
     /// Energy now held plus energy lost, less the work received: constant if nothing is created
     /// [J/m].
     double balance() const
     {
       return kinetic + newmark + strain + gravity + springs + friction_loss + fracture_loss +
-             damping_loss + integration_loss + switch_loss - base_work;
+             damping_loss + integration_loss + switch_loss - base_work + boundary_loss -
+             input_work + static_work;
     }
   };
 
@@ -83,6 +87,8 @@ namespace hybrid::dda
     Eigen::VectorXd         base_force;         ///< on the base nodes [N/m], now
     Eigen::VectorXd         base_contact_force; ///< contacts' part of it [N/m], see Springs
     Eigen::VectorXd static_force; ///< on the base nodes at the end of the static stage [N/m]
+    Eigen::VectorXd bedrock_static_force; ///< on the bedrock's blocks then, six each; empty: none
+    Eigen::VectorXd boundary_force;       ///< incoming, see ViscousBoundary [N/m], now
     BlockEnergy     energy;
   };
 } // namespace hybrid::dda

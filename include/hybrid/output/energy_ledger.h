@@ -13,6 +13,7 @@ namespace hybrid::output
   struct BedrockTerms
   {
     bool boundary_springs = false;
+    bool blocks           = false; ///< the bedrock is blocks
   };
 
 

@@ -49,6 +49,16 @@ namespace hybrid::scene
     none ///< rigid base with the prescribed motion (pure DDA), or nothing when there is no surface
   };
 
+  /// What the bedrock is made of: section "Model", parameter "Bedrock".
+  enum class BedrockModel
+  {
+    automatic, ///< continuum, or rigid if "Continuum" is none
+    continuum, ///< deal.II finite elements
+    layers,    ///< one block per layer between bedding planes; the lowest moves as prescribed
+    triangles, ///< bonded triangular blocks that carry the waves
+    rigid      ///< a rigid base with the prescribed motion
+  };
+
   /// Sides of the bedrock.
   enum class SideBoundary
   {
@@ -224,6 +234,7 @@ namespace hybrid::scene
     TimeParameters                  time;
     MeshParameters                  mesh;
     ContinuumModel                  continuum_model = ContinuumModel::elastic;
+    BedrockModel                    bedrock = BedrockModel::automatic; ///< resolved by read_scene()
     ContinuumParameters             continuum;
     BeddingParameters               bedding;
     BlockParameters                 blocks;
@@ -235,6 +246,21 @@ namespace hybrid::scene
     std::map<std::string, Material> materials;
     int                             threads = 1;
     std::string used_prm; ///< the scene with every parameter, as a valid parameter file
+
+    /// The bedrock is blocks.
+    bool has_bedrock_blocks() const
+    {
+      return bedrock == BedrockModel::layers || bedrock == BedrockModel::triangles;
+    }
+
+    /// Any block at all: the sliding mass or the bedrock.
+    bool has_blocks() const
+    {
+      return blocks.enabled || has_bedrock_blocks();
+    }
+
+    /// Material of the bedrock's region @p name. @throws InputError if it has none.
+    const Material &bedrock_material(const std::string &region) const;
 
     /// @throws InputError naming section and parameter @p where if @p name is not in the table.
     const Material &material(const std::string &name, const std::string &where) const;

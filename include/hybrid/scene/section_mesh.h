@@ -27,6 +27,7 @@ namespace hybrid::scene
     std::vector<std::array<int, 4>> bedrock_cells;  ///< quadrilaterals
     std::vector<int>                bedrock_region; ///< per cell: index into bedrock_region_names
     std::vector<std::string>        bedrock_region_names; ///< "bedrock", "bedrock_<suffix>", ...
+    std::vector<int> bedrock_surface; ///< per cell: number of the geometry's surface that it fills
 
     std::vector<std::vector<int>> blocks;        ///< simple polygons (triangles from gmsh)
     std::vector<int>              block_region;  ///< per block: index into block_region_names

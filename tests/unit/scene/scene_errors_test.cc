@@ -130,6 +130,28 @@ TEST_F(SceneErrors, ModelWithoutBedrockAndBlocksHasNothingToSimulate)
                {"Model/Blocks=none", "Model/Continuum=none"});
 }
 
+TEST_F(SceneErrors, BedrockOfBlocksSaysWhatItCannotDo)
+{
+  expect_error(write_scene(),
+               {"Model/Bedrock = 'continuum'", "contradicts Model/Continuum = none"},
+               {"Model/Bedrock=continuum", "Model/Continuum=none"});
+  expect_error(write_scene(),
+               {"Continuum/Sides", "must be viscous with Model/Bedrock = layers"},
+               {"Model/Bedrock=layers", "Continuum/Sides=free field"});
+  expect_error(write_scene(),
+               {"Continuum/Sides", "must be viscous or free field with Model/Bedrock = triangles"},
+               {"Model/Bedrock=triangles", "Continuum/Sides=roller"});
+  expect_error(write_scene(),
+               {"Continuum/Rayleigh mass", "must be 0 with a bedrock of blocks"},
+               {"Model/Bedrock=triangles", "Continuum/Rayleigh mass=0.1"});
+  expect_error(write_scene(),
+               {"Bedding planes/Names", "must name the planes"},
+               {"Model/Bedrock=layers", "Continuum/Sides=viscous", "Bedding planes/Names="});
+  expect_error(write_scene(),
+               {"Mesh/File", "a bedrock of blocks needs a mesh"},
+               {"Model/Bedrock=triangles", "Mesh/File="});
+}
+
 TEST_F(SceneErrors, MaterialsMustBeInTheTable)
 {
   expect_option_error("Continuum/Materials=rok",

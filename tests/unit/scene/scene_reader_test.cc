@@ -336,6 +336,30 @@ TEST_F(SceneReader, FilesResolveAgainstTheFileThatNamesThem)
   EXPECT_EQ(read_scene(file).mesh.file, path("common/meshes/slope.geo"));
 }
 
+TEST_F(SceneReader, BedrockDecidesAndContinuumIsItsShortForm)
+{
+  write("slope.geo", "");
+  const std::string file    = write("a.prm",
+                                 "subsection Mesh\n  set File = slope.geo\nend\n"
+                                    "subsection Materials\n  set Names = clay\n  subsection clay\n"
+                                    "    set Density = 2000\n  end\nend\n"
+                                    "subsection Continuum\n  set Materials = clay\nend\n"
+                                    "subsection Blocks\n  set Material = clay\nend\n");
+  const auto        bedrock = [&](const std::vector<std::string> &overrides) {
+    return read_scene(file, overrides).bedrock;
+  };
+  EXPECT_EQ(bedrock({}), BedrockModel::continuum);
+  EXPECT_EQ(bedrock({"Model/Continuum=none"}), BedrockModel::rigid);
+  EXPECT_EQ(bedrock({"Model/Bedrock=rigid"}), BedrockModel::rigid);
+  const SceneParameters triangles = read_scene(file, {"Model/Bedrock=triangles"});
+  EXPECT_EQ(triangles.continuum_model, ContinuumModel::none);
+  EXPECT_TRUE(triangles.has_bedrock_blocks());
+  EXPECT_EQ(triangles.bedrock_material("bedrock_soft").name, "clay");
+  EXPECT_TRUE(read_scene(file, {"Model/Bedrock=triangles", "Model/Blocks=none"}).has_blocks());
+  write("used.prm", triangles.used_prm); // what a run writes is a scene by itself
+  EXPECT_EQ(read_scene(path("used.prm")).bedrock, BedrockModel::triangles);
+}
+
 TEST(SceneParameters, UnknownMaterialIsNamedWithItsPlaceAndASuggestion)
 {
   SceneParameters scene;

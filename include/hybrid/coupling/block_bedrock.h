@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/continuum/free_field_column.h>
+#include <hybrid/coupling/rigid_base.h>
+#include <hybrid/dda/boundary_edge.h>
+#include <hybrid/scene/scene_parameters.h>
+
+#include <vector>
+
+namespace hybrid::coupling
+{
+  /**
+   * What a bedrock of blocks stands on: a base that moves as prescribed (below
+   * layers, and below triangles unless their base is compliant), and the rock
+   * beyond the artificial boundaries, which sends in
+   *   t_in + Z v_ff = 2 Z v_up                          at a compliant base,
+   *                   0                                 at a viscous side,
+   *                   stress + Z velocity of a column   at a free-field side
+   * (see dda::ViscousBoundary). The columns' motion is in ContinuumState.
+   */
+  class BlockBedrock final : public Base
+  {
+  public:
+    /// @param nodes of the prescribed base [m]; may be empty.  @param outcrop_motion may be empty.
+    /// @param boundary of the blocks, in the order of the forces.
+    /// @throws InputError for free-field sides that are not vertical.
+    BlockBedrock(std::vector<Vec2>                     nodes,
+                 const scene::Motion                  &outcrop_motion,
+                 const scene::SceneParameters         &scene,
+                 const std::vector<dda::BoundaryEdge> &boundary);
+
+    const std::vector<Vec2> &surface_nodes() const override
+    {
+      return base.surface_nodes();
+    }
+
+    /// At rest.
+    continuum::ContinuumState initial_state() const;
+
+    const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) override;
+
+    void correct(continuum::ContinuumState &state,
+                 double                     dt,
+                 const Eigen::VectorXd     &displacement,
+                 const Eigen::VectorXd     &force) override;
+
+  private:
+    /// A boundary edge beside a column: its element, and where the column's unknowns begin.
+    struct BesideColumn
+    {
+      int edge, first;
+    };
+
+    const std::vector<dda::BoundaryEdge>    boundary;
+    RigidBase                               base;
+    const scene::Motion                     motion; ///< at an outcrop
+    const Vec2                              direction;
+    const double                            start_time;
+    const bool                              compliant;
+    const continuum::LagrangeLine           line;
+    const double                            damping_time; ///< beta_K of the columns [s]
+    std::vector<continuum::FreeFieldColumn> columns;
+    std::vector<int>                        column_offset; ///< first unknown of each
+    std::vector<BesideColumn>               sides;
+    std::vector<double>                     u, v, a; ///< of the columns at the end of the step
+    dda::BaseResponse                       response;
+
+    void add_column(dda::BoundaryPart side, const scene::SceneParameters &scene);
+
+    void step_columns(const continuum::ContinuumState &state, double dt);
+
+    /// Incoming forces at @p time.
+    void set_forces(double time);
+
+    void add_column_forces(const BesideColumn &side);
+  };
+} // namespace hybrid::coupling

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/coupling/block_bedrock.h>
+#include <hybrid/scene/input_error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace hybrid::coupling
+{
+  namespace
+  {
+    using dda::BoundaryEdge;
+    using dda::BoundaryPart;
+    using scene::SceneParameters;
+
+    constexpr int forces_per_edge = 2 * BoundaryEdge::n_points;
+
+    Vec2 direction_of(const scene::MotionParameters &parameters)
+    {
+      const double angle = parameters.angle * M_PI / 180.;
+      return {std::cos(angle), std::sin(angle)};
+    }
+
+    /// The lowest layer always moves; triangles may stand on a fixed base.
+    bool is_fixed(const SceneParameters &scene)
+    {
+      return scene.continuum.base == scene::BaseBoundary::fixed;
+    }
+  } // namespace
+
+
+
+  BlockBedrock::BlockBedrock(std::vector<Vec2>                nodes,
+                             const scene::Motion             &outcrop_motion,
+                             const SceneParameters           &scene,
+                             const std::vector<BoundaryEdge> &edges)
+    : boundary(edges)
+    , base(std::move(nodes),
+           is_fixed(scene) ? scene::Motion() : outcrop_motion,
+           direction_of(scene.motion),
+           scene.motion.start)
+    , motion(is_fixed(scene) ? scene::Motion() : outcrop_motion)
+    , direction(direction_of(scene.motion))
+    , start_time(scene.motion.start)
+    , compliant(scene.bedrock == scene::BedrockModel::triangles &&
+                scene.continuum.base == scene::BaseBoundary::compliant)
+    , line(scene.continuum.degree)
+    , damping_time(scene.continuum.rayleigh_stiffness)
+  {
+    if (scene.continuum.sides == scene::SideBoundary::free_field)
+      for (const BoundaryPart side : {BoundaryPart::left, BoundaryPart::right})
+        add_column(side, scene);
+    const continuum::ContinuumState start = initial_state();
+    u = v = a = start.displacement;
+  }
+
+
+
+  void BlockBedrock::add_column(const BoundaryPart side, const SceneParameters &scene)
+  {
+    std::vector<int> edges;
+    const auto       bottom = [&](const int e) {
+      return std::min(boundary[e].ends[0].y(), boundary[e].ends[1].y());
+    };
+    for (std::size_t e = 0; e < boundary.size(); ++e)
+      if (boundary[e].part == side)
+        edges.push_back(static_cast<int>(e));
+    std::sort(edges.begin(), edges.end(), [&](const int e, const int f) {
+      return bottom(e) < bottom(f);
+    });
+
+    const int                         offset = static_cast<int>(u.size());
+    continuum::FreeFieldColumn::Model column;
+    for (const int e : edges)
+      {
+        const BoundaryEdge &edge = boundary[e];
+        const double        low = bottom(e), top = std::max(edge.ends[0].y(), edge.ends[1].y());
+        const bool          gap = !column.elements.empty() &&
+                         std::abs(low - column.elements.back().top) > 1e-9 * (top - low);
+        if (gap || std::abs(edge.normal().y()) > 1e-6)
+          throw InputError(
+            "Continuum/Sides = free field needs vertical sides in one piece; the side "
+            "near (" +
+            std::to_string(edge.ends[0].x()) + ", " + std::to_string(low) + ") is not.");
+        const int element = static_cast<int>(column.elements.size());
+        sides.push_back({e, offset + 2 * element * line.degree()});
+        column.elements.push_back({low, top, edge.density, edge.lambda, edge.shear});
+      }
+    column.foot    = compliant ? continuum::Foot::impedance : continuum::Foot::prescribed;
+    double nearest = 1e300; // the base's edge at the foot
+    for (const BoundaryEdge &edge : boundary)
+      {
+        const double distance = (edge.ends[0] - boundary[edges.front()].ends[0]).norm();
+        if (edge.part == BoundaryPart::base && distance < nearest)
+          {
+            nearest               = distance;
+            column.foot_impedance = Vec2(edge.s_impedance, edge.p_impedance);
+          }
+      }
+    column.newmark            = scene.time.newmark;
+    column.rayleigh_stiffness = damping_time;
+    column_offset.push_back(offset);
+    columns.emplace_back(line, column);
+    u.resize(offset + 2 * columns.back().n_nodes());
+  }
+
+
+
+  continuum::ContinuumState BlockBedrock::initial_state() const
+  {
+    continuum::ContinuumState state;
+    state.displacement.assign(u.size(), 0.);
+    state.velocity.assign(u.size(), 0.);
+    state.acceleration.assign(u.size(), 0.);
+    return state;
+  }
+
+
+
+  void BlockBedrock::step_columns(const continuum::ContinuumState &state, const double dt)
+  {
+    const double                      time = state.time + dt - start_time;
+    continuum::FreeFieldColumn::Input input;
+    if (!motion.empty())
+      {
+        input.wave_velocity = 0.5 * motion.velocity(time) * direction;
+        input.acceleration  = motion.acceleration(time) * direction;
+      }
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      {
+        const int o = column_offset[c];
+        columns[c].step({state.displacement.data() + o,
+                         state.velocity.data() + o,
+                         state.acceleration.data() + o},
+                        {u.data() + o, v.data() + o, a.data() + o},
+                        dt,
+                        input);
+      }
+  }
+
+
+
+  void BlockBedrock::set_forces(const double time)
+  {
+    response.boundary_force.setZero(forces_per_edge * static_cast<Eigen::Index>(boundary.size()));
+    if (!motion.empty())
+      {
+        const Vec2 twice_upgoing = motion.velocity(time - start_time) * direction;
+        for (std::size_t e = 0; e < boundary.size(); ++e)
+          if (boundary[e].part == BoundaryPart::base)
+            {
+              const Vec2 force = boundary[e].weight() * boundary[e].impedance() * twice_upgoing;
+              for (int k = 0; k < BoundaryEdge::n_points; ++k)
+                response.boundary_force.segment<2>(forces_per_edge * e + 2 * k) = force;
+            }
+      }
+    for (const BesideColumn &side : sides)
+      add_column_forces(side);
+  }
+
+
+
+  void BlockBedrock::add_column_forces(const BesideColumn &side)
+  {
+    const BoundaryEdge &edge   = boundary[side.edge];
+    const double        length = (edge.ends[1] - edge.ends[0]).norm();
+    const bool          upward = edge.ends[1].y() > edge.ends[0].y();
+    for (int k = 0; k < BoundaryEdge::n_points; ++k)
+      {
+        const double x = upward ? BoundaryEdge::position(k) : 1. - BoundaryEdge::position(k);
+        Vec2         velocity(0., 0.), slope(0., 0.); // slope of u + beta_K v along y
+        for (int i = 0; i <= line.degree(); ++i)
+          {
+            const int  node = side.first + 2 * i;
+            const Vec2 ui(u[node], u[node + 1]), vi(v[node], v[node + 1]);
+            velocity += line.value(i, x) * vi;
+            slope += line.derivative(i, x) / length * (ui + damping_time * vi);
+          }
+        const Vec2 stress(edge.normal().x() * edge.lambda * slope.y(),
+                          edge.normal().x() * edge.shear * slope.x());
+        response.boundary_force.segment<2>(forces_per_edge * side.edge + 2 * k) =
+          edge.weight() * (stress + edge.impedance() * velocity);
+      }
+  }
+
+
+
+  const dda::BaseResponse &BlockBedrock::predict(const continuum::ContinuumState &state,
+                                                 const double                     dt)
+  {
+    step_columns(state, dt);
+    response.displacement = base.predict(state, dt).displacement;
+    set_forces(state.time + dt);
+    return response;
+  }
+
+
+
+  void BlockBedrock::correct(continuum::ContinuumState &state,
+                             const double               dt,
+                             const Eigen::VectorXd &,
+                             const Eigen::VectorXd &)
+  {
+    state.displacement = u;
+    state.velocity     = v;
+    state.acceleration = a;
+    state.time += dt;
+  }
+} // namespace hybrid::coupling

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bedrock_section.h"
+
+#include <hybrid/coupling/block_bedrock.h>
+#include <hybrid/coupling/coupled_step.h>
+#include <hybrid/dda/bedrock_blocks.h>
+#include <hybrid/dda/static_stage.h>
+#include <hybrid/scene/input_error.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace hybrid;
+  using namespace hybrid::coupling;
+  using namespace hybrid::test;
+
+  /// Constant acceleration of 2 m/s2 at the outcrop.
+  scene::Motion constant_acceleration()
+  {
+    return {0.5, {2., 2., 2.}};
+  }
+} // namespace
+
+
+
+TEST(BlockBedrock, sends_twice_the_upgoing_wave_through_the_base)
+{
+  const scene::SceneParameters p     = bedrock_parameters("triangles");
+  const dda::Model             model = dda::build_model(layered_section(2, {2, 1}), p, {});
+  BlockBedrock                 base({}, constant_acceleration(), p, model.boundary);
+  continuum::ContinuumState    state = base.initial_state();
+  state.time                         = 0.3;
+  const Eigen::VectorXd f            = base.predict(state, 0.1).boundary_force;
+  const Material       &rock         = p.materials.at("rock");
+  Vec2                  total(0., 0.);
+  for (Eigen::Index k = 0; k < f.size(); k += 2)
+    total += f.segment<2>(k);
+  EXPECT_NEAR(total.x(), 2. * rock.density * rock.s_wave_speed() * 2. * 0.4, 1e-6);
+  EXPECT_NEAR(total.y(), 0., 1e-6);
+}
+
+
+
+TEST(BlockBedrock, columns_change_no_state_before_the_step_is_accepted)
+{
+  scene::SceneParameters p        = bedrock_parameters("triangles");
+  p.continuum.sides               = scene::SideBoundary::free_field;
+  const dda::Model          model = dda::build_model(layered_section(2, {2, 1}), p, {});
+  BlockBedrock              base({}, constant_acceleration(), p, model.boundary);
+  continuum::ContinuumState state = base.initial_state();
+  EXPECT_EQ(state.displacement.size(), 2u * 2u * (3u * 2u + 1u));
+  const Eigen::VectorXd first  = base.predict(state, 0.1).boundary_force;
+  const Eigen::VectorXd second = base.predict(state, 0.1).boundary_force;
+  EXPECT_EQ((first - second).norm(), 0.);
+  EXPECT_EQ(state.velocity, std::vector<double>(state.velocity.size(), 0.));
+  base.correct(state, 0.1, {}, {});
+  EXPECT_GT(state.velocity[0], 0.);
+}
+
+
+
+TEST(BlockBedrock, free_field_sides_must_be_vertical)
+{
+  scene::SceneParameters p = bedrock_parameters("triangles");
+  p.continuum.sides        = scene::SideBoundary::free_field;
+  scene::SectionMesh mesh  = layered_section(2, {2, 1});
+  mesh.nodes[3].x() -= 0.2; // the left side, one up
+  const dda::Model model = dda::build_model(mesh, p, {});
+  EXPECT_THROW(BlockBedrock({}, constant_acceleration(), p, model.boundary), InputError);
+}
+
+
+
+/// A square of the mass on a layer: the bedrock bears its weight without moving.
+TEST(BlockBedrock, a_mass_at_rest_stays_at_rest)
+{
+  for (const std::string kind : {"layers", "triangles"})
+    {
+      scene::SceneParameters p     = bedrock_parameters(kind);
+      p.blocks.enabled             = true;
+      p.blocks.belt_material       = "rock";
+      p.materials["rock"].cohesion = p.materials["rock"].tensile_strength = 1e6;
+      scene::SectionMesh mesh = layered_section(3, {1, 1});
+      const int          a    = 2 * 4 + 1; // on the ground
+      mesh.nodes.emplace_back(2., 3.);
+      mesh.nodes.emplace_back(1., 3.);
+      mesh.blocks             = {{a, a + 1, 12, 13}};
+      mesh.block_region       = {0};
+      mesh.block_region_names = {"sliding_mass"};
+      mesh.lines["sliding_surface"].push_back({a, a + 1});
+      std::vector<Vec2> nodes;
+      for (const int node : dda::cut_bedrock(mesh, p).base)
+        nodes.push_back(mesh.nodes[node]);
+      const dda::Model model = dda::build_model(mesh, p, nodes);
+      BlockBedrock     base(nodes, {}, p, model.boundary);
+      CoupledState     state;
+      state.continuum               = base.initial_state();
+      state.blocks                  = dda::initial_state(model);
+      const dda::StaticResult start = dda::settle(model, state.blocks, false);
+      EXPECT_TRUE(start.equilibrium);
+      const double weight = 2220. * 9.81;
+      EXPECT_NEAR(state.blocks.bedrock_static_force.reshaped(6, model.n_bedrock).row(1).sum(),
+                  -weight,
+                  1e-6 * weight);
+      const std::vector<Vec2> before = state.blocks.geometry.vertices;
+      dda::BlockSolver        solver(model);
+      CoupledStep             step(&solver, &base, nullptr);
+      for (int k = 0; k < 50; ++k)
+        ASSERT_TRUE(step.solve(state, 1e-3).converged);
+      for (std::size_t v = 0; v < before.size(); ++v)
+        EXPECT_LT((state.blocks.geometry.vertices[v] - before[v]).norm(), 1e-10) << kind;
+    }
+}
