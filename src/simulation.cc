@@ -170,9 +170,9 @@ namespace hybrid
     if (blocks == nullptr)
       {
         if (continuum != nullptr && scene.environment.gravity > 0.)
-          continuum->solve_static_state(
+          report_planes(continuum->solve_static_state(
             Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(continuum->surface_nodes().size())),
-            scene.environment.gravity);
+            scene.environment.gravity));
         return;
       }
     // The bedrock has no weight of its own to settle under.
@@ -187,10 +187,35 @@ namespace hybrid
                           scene.environment.static_stage == scene::StaticStage::held);
     report_static_stage();
     if (continuum != nullptr)
-      continuum->solve_static_state(state.blocks.static_force +
-                                      dda::water_on_surface(blocks->water,
-                                                            blocks->initial.base_nodes),
-                                    scene.environment.gravity);
+      report_planes(continuum->solve_static_state(
+        state.blocks.static_force +
+          dda::water_on_surface(blocks->water, blocks->initial.base_nodes),
+        scene.environment.gravity));
+  }
+
+
+
+  void Simulation::report_planes(const continuum::StaticSlip &planes) const
+  {
+    if (continuum->slipping_planes().empty())
+      return;
+    char text[200];
+    std::snprintf(text,
+                  sizeof(text),
+                  "Bedding planes at rest: %d points slip, %d are open, largest slip %.3g m",
+                  planes.slipping,
+                  planes.open,
+                  planes.largest);
+    log.info(text);
+    if (planes.equilibrium)
+      return;
+    std::snprintf(
+      text,
+      sizeof(text),
+      "the bedding planes cannot carry their load at rest, most of all near (%.2f, %.2f)",
+      planes.where.x(),
+      planes.where.y());
+    log.warning(text);
   }
 
 

@@ -66,6 +66,7 @@ namespace hybrid
     void settle();
 
     void report_static_stage() const;
+    void report_planes(const continuum::StaticSlip &planes) const;
 
     RunStatus advance(Clock                 &clock,
                       coupling::CoupledStep &step,

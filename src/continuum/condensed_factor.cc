@@ -202,6 +202,22 @@ namespace hybrid::continuum
   }
 
 
+  void CondensedFactorisation::solve(const Factor &factor, Eigen::MatrixXd &b)
+  {
+    Cholmod      &c   = *cholmod;
+    cholmod_dense rhs = {};
+    rhs.nrow = rhs.d = b.rows();
+    rhs.ncol         = b.cols();
+    rhs.nzmax        = b.size();
+    rhs.x            = b.data();
+    rhs.xtype        = CHOLMOD_REAL;
+    rhs.dtype        = CHOLMOD_DOUBLE;
+    cholmod_dense *x = cholmod_solve(CHOLMOD_A, factor.factor, &rhs, &c.common);
+    std::copy_n(static_cast<const double *>(x->x), b.size(), b.data());
+    cholmod_free_dense(&x, &c.common);
+  }
+
+
   void CondensedFactorisation::backward(Factor &factor, std::vector<double> &x)
   {
     Cholmod &c = *cholmod;

@@ -105,6 +105,8 @@ namespace hybrid::continuum
       m.surface_positions.push_back(m.nodes->positions[node]);
     m.number_system();
     m.allocate_work();
+    if (scene.bedding.slips && !m.rock.joints.empty())
+      m.prepare_slip(scene.bedding);
   }
 
 
@@ -167,6 +169,8 @@ namespace hybrid::continuum
     state.velocity.assign(n, 0.);
     state.acceleration.assign(n, 0.);
     state.surface_force.assign(2 * impl->surface.size(), 0.);
+    if (impl->slip != nullptr)
+      state.slip = impl->slip->initial_state();
     return state;
   }
 

@@ -131,11 +131,21 @@ namespace hybrid::continuum
     const int    node  = boundary->moving_nodes().front();
     const Vec2   moved(u1[2 * node] - state.displacement[2 * node],
                      u1[2 * node + 1] - state.displacement[2 * node + 1]);
-    const Vec2   r0 = base_reaction(state.displacement.data(),
-                                  state.velocity.data(),
-                                  state.acceleration.data(),
-                                  edge_force0);
-    const Vec2   r1 = base_reaction(u1.data(), v1.data(), a1.data(), edge_force1);
+    Vec2         r0 = base_reaction(state.displacement.data(),
+                            state.velocity.data(),
+                            state.acceleration.data(),
+                            edge_force0);
+    Vec2         r1 = base_reaction(u1.data(), v1.data(), a1.data(), edge_force1);
+    if (slip != nullptr)
+      {
+        base_excess(state.slip.jump, state.velocity, excess0);
+        base_excess(slip->jump(), v1, excess1);
+        for (const int moving : boundary->moving_nodes())
+          {
+            r0 -= Vec2(excess0[2 * moving], excess0[2 * moving + 1]);
+            r1 -= Vec2(excess1[2 * moving], excess1[2 * moving + 1]);
+          }
+      }
     state.energy.input_work += moved.dot((1. - gamma) * r0 + gamma * r1);
     return moved.dot(r1 - r0);
   }
@@ -194,11 +204,11 @@ namespace hybrid::continuum
       {
         for (std::size_t i = 0; i < n; ++i)
           mean[i] = (1. - gamma) * state.velocity[i] + gamma * v1[i];
-        multiply_rayleigh(mean.data(), load.data(), product2);
+        multiply_rayleigh(mean.data(), load, product2);
         energy.damping_loss += dot(du, load);
         for (std::size_t i = 0; i < n; ++i)
           mean[i] = v1[i] - state.velocity[i];
-        multiply_rayleigh(mean.data(), load.data(), product2);
+        multiply_rayleigh(mean.data(), load, product2);
         strain_change -= dot(du, load);
       }
     energy.integration_loss +=
@@ -224,6 +234,11 @@ namespace hybrid::continuum
       (m.newmark.beta - 0.5 * m.newmark.gamma) * dt * dt * form(state.acceleration);
     m.matrices.multiply_stiffness(state.displacement.data(), product.data());
     state.energy.strain = form(state.displacement);
+    if (m.slip != nullptr)
+      {
+        state.energy.strain += m.slip->strain_correction(state.slip, state.displacement);
+        state.energy.bedding_static_stress = m.slip->static_energy(state.slip);
+      }
     if (!m.boundary->springs().empty())
       {
         BoundaryForces::Incoming in;

@@ -7,6 +7,8 @@ namespace hybrid::continuum
 {
   namespace
   {
+    constexpr int most_static_corrections = 20;
+
     /// Weight of all cells on their nodes [N/m].
     std::vector<double> weight_load(const ElementNodes          &nodes,
                                     const std::vector<Material> &material,
@@ -40,7 +42,8 @@ namespace hybrid::continuum
   } // namespace
 
 
-  void Continuum::solve_static_state(const Eigen::VectorXd &surface_force, const double gravity)
+  StaticSlip Continuum::solve_static_state(const Eigen::VectorXd &surface_force,
+                                           const double           gravity)
   {
     auto               &m    = *impl;
     std::vector<double> load = weight_load(*m.nodes, m.cell_material, gravity);
@@ -71,8 +74,34 @@ namespace hybrid::continuum
     Eigen::VectorXd none(0);
     system.forward(*factor, b, none);
     system.backward(*factor, x);
-    m.static_displacement.assign(m.n_dofs(), 0.);
-    for (std::size_t s = 0; s < dofs.size(); ++s)
-      m.static_displacement[dofs[s]] = x[s];
+    const auto take = [&] {
+      m.static_displacement.assign(m.n_dofs(), 0.);
+      for (std::size_t s = 0; s < dofs.size(); ++s)
+        m.static_displacement[dofs[s]] = x[s];
+    };
+    take();
+    if (m.slip == nullptr)
+      return {};
+
+    // Planes that gravity alone brings to their limit slip until the rest can carry it.
+    const Eigen::MatrixXd relaxation = m.slip_relaxation(number, system, *factor);
+    m.slip->begin_rest();
+    SlipStatus status = SlipStatus::changed;
+    for (int k = 0; k < most_static_corrections; ++k)
+      {
+        status = m.slip->solve_rest(relaxation, m.static_displacement);
+        if (status != SlipStatus::changed)
+          break;
+        load.assign(load.size(), 0.);
+        m.slip->add_load_change(load);
+        for (std::size_t s = 0; s < dofs.size(); ++s)
+          b[s] += load[dofs[s]];
+        system.forward(*factor, b, none);
+        system.backward(*factor, x);
+        take();
+      }
+    StaticSlip result  = m.slip->keep_rest(m.static_displacement);
+    result.equilibrium = status == SlipStatus::settled;
+    return result;
   }
 } // namespace hybrid::continuum

@@ -30,6 +30,8 @@ namespace hybrid::continuum
                             (k % 3 == 0 ? of_mass * matrices.mass[e] : 0.);
     boundary->add_dashpots(matrices, to_rate, blocks);
     boundary->add_springs(matrices, blocks);
+    if (slip != nullptr && rayleigh_stiffness != 0.)
+      slip->planes().add_stiffness(matrices, -to_rate * rayleigh_stiffness, blocks);
 
     if (step_matrices.size() >= kept_step_sizes)
       step_matrices.pop_back();
@@ -38,6 +40,8 @@ namespace hybrid::continuum
     made.factor            = factorisation->factor(pattern.values(blocks));
     made.surface_stiffness = factorisation->surface_matrix(*made.factor);
     made.base              = base_coupling(blocks);
+    if (slip != nullptr)
+      made.slip_relaxation = slip_relaxation(free_unknowns(), *factorisation, *made.factor);
     step_matrices.push_front(std::move(made));
     return step_matrices.front();
   }
@@ -67,10 +71,10 @@ namespace hybrid::continuum
 
 
   void Continuum::Implementation::multiply_rayleigh(const double        *x,
-                                                    double              *y,
-                                                    std::vector<double> &work) const
+                                                    std::vector<double> &y,
+                                                    std::vector<double> &work)
   {
-    std::fill(y, y + n_dofs(), 0.);
+    std::fill(y.begin(), y.end(), 0.);
     if (rayleigh_mass != 0.)
       {
         matrices.multiply_mass(x, work.data());
@@ -82,6 +86,8 @@ namespace hybrid::continuum
         matrices.multiply_stiffness(x, work.data());
         for (std::size_t i = 0; i < n_dofs(); ++i)
           y[i] += rayleigh_stiffness * work[i];
+        if (slip != nullptr)
+          add_joint_force(-rayleigh_stiffness, x, y);
       }
   }
 
@@ -116,6 +122,13 @@ namespace hybrid::continuum
         matrices.multiply_stiffness(rate.data(), product2.data());
         for (std::size_t i = 0; i < n; ++i)
           product[i] += rayleigh_stiffness * product2[i];
+        if (slip != nullptr)
+          add_joint_force(-rayleigh_stiffness, rate.data(), product);
+      }
+    if (slip != nullptr)
+      {
+        slip->begin(state.slip);
+        slip->add_load(state.slip.jump, 1., product);
       }
 
     // Boundary: t_in + Z (v_ff - v) with v = gamma / (beta dt) u - rate; the first part of v is in
@@ -149,6 +162,20 @@ namespace hybrid::continuum
   }
 
 
+  void Continuum::Implementation::take_displacement(const ContinuumState &state, const double dt)
+  {
+    const Vec2  base     = boundary->base_acceleration(state.time + dt);
+    const auto &supports = boundary->supports();
+    for (std::size_t i = 0; i < n_dofs(); ++i)
+      if (supports[i] == Support::none)
+        u1[i] = solution[system_of_dof[i]];
+      else
+        u1[i] = supports[i] == Support::base_motion
+                  ? predicted[i] + newmark.beta * dt * dt * base[i % 2]
+                  : 0.;
+  }
+
+
   void Continuum::Implementation::finish(ContinuumState        &state,
                                          const double           dt,
                                          const Eigen::VectorXd *force)
@@ -158,24 +185,20 @@ namespace hybrid::continuum
     const double      to_inertia = 1. / (beta * dt * dt);
     const Vec2        base       = boundary->base_acceleration(state.time + dt);
     const auto       &supports   = boundary->supports();
+    take_displacement(state, dt);
     for (std::size_t i = 0; i < n; ++i)
       {
         if (supports[i] == Support::none)
-          {
-            u1[i] = solution[system_of_dof[i]];
-            a1[i] = to_inertia * (u1[i] - predicted[i]);
-          }
+          a1[i] = to_inertia * (u1[i] - predicted[i]);
         else
-          {
-            a1[i] = supports[i] == Support::base_motion ? base[i % 2] : 0.;
-            u1[i] =
-              supports[i] == Support::base_motion ? predicted[i] + beta * dt * dt * a1[i] : 0.;
-          }
+          a1[i] = supports[i] == Support::base_motion ? base[i % 2] : 0.;
         v1[i] = supports[i] == Support::zero
                   ? 0.
                   : state.velocity[i] + dt * ((1. - gamma) * state.acceleration[i] + gamma * a1[i]);
       }
     add_energy(state, dt, force);
+    if (slip != nullptr)
+      add_slip_energy(state);
 
     std::copy(u1.begin(), u1.end(), state.displacement.begin());
     std::copy(v1.begin(), v1.end(), state.velocity.begin());
@@ -220,27 +243,25 @@ namespace hybrid::continuum
 
 
 
+  void Continuum::Implementation::expand(const double           dt,
+                                         const Eigen::VectorXd &surface_displacement)
+  {
+    surface_motion = surface_displacement;
+    for (std::size_t k = 0; k < surface.size(); ++k)
+      for (int c = 0; c < 2; ++c)
+        if (boundary->supports()[2 * surface[k] + c] != Support::none)
+          surface_motion[2 * k + c] = 0.;
+    factorisation->backward(*step_matrix(dt).factor, surface_motion, solution);
+  }
+
+
   void Continuum::correct(ContinuumState        &state,
                           const double           dt,
                           const Eigen::VectorXd &surface_displacement,
                           const Eigen::VectorXd &surface_force)
   {
-    impl->surface_motion = surface_displacement;
-    for (std::size_t k = 0; k < impl->surface.size(); ++k)
-      for (int c = 0; c < 2; ++c)
-        if (impl->boundary->supports()[2 * impl->surface[k] + c] != Support::none)
-          impl->surface_motion[2 * k + c] = 0.;
-    impl->factorisation->backward(*impl->step_matrix(dt).factor,
-                                  impl->surface_motion,
-                                  impl->solution);
+    if (impl->slip == nullptr) // solve_slip() has done it
+      impl->expand(dt, surface_displacement);
     impl->finish(state, dt, &surface_force);
-  }
-
-
-  void Continuum::step(ContinuumState &state, const double dt)
-  {
-    impl->predict(state, dt);
-    impl->factorisation->backward(*impl->step_matrix(dt).factor, impl->solution);
-    impl->finish(state, dt, nullptr);
   }
 } // namespace hybrid::continuum

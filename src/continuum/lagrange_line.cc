@@ -13,10 +13,12 @@ namespace hybrid::continuum
 
     const int n = degree + 1;
     m = k = b = Eigen::MatrixXd::Zero(n, n);
-    const dealii::QGauss<1> gauss(n);
-    for (unsigned int q = 0; q < gauss.size(); ++q)
+    const dealii::QGauss<1> rule(n);
+    for (unsigned int q = 0; q < rule.size(); ++q)
       {
-        const double x = gauss.point(q)[0], w = gauss.weight(q);
+        const double x = rule.point(q)[0], w = rule.weight(q);
+        gauss.points.push_back(x);
+        gauss.weights.push_back(w);
         for (int i = 0; i < n; ++i)
           for (int j = 0; j < n; ++j)
             {

@@ -26,14 +26,16 @@ namespace hybrid::continuum
       return result;
     }
 
-    std::set<Edge> plane_edges(const scene::SectionMesh       &mesh,
-                               const std::vector<std::string> &planes,
-                               const EdgeCells                &edge_cells)
+    /// Edges inside the rock, with the number of the plane they belong to.
+    std::map<Edge, int> plane_edges(const scene::SectionMesh       &mesh,
+                                    const std::vector<std::string> &planes,
+                                    const EdgeCells                &edge_cells)
     {
-      std::set<Edge> result;
-      for (const auto &name : planes)
+      std::map<Edge, int> result;
+      for (std::size_t plane = 0; plane < planes.size(); ++plane)
         {
-          const auto line = mesh.lines.find(name);
+          const std::string &name = planes[plane];
+          const auto         line = mesh.lines.find(name);
           if (line == mesh.lines.end())
             throw InputError("Bedding planes/Names: the mesh has no line named '" + name + "'.");
           bool inside = false;
@@ -42,7 +44,7 @@ namespace hybrid::continuum
               const auto found = edge_cells.find(undirected(edge[0], edge[1]));
               if (found != edge_cells.end() && found->second.size() == 2)
                 {
-                  result.insert(found->first);
+                  result.emplace(found->first, static_cast<int>(plane));
                   inside = true;
                 }
             }
@@ -136,8 +138,8 @@ namespace hybrid::continuum
                                 const std::vector<std::string> &planes)
   {
     check_orientation(mesh);
-    const EdgeCells      section_edges  = cells_of_edges(mesh.bedrock_cells);
-    const std::set<Edge> section_planes = plane_edges(mesh, planes, section_edges);
+    const EdgeCells           section_edges  = cells_of_edges(mesh.bedrock_cells);
+    const std::map<Edge, int> section_planes = plane_edges(mesh, planes, section_edges);
 
     RockMesh rock;
     rock.cells = mesh.bedrock_cells;
@@ -149,7 +151,7 @@ namespace hybrid::continuum
     for (std::size_t n = 0; n < rock.origin.size(); ++n)
       rock_node[rock.origin[n]] = static_cast<int>(n);
     std::set<Edge> cut;
-    for (const auto &edge : section_planes)
+    for (const auto &[edge, plane] : section_planes)
       cut.insert(undirected(rock_node.at(edge[0]), rock_node.at(edge[1])));
 
     std::map<int, std::vector<int>> around;
@@ -176,14 +178,14 @@ namespace hybrid::continuum
           }
       }
 
-    for (const auto &edge : section_planes)
+    for (const auto &[edge, plane] : section_planes)
       {
         const auto    &cells  = section_edges.at(edge);
         const RockFace first  = face_of_cell(rock, cells[0], edge);
         RockFace       second = face_of_cell(rock, cells[1], edge);
         std::swap(second.a, second.b);
         if (first.a != second.a || first.b != second.b)
-          rock.joints.push_back({first, second});
+          rock.joints.push_back({first, second, plane});
       }
     return rock;
   }

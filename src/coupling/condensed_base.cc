@@ -12,4 +12,19 @@ namespace hybrid::coupling
     continuum.extrapolate_surface(state, dt, response.displacement);
     return response;
   }
+
+
+
+  continuum::SlipStatus CondensedBase::solve_slip(const continuum::ContinuumState &state,
+                                                  const double                     dt,
+                                                  const Eigen::VectorXd           &displacement)
+  {
+    const auto status = continuum.solve_slip(state, dt, displacement);
+    if (status == continuum::SlipStatus::changed)
+      {
+        response.load         = continuum.surface_load();
+        response.displacement = displacement; // the first guess now
+      }
+    return status;
+  }
 } // namespace hybrid::coupling

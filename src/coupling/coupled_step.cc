@@ -8,6 +8,9 @@ namespace hybrid::coupling
 {
   namespace
   {
+    /// Solutions of the blocks with new slip of bedding planes, before the step is cut.
+    constexpr int most_slip_rounds = 30;
+
     /// Adds the time of a scope to a sum.
     class Stopwatch
     {
@@ -42,16 +45,32 @@ namespace hybrid::coupling
 
 
 
+  void CoupledStep::solve_blocks(CoupledState            &state,
+                                 const dda::BaseResponse &response,
+                                 const double             dt,
+                                 dda::StepResult         &result)
+  {
+    const Stopwatch       watch(elapsed.blocks);
+    const dda::StepResult found      = blocks->solve(state.blocks, response, dt);
+    const int             iterations = result.iterations, inner = result.solver_iterations;
+    const int             factorizations = result.factorizations;
+    result                               = found;
+    result.iterations += iterations;
+    result.solver_iterations += inner;
+    result.factorizations += factorizations;
+  }
+
+
+
   dda::StepResult CoupledStep::solve(CoupledState &state, const double dt)
   {
     dda::StepResult result;
     if (blocks == nullptr)
       {
         const Stopwatch watch(elapsed.continuum);
-        if (continuum != nullptr)
-          continuum->step(state.continuum, dt);
-        result.converged = true;
-        state.time += dt;
+        result.converged = continuum == nullptr || continuum->step(state.continuum, dt);
+        if (result.converged)
+          state.time += dt;
         return result;
       }
 
@@ -60,11 +79,23 @@ namespace hybrid::coupling
       const Stopwatch watch(elapsed.continuum);
       response = &base->predict(state.continuum, dt);
     }
+    auto slip = continuum::SlipStatus::changed;
+    for (int round = 0; slip == continuum::SlipStatus::changed; ++round)
+      {
+        elapsed.slip_rounds += round > 0;
+        solve_blocks(state, *response, dt, result);
+        if (!result.converged)
+          return result;
+        const Stopwatch watch(elapsed.continuum);
+        slip = base->solve_slip(state.continuum, dt, blocks->solved_step().base_displacement());
+        if (slip == continuum::SlipStatus::failed || round == most_slip_rounds)
+          {
+            result.converged = false;
+            return result;
+          }
+      }
     {
       const Stopwatch watch(elapsed.blocks);
-      result = blocks->solve(state.blocks, *response, dt);
-      if (!result.converged)
-        return result;
       blocks->accept(state.blocks);
     }
     const Stopwatch watch(elapsed.continuum);

@@ -50,6 +50,10 @@ namespace hybrid::output
                     {"input_work", -c.input_work}});
       if (effects.boundary_springs)
         terms.push_back({"boundary_springs", c.boundary_springs});
+      if (effects.bedding_slip)
+        terms.insert(terms.end(),
+                     {{"bedding_loss", c.bedding_loss},
+                      {"bedding_static_stress", c.bedding_static_stress}});
       return terms;
     }
   } // namespace

@@ -67,7 +67,10 @@ namespace hybrid::output
                      scene.continuum.normal_spring,
                      scene.continuum.tangential_spring);
       const std::size_t planes = has_sides ? scene.bedding.names.size() : 0;
-      text += line("  bedding planes     %s  %zu elastic joints", state(planes > 0), planes);
+      text += line("  bedding planes     %s  %zu %s joints",
+                   state(planes > 0),
+                   planes,
+                   scene.bedding.slips ? "Mohr-Coulomb" : "elastic");
       text += line("  blocks             %s", state(scene.blocks.enabled));
       if (scene.blocks.enabled)
         {

@@ -105,10 +105,40 @@ namespace hybrid::scene
                    "Pa/m",
                    ParameterRange::above(0.),
                    "Shear stress per slip.");
+    section.choice<bool>("Strength",
+                         bedding.slips,
+                         {{"elastic", false}, {"Mohr-Coulomb", true}},
+                         "elastic: the planes neither slip nor open; Mohr-Coulomb: they slip at "
+                         "c + sigma tan phi and open at the tensile strength, after which a point "
+                         "keeps only its friction.");
+    section.number("Friction angle",
+                   bedding.friction_angle,
+                   "deg",
+                   {0., 90., true, false},
+                   "phi of Strength = Mohr-Coulomb.");
+    section.number("Cohesion",
+                   bedding.cohesion,
+                   "Pa",
+                   ParameterRange::at_least(0.),
+                   "c of Strength = Mohr-Coulomb.");
+    section.number("Tensile strength",
+                   bedding.tensile_strength,
+                   "Pa",
+                   ParameterRange::at_least(0.),
+                   "Tension cut-off of Strength = Mohr-Coulomb; at most c / tan phi counts.");
+    section.number("Initial normal stress",
+                   bedding.initial_normal_stress,
+                   "Pa",
+                   ParameterRange::at_least(0.),
+                   "Uniform compression on the planes at rest, besides that of gravity.");
   }
 
   void check_continuum(const SceneParameters &scene, const ParameterTable &table)
   {
+    if (scene.bedding.slips && scene.continuum_model == ContinuumModel::none)
+      throw table.error("Bedding planes/Strength",
+                        "Mohr-Coulomb needs a bedrock of finite elements (Model/Continuum = "
+                        "elastic)");
     if (scene.continuum_model == ContinuumModel::none && !scene.has_bedrock_blocks())
       return;
     if (scene.continuum.region_material.empty())
@@ -118,9 +148,11 @@ namespace hybrid::scene
     const bool dashpots = scene.continuum.base == BaseBoundary::compliant ||
                           scene.continuum.sides == SideBoundary::viscous ||
                           scene.continuum.sides == SideBoundary::free_field;
-    if (scene.continuum.boundary_springs && !dashpots)
+    if (scene.continuum.boundary_springs &&
+        (!dashpots || scene.continuum_model == ContinuumModel::none))
       throw table.error("Continuum/Boundary springs",
-                        "true needs a compliant base, viscous or free-field sides");
+                        "true needs a bedrock of finite elements with a compliant base, viscous or "
+                        "free-field sides");
     for (const auto &entry : scene.continuum.region_material)
       check_material_name(scene, entry.second, "Continuum/Materials", table);
     if (!scene.continuum.half_space_material.empty())

@@ -198,7 +198,7 @@ namespace hybrid::test
     coupling::CoupledState                 state;
     std::unique_ptr<dda::BlockSolver>      solver;
     std::unique_ptr<coupling::CoupledStep> step;
-    output::EnergyLedger                   ledger{true};
+    output::EnergyLedger                   ledger{true, {false, false, true}};
     int                                    steps = 0, cuts = 0, iterations = 0;
 
   private:

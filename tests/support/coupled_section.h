@@ -16,6 +16,7 @@ namespace hybrid::test
     int    mass_columns = 2;  ///< cells of two triangles across
     int    mass_rows    = 2;  ///< upwards
     double size         = 1.; ///< of a cell [m]
+    int    plane_row    = -1; ///< cells of rock below the line bedding_1; -1: none
     bool   walled =
       false; ///< sides belong to the contact surface (for WalledBase), not to left and right
   };
@@ -66,6 +67,8 @@ namespace hybrid::test
         mesh.lines[s.walled ? "ground" : "right"].push_back(
           {j * nx + nx - 1, (j + 1) * nx + nx - 1});
       }
+    for (int i = 0; i < s.columns && s.plane_row > 0; ++i)
+      mesh.lines["bedding_1"].push_back({s.plane_row * nx + i, s.plane_row * nx + i + 1});
     if (s.walled)
       {
         const int  n    = static_cast<int>(mesh.nodes.size());

@@ -47,6 +47,9 @@ namespace hybrid::continuum
     /// x with the surface unknowns given: y_G := L_GG^T x_G, then x = L^-T y. Follows forward().
     void backward(Factor &factor, const Eigen::VectorXd &surface, std::vector<double> &x);
 
+    /// b := A^-1 b for many right-hand sides; forward() and backward() are not disturbed.
+    void solve(const Factor &factor, Eigen::MatrixXd &b);
+
     /// x = A^-1 b. Follows forward().
     void backward(Factor &factor, std::vector<double> &x);
 

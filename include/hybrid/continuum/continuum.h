@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/continuum/slip_state.h>
 #include <hybrid/scene/motion.h>
 #include <hybrid/scene/scene_parameters.h>
 #include <hybrid/scene/section_mesh.h>
@@ -26,8 +27,10 @@ namespace hybrid::continuum
     double surface_work     = 0.; ///< done by the interface forces
     double boundary_loss =
       0.; ///< taken up by dashpots (relative to the free field where there is one)
-    double damping_loss     = 0.; ///< Rayleigh damping
-    double integration_loss = 0.; ///< Newmark's own dissipation
+    double damping_loss          = 0.; ///< Rayleigh damping
+    double bedding_loss          = 0.; ///< slip and breaking of bedding planes
+    double bedding_static_stress = 0.; ///< static stress that their slip released (negative), now
+    double integration_loss      = 0.; ///< Newmark's own dissipation
   };
 
   /// All mutable state of the continuum: copied for roll-back, written for restart.
@@ -40,6 +43,7 @@ namespace hybrid::continuum
     std::vector<double> acceleration;   ///< a [m/s2]
     std::vector<double> surface_force;  ///< lambda of the last step [N/m]; empty: zero
     double              time_step = 0.; ///< of the last step [s]; 0: none yet
+    SlipState           slip;           ///< of bedding planes
     ContinuumEnergy     energy;
   };
 
@@ -105,8 +109,24 @@ namespace hybrid::continuum
                  const Eigen::VectorXd &surface_displacement,
                  const Eigen::VectorXd &surface_force);
 
-    /// A whole step without blocks (lambda = 0).
-    void step(ContinuumState &state, double dt);
+    /// Slip of the bedding planes for u_G found with the load of predict(), or of this function
+    /// before; nothing to do where planes do not slip. If it changed, surface_load() is new and u_G
+    /// has to be found again; correct() follows when it is settled.
+    SlipStatus
+    solve_slip(const ContinuumState &state, double dt, const Eigen::VectorXd &surface_displacement);
+
+    /// g of the step that has begun [N/m].
+    const Eigen::VectorXd &surface_load() const;
+
+    /// A whole step without blocks (lambda = 0). @return false if the slip of bedding planes was
+    /// not found; the state is that of before then.
+    bool step(ContinuumState &state, double dt);
+
+    /// Bedding planes that may slip; empty if the scene has none.
+    const std::vector<BeddingPlane> &slipping_planes() const;
+
+    /// What the points of @p plane do now.
+    BeddingValues bedding_values(const ContinuumState &state, const BeddingPlane &plane) const;
 
     /// Recompute the "now" energies of @p state (kinetic, newmark, strain).
     void audit_energy(ContinuumState &state, double dt) const;
@@ -140,7 +160,9 @@ namespace hybrid::continuum
     /// Static stresses of the restrained model (base fixed, sides on rollers) under gravity and
     /// @p surface_force [N/m]; they change no displacement (the section is the deformed state in
     /// place).
-    void solve_static_state(const Eigen::VectorXd &surface_force, double gravity);
+    /// Bedding planes slip if gravity alone asks for it; what they carry then is their traction at
+    /// rest.
+    StaticSlip solve_static_state(const Eigen::VectorXd &surface_force, double gravity);
 
     /// Smallest edge length of cells per wave speed etc. for the scene card.
     struct Resolution

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/continuum/bedding_slip.h>
 #include <hybrid/continuum/boundary_forces.h>
 #include <hybrid/continuum/condensed_factor.h>
 #include <hybrid/continuum/continuum.h>
@@ -25,6 +26,8 @@ namespace hybrid::continuum
     std::unique_ptr<ElementNodes>   nodes;
     NodeMatrices                    matrices;
     std::unique_ptr<BoundaryForces> boundary;
+    std::unique_ptr<BeddingSlip>    slip; ///< null unless bedding planes may slip
+    std::vector<BeddingPlane>       slipping_planes;
     Newmark                         newmark;
     double                          rayleigh_mass = 0., rayleigh_stiffness = 0.;
 
@@ -61,6 +64,7 @@ namespace hybrid::continuum
       double                                          dt = 0.;
       std::shared_ptr<CondensedFactorisation::Factor> factor;
       Eigen::MatrixXd                                 surface_stiffness;
+      Eigen::MatrixXd                                 slip_relaxation; ///< G of BeddingPlanes
       std::vector<BaseCoupling>                       base;
     };
     std::list<StepMatrix> step_matrices; ///< most recently used first, at most 3
@@ -72,6 +76,7 @@ namespace hybrid::continuum
     std::vector<double>      edge0, edge1, edge_force0, edge_force1, edge_du, edge_du_ff, edge_v_ff;
     std::vector<double>      edge_u0, edge_u1, edge_u_ff; ///< with boundary springs only
     std::vector<double>      du, da, u1, v1, a1;
+    std::vector<double>      slip_work, excess0, excess1; ///< with slipping planes only
     Eigen::VectorXd          surface_load, surface_motion;
 
     std::size_t n_dofs() const
@@ -88,7 +93,22 @@ namespace hybrid::continuum
     StepMatrix               &step_matrix(double dt);
     std::vector<BaseCoupling> base_coupling(const std::vector<double> &blocks) const;
     void                      predict(const ContinuumState &state, double dt);
+    void                      take_displacement(const ContinuumState &state, double dt);
+    void                      expand(double dt, const Eigen::VectorXd &surface_displacement);
     void finish(ContinuumState &state, double dt, const Eigen::VectorXd *force);
+
+    // slip of bedding planes (continuum_slip.cc); called only where planes slip
+    void             prepare_slip(const scene::BeddingParameters &bedding);
+    Eigen::MatrixXd  slip_relaxation(const std::vector<int>               &number,
+                                     CondensedFactorisation               &system,
+                                     const CondensedFactorisation::Factor &factor) const;
+    std::vector<int> free_unknowns() const;
+    SlipStatus       update_slip(const ContinuumState &state, double dt);
+    void             add_joint_force(double factor, const double *x, std::vector<double> &y);
+    void             add_slip_energy(ContinuumState &state);
+    void             base_excess(const std::vector<double> &jump,
+                                 const std::vector<double> &velocity,
+                                 std::vector<double>       &force);
 
     /// Parts of add_energy(): work of boundary, moving base and interface forces over the step.
     /// @return the change of these forces times the displacement of the step [J/m].
@@ -105,7 +125,8 @@ namespace hybrid::continuum
                        const double              *v,
                        const double              *a,
                        const std::vector<double> &edge_force) const;
-    /// y = (alpha_M M + beta_K K) x; @p work is overwritten.
-    void multiply_rayleigh(const double *x, double *y, std::vector<double> &work) const;
+    /// y = C x without dashpots, C = alpha_M M + beta_K K (K without joints that may slip); @p work
+    /// is overwritten.
+    void multiply_rayleigh(const double *x, std::vector<double> &y, std::vector<double> &work);
   };
 } // namespace hybrid::continuum

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/continuum/element_space.h>
+#include <hybrid/continuum/joint_stiffness.h>
 #include <hybrid/continuum/node_matrices.h>
 #include <hybrid/scene/material.h>
 
@@ -9,14 +10,6 @@
 
 namespace hybrid::continuum
 {
-  /// Elastic joints along bedding planes; per area of the plane.
-  struct JointStiffness
-  {
-    double normal = 0.; ///< k_n [Pa/m]
-    double shear  = 0.; ///< k_s [Pa/m]
-  };
-
-
   /**
    * Consistent mass and plane-strain stiffness, with the joints' energy
    * int [[u]]^T (k_n n n^T + k_s t t^T) [[u]] ds. Cells are shared out among the ranks

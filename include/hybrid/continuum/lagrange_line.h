@@ -30,6 +30,17 @@ namespace hybrid::continuum
 
     double derivative(int i, double x) const;
 
+    /// Gauss points of [0, 1], one more than the degree: what the integrals below are made with.
+    struct Quadrature
+    {
+      std::vector<double> points, weights;
+    };
+
+    const Quadrature &quadrature() const
+    {
+      return gauss;
+    }
+
     /// int_0^1 N_i N_j dx
     const Eigen::MatrixXd &mass() const
     {
@@ -51,5 +62,6 @@ namespace hybrid::continuum
   private:
     std::vector<double> points;
     Eigen::MatrixXd     m, k, b;
+    Quadrature          gauss;
   };
 } // namespace hybrid::continuum

@@ -22,8 +22,9 @@ namespace hybrid::continuum
   /// Two coincident faces on the two sides of a bedding plane; both run in the same direction.
   struct FacePair
   {
-    RockFace first;  ///< rock to the left of a -> b
-    RockFace second; ///< rock to the right of a -> b
+    RockFace first;     ///< rock to the left of a -> b
+    RockFace second;    ///< rock to the right of a -> b
+    int      plane = 0; ///< which of the planes' names
   };
 
 

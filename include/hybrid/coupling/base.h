@@ -15,6 +15,8 @@ namespace hybrid::coupling
    * A step from state.time to state.time + dt is
    *   1. predict(): what the blocks see of the base in this step;
    *   2. the blocks and the surface are solved together;
+   *      2a. solve_slip(): bedding planes answer; what they change is in the response, and 2 is
+   *          repeated until they are settled;
    *   3. correct(): the base's interior follows the surface.
    * predict() changes no state, so a step that does not converge leaves no trace.
    *
@@ -30,6 +32,13 @@ namespace hybrid::coupling
     virtual const std::vector<Vec2> &surface_nodes() const = 0;
 
     virtual const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) = 0;
+
+    /// Slip inside the base for this displacement of its surface [m]; a base without it is settled.
+    virtual continuum::SlipStatus
+    solve_slip(const continuum::ContinuumState &, double, const Eigen::VectorXd &)
+    {
+      return continuum::SlipStatus::settled;
+    }
 
     /// @param displacement of the surface nodes at the end of the step [m].
     /// @param force increments of the blocks' forces on them at the end of the step [N/m].

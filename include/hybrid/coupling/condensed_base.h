@@ -26,6 +26,10 @@ namespace hybrid::coupling
 
     const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) override;
 
+    continuum::SlipStatus solve_slip(const continuum::ContinuumState &state,
+                                     double                           dt,
+                                     const Eigen::VectorXd           &displacement) override;
+
     void correct(continuum::ContinuumState &state,
                  double                     dt,
                  const Eigen::VectorXd     &displacement,

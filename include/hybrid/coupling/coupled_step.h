@@ -10,8 +10,9 @@ namespace hybrid::coupling
   /// Wall time of the parts of a step, summed [s].
   struct StepTimings
   {
-    double continuum = 0.; ///< forward and backward substitution
-    double blocks    = 0.; ///< contact search, open-close iteration
+    long   slip_rounds = 0;  ///< solutions of blocks that slip of bedding planes asked for besides
+    double continuum   = 0.; ///< forward and backward substitution
+    double blocks      = 0.; ///< contact search, open-close iteration
   };
 
 
@@ -37,6 +38,12 @@ namespace hybrid::coupling
     }
 
   private:
+    /// Blocks and surface together; iterations add up in @p result.
+    void solve_blocks(CoupledState            &state,
+                      const dda::BaseResponse &response,
+                      double                   dt,
+                      dda::StepResult         &result);
+
     dda::BlockSolver     *blocks;
     Base                 *base;
     continuum::Continuum *continuum;

@@ -14,6 +14,7 @@ namespace hybrid::output
   {
     bool boundary_springs = false;
     bool blocks           = false; ///< the bedrock is blocks
+    bool bedding_slip     = false;
   };
 
 

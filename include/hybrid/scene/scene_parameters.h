@@ -99,8 +99,13 @@ namespace hybrid::scene
   {
     std::vector<std::string>
            names; ///< lines of the mesh that are elastic joints; empty: all planes are welded
-    double normal_stiffness = 8e9; ///< k_n [Pa/m]
-    double shear_stiffness  = 3e9; ///< k_s [Pa/m]
+    double normal_stiffness      = 8e9;   ///< k_n [Pa/m]
+    double shear_stiffness       = 3e9;   ///< k_s [Pa/m]
+    bool   slips                 = false; ///< Mohr-Coulomb strength; else the joints are elastic
+    double friction_angle        = 0.;    ///< [deg]
+    double cohesion              = 0.;    ///< [Pa]
+    double tensile_strength      = 0.;    ///< [Pa]
+    double initial_normal_stress = 0.;    ///< compression besides that of gravity [Pa]
   };
 
   /// Section "Blocks".

@@ -43,16 +43,26 @@ namespace
         const double dt = k % 20 < 15 ? 2e-3 : 1e-3;
         for (int i = 0; i < lambda.size(); ++i)
           lambda[i] = random(generator);
-        const Eigen::VectorXd g = continuum.predict(state, dt);
-        continuum.correct(state,
-                          dt,
-                          continuum.surface_stiffness(dt).ldlt().solve(g + lambda),
-                          lambda);
+        const auto      s    = continuum.surface_stiffness(dt).ldlt();
+        Eigen::VectorXd u    = s.solve(continuum.predict(state, dt) + lambda);
+        auto            slip = continuum.solve_slip(state, dt, u);
+        for (int round = 0; round < 5 && slip == SlipStatus::changed; ++round)
+          {
+            u    = s.solve(continuum.surface_load() + lambda);
+            slip = continuum.solve_slip(state, dt, u);
+          }
+        EXPECT_EQ(slip, SlipStatus::settled);
+        continuum.correct(state, dt, u, lambda);
+      }
+    if (scene.bedding.slips)
+      {
+        EXPECT_GT(state.energy.bedding_loss, 0.);
       }
     continuum.audit_energy(state, state.time_step);
     const auto  &e   = state.energy;
     const double sum = e.kinetic + e.newmark + e.strain + e.boundary_springs - e.input_work -
-                       e.surface_work + e.boundary_loss + e.damping_loss + e.integration_loss;
+                       e.surface_work + e.boundary_loss + e.damping_loss + e.integration_loss +
+                       e.bedding_loss + e.bedding_static_stress;
     double largest = 0.;
     for (const double term : {e.kinetic, e.strain, e.input_work, e.surface_work, e.boundary_loss})
       largest = std::max(largest, std::abs(term));
@@ -100,6 +110,30 @@ TEST(ContinuumEnergy, closes_with_springs_on_the_boundary)
           EXPECT_LT(residual(scene), 1e-9)
             << scheme << ' ' << static_cast<int>(base) << ' ' << static_cast<int>(sides);
         }
+}
+
+
+TEST(ContinuumEnergy, closes_while_planes_slip_and_open)
+{
+  for (const auto base : {BaseBoundary::compliant, BaseBoundary::rigid})
+    for (const auto sides : {SideBoundary::viscous, SideBoundary::roller})
+      for (const double damping : {0., 1e-4})
+        for (const char *scheme : {"dissipative", "trapezoidal", "shi"})
+          {
+            auto scene                          = test::rock_scene();
+            scene.time.newmark                  = Newmark::preset(scheme);
+            scene.continuum.base                = base;
+            scene.continuum.sides               = sides;
+            scene.continuum.rayleigh_stiffness  = damping;
+            scene.bedding.names                 = {"bedding_1"};
+            scene.bedding.slips                 = true;
+            scene.bedding.friction_angle        = 30.;
+            scene.bedding.cohesion              = 5e3;
+            scene.bedding.tensile_strength      = 5e3;
+            scene.bedding.initial_normal_stress = 1e4;
+            EXPECT_LT(residual(scene), 1e-9)
+              << scheme << ' ' << static_cast<int>(base) << ' ' << static_cast<int>(sides);
+          }
 }
 
 

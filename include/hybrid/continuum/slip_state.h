@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/scene/types.h>
+
+#include <string>
+#include <vector>
+
+namespace hybrid::continuum
+{
+  /// What a point of a bedding plane does.
+  enum class PlaneCondition : unsigned char
+  {
+    elastic,  ///< within the strength
+    slipping, ///< shear traction at the strength
+    open      ///< no traction
+  };
+
+
+  /// How the slip of a step stands.
+  enum class SlipStatus
+  {
+    settled, ///< the tractions are within the strength
+    changed, ///< the planes slipped: the step has to be solved with their new load
+    failed   ///< no slip was found that the strength allows
+  };
+
+
+  /// What gravity alone does to the bedding planes.
+  struct StaticSlip
+  {
+    bool   equilibrium = true;
+    int    slipping    = 0;  ///< points at their shear strength
+    int    open        = 0;  ///< points without traction
+    double largest     = 0.; ///< largest slip [m]
+    Vec2   where{0., 0.};    ///< its place [m]
+  };
+
+
+  /// Mutable state of the bedding planes at their points (BeddingPlanes); empty where they do not
+  /// slip.
+  struct SlipState
+  {
+    std::vector<double>         jump;      ///< opening and slip of each point since rest [m]
+    std::vector<double>         path;      ///< sum of |slip| per point [m]
+    std::vector<char>           broken;    ///< per point: cohesion and tensile strength are lost
+    std::vector<PlaneCondition> condition; ///< per point, of the last step
+  };
+
+
+  /// A plane that may slip, for output.
+  struct BeddingPlane
+  {
+    std::string       name;
+    std::vector<Vec2> points;  ///< [m]
+    std::vector<int>  numbers; ///< of the points among those of all planes
+  };
+
+
+  /// What the points of one plane do.
+  struct BeddingValues
+  {
+    std::vector<double> slip;          ///< of the side to the left of the tangent, along it [m]
+    std::vector<double> opening;       ///< plastic part [m]
+    std::vector<double> normal_stress; ///< compression positive [Pa]
+    std::vector<double> shear_stress;  ///< [Pa]
+    std::vector<double> condition;     ///< PlaneCondition as a number
+  };
+} // namespace hybrid::continuum

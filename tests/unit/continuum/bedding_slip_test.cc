@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <hybrid/continuum/continuum.h>
+
+#include "rectangle_mesh.h"
+
+#include <cmath>
+
+namespace
+{
+  using namespace hybrid;
+  using namespace hybrid::continuum;
+
+  constexpr double friction = 30.;
+
+  /// 60 m of rock with a plane from side to side half way up.
+  scene::SectionMesh section()
+  {
+    auto mesh =
+      test::rectangle_mesh(test::equal_spacing(0., 60., 6), test::equal_spacing(0., 40., 4));
+    for (int i = 0; i < 6; ++i)
+      mesh.lines["bedding_1"].push_back({14 + i, 15 + i});
+    test::add_block(mesh);
+    return mesh;
+  }
+
+
+  scene::SceneParameters parameters(const double cohesion)
+  {
+    auto scene                     = test::rock_scene();
+    scene.bedding.names            = {"bedding_1"};
+    scene.bedding.slips            = true;
+    scene.bedding.friction_angle   = friction;
+    scene.bedding.cohesion         = cohesion;
+    scene.bedding.tensile_strength = cohesion;
+    return scene;
+  }
+
+
+  /// Horizontal forces on the ground beside the weight.
+  Eigen::VectorXd push(const Continuum &continuum)
+  {
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * continuum.surface_nodes().size());
+    for (Eigen::Index i = 0; i < force.size(); i += 2)
+      force[i] = 3e7;
+    return force;
+  }
+
+
+  /// Largest |tau| - sigma tan(phi) of the plane [Pa].
+  double excess(const Continuum &continuum, const ContinuumState &state)
+  {
+    const auto values  = continuum.bedding_values(state, continuum.slipping_planes()[0]);
+    double     largest = -1e300;
+    for (std::size_t i = 0; i < values.slip.size(); ++i)
+      largest = std::max(largest,
+                         std::abs(values.shear_stress[i]) -
+                           std::tan(friction * M_PI / 180.) * values.normal_stress[i]);
+    return largest;
+  }
+} // namespace
+
+
+TEST(BeddingSlip, static_tractions_are_within_the_strength_and_stay)
+{
+  Continuum strong(section(), parameters(1e12), {}, MPI_COMM_WORLD);
+  EXPECT_EQ(strong.solve_static_state(push(strong), 9.81).slipping, 0);
+  EXPECT_GT(excess(strong, strong.initial_state()), 1e4);
+
+  Continuum  weak(section(), parameters(0.), {}, MPI_COMM_WORLD);
+  const auto rest = weak.solve_static_state(push(weak), 9.81);
+  EXPECT_TRUE(rest.equilibrium);
+  EXPECT_GT(rest.slipping, 0);
+  auto state = weak.initial_state();
+  EXPECT_LT(excess(weak, state), 1e-3);
+  for (int k = 0; k < 20; ++k)
+    ASSERT_TRUE(weak.step(state, 1e-3));
+  for (const double v : state.velocity)
+    EXPECT_NEAR(v, 0., 1e-12);
+}
+
+
+TEST(BeddingSlip, strong_planes_are_elastic_joints)
+{
+  auto elastic          = parameters(1e12);
+  elastic.bedding.slips = false;
+  std::vector<double> a;
+  for (int i = 0; i < 100; ++i)
+    a.push_back(std::sin(0.2 * i));
+  const scene::Motion shaking(2e-3, a);
+  Continuum           one(section(), elastic, shaking, MPI_COMM_WORLD);
+  Continuum           other(section(), parameters(1e12), shaking, MPI_COMM_WORLD);
+  auto                s = one.initial_state(), t = other.initial_state();
+  for (int k = 0; k < 60; ++k)
+    {
+      ASSERT_TRUE(one.step(s, 2e-3));
+      ASSERT_TRUE(other.step(t, 2e-3));
+    }
+  EXPECT_TRUE(s.slip.jump.empty());
+  EXPECT_TRUE(one.slipping_planes().empty());
+  EXPECT_EQ(s.displacement, t.displacement);
+  EXPECT_EQ(t.energy.bedding_loss, 0.);
+}
