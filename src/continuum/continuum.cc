@@ -107,6 +107,7 @@ namespace hybrid::continuum
     m.allocate_work();
     if (scene.bedding.slips && !m.rock.joints.empty())
       m.prepare_slip(scene.bedding);
+    m.add_point_loads(scene.point_loads);
   }
 
 
@@ -140,6 +141,23 @@ namespace hybrid::continuum
     factorisation = std::make_unique<CondensedFactorisation>(pattern.column_start,
                                                              pattern.row,
                                                              2 * static_cast<int>(surface.size()));
+  }
+
+
+  void Continuum::Implementation::add_point_loads(const scene::PointLoadParameters &parameters)
+  {
+    point_loads = PointLoads(parameters);
+    for (const scene::PointLoad &given : parameters.loads)
+      {
+        const auto  point = cell_point(given.position, "Point loads/Forces: '" + given.name + "'");
+        const auto &cell  = nodes->cells[point.cell];
+        for (std::size_t k = 0; k < cell.size(); ++k)
+          if (point.weights[k] != 0. && boundary->supports()[2 * cell[k]] == Support::base_motion)
+            throw InputError(
+              "Point loads/Forces: '" + given.name +
+              "' acts on the rigid base or a cell at it, whose motion is prescribed.");
+        point_loads.add(cell, point.weights, given.peak);
+      }
   }
 
 

@@ -170,6 +170,15 @@ namespace hybrid::continuum
   }
 
 
+  double Continuum::Implementation::add_point_load_energy(ContinuumState &state, const double dt)
+  {
+    const double gamma = newmark.gamma, work = point_loads.work_of_peak(state.displacement, u1);
+    const double old = point_loads.factor(state.time), now = point_loads.factor(state.time + dt);
+    state.energy.input_work += work * ((1. - gamma) * old + gamma * now);
+    return work * (now - old);
+  }
+
+
   void Continuum::Implementation::add_energy(ContinuumState        &state,
                                              const double           dt,
                                              const Eigen::VectorXd *force)
@@ -192,6 +201,8 @@ namespace hybrid::continuum
     double strain_change = add_boundary_energy(state);
     strain_change += add_base_energy(state);
     strain_change += add_surface_energy(state, force);
+    if (!point_loads.empty())
+      strain_change += add_point_load_energy(state, dt);
 
     for (std::size_t i = 0; i < n; ++i)
       {

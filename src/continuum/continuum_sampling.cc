@@ -67,15 +67,22 @@ namespace hybrid::continuum
   }
 
 
-  int Continuum::add_point(const Vec2 &position, const std::string &name)
+  Continuum::Implementation::Point
+  Continuum::Implementation::cell_point(const Vec2 &position, const std::string &what) const
   {
     Vec2      local;
     double    distance = 0.;
-    const int cell     = impl->nearest_cell(position, local, distance);
+    const int cell     = nearest_cell(position, local, distance);
     if (cell < 0 || distance > tolerated_distance)
-      throw InputError("Point '" + name + "' at (" + std::to_string(position.x()) + ", " +
+      throw InputError(what + " at (" + std::to_string(position.x()) + ", " +
                        std::to_string(position.y()) + ") lies outside the bedrock.");
-    impl->points.push_back({cell, impl->nodes->values(local)});
+    return {cell, nodes->values(local)};
+  }
+
+
+  int Continuum::add_point(const Vec2 &position, const std::string &name)
+  {
+    impl->points.push_back(impl->cell_point(position, "Point '" + name + "'"));
     return static_cast<int>(impl->points.size()) - 1;
   }
 

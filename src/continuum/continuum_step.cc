@@ -147,6 +147,9 @@ namespace hybrid::continuum
       for (int c = 0; c < 2; ++c)
         product[2 * edge_nodes[k] + c] += edge_force1[2 * k + c];
 
+    if (!point_loads.empty())
+      point_loads.add_forces(state.time + dt, product);
+
     for (std::size_t s = 0; s < dof_of_system.size(); ++s)
       rhs[s] =
         boundary->supports()[dof_of_system[s]] == Support::none ? product[dof_of_system[s]] : 0.;

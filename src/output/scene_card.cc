@@ -95,6 +95,11 @@ namespace hybrid::output
                            scene.environment.water_level,
                            methods[static_cast<int>(scene.environment.water_method)])
                     : line("  water              off");
+      const bool loads = continuum && !scene.point_loads.loads.empty();
+      text += line("  point loads        %s  %zu forces, Ricker %g Hz",
+                   state(loads),
+                   scene.point_loads.loads.size(),
+                   scene.point_loads.frequency);
       text +=
         motion.empty()
           ? line("  motion             off")

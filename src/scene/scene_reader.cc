@@ -122,6 +122,7 @@ namespace hybrid::scene
     declare(table, scene.heterogeneity);
     declare(table, scene.environment);
     declare(table, scene.motion);
+    declare(table, scene.point_loads);
     declare(table, scene.monitors);
     declare(table, scene.output);
     ParameterSection(table, {"Parallel"})
@@ -143,6 +144,7 @@ namespace hybrid::scene
     check_bedrock(scene, table);
     check_blocks(scene, table);
     check_water(scene, table);
+    check_point_loads(scene, table);
     check(scene.motion, table);
     check(scene.monitors, table);
     if (scene.output.directory.empty())

@@ -7,6 +7,7 @@
 #include <hybrid/continuum/continuum.h>
 #include <hybrid/continuum/element_nodes.h>
 #include <hybrid/continuum/node_matrices.h>
+#include <hybrid/continuum/point_loads.h>
 #include <hybrid/continuum/rock_mesh.h>
 #include <hybrid/continuum/system_pattern.h>
 
@@ -28,6 +29,7 @@ namespace hybrid::continuum
     std::unique_ptr<BoundaryForces> boundary;
     std::unique_ptr<BeddingSlip>    slip; ///< null unless bedding planes may slip
     std::vector<BeddingPlane>       slipping_planes;
+    PointLoads                      point_loads;
     Newmark                         newmark;
     double                          rayleigh_mass = 0., rayleigh_stiffness = 0.;
 
@@ -87,7 +89,11 @@ namespace hybrid::continuum
     // construction (continuum.cc)
     void number_system();
     void allocate_work();
+    void add_point_loads(const scene::PointLoadParameters &loads);
     int  nearest_cell(const Vec2 &position, Vec2 &local, double &distance) const;
+
+    /// Cell and shape function values at a position. @throws InputError naming @p what if outside.
+    Point cell_point(const Vec2 &position, const std::string &what) const;
 
     // one step (continuum_step.cc)
     StepMatrix               &step_matrix(double dt);
@@ -117,6 +123,7 @@ namespace hybrid::continuum
     void   add_spring_energy(ContinuumState &state);
     double add_base_energy(ContinuumState &state);
     double add_surface_energy(ContinuumState &state, const Eigen::VectorXd *force);
+    double add_point_load_energy(ContinuumState &state, double dt);
 
     // energy of a step (continuum_energy.cc)
     void gather_boundary(const std::vector<double> &x, std::vector<double> &on_boundary) const;

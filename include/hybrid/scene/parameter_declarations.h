@@ -32,6 +32,8 @@ namespace hybrid::scene
 
   void declare(ParameterTable &table, MotionParameters &motion);
 
+  void declare(ParameterTable &table, PointLoadParameters &point_loads);
+
   /// Sections "Monitors" and "Boreholes".
   void declare(ParameterTable &table, MonitorParameters &monitors);
 
@@ -52,6 +54,9 @@ namespace hybrid::scene
 
   /// Materials of the bedrock.
   void check_continuum(const SceneParameters &scene, const ParameterTable &table);
+
+  /// Point loads against the model.
+  void check_point_loads(const SceneParameters &scene, const ParameterTable &table);
 
   /// Materials of blocks and belt.
   void check_blocks(const SceneParameters &scene, const ParameterTable &table);

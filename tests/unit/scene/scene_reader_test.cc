@@ -101,6 +101,11 @@ subsection Motion
   set Seed                = 7
   set Baseline correction = false
 end
+subsection Point loads
+  set Forces    = left: 206, 134.6, 0, -1e10; right: 300, 150, 2e6, 3e6
+  set Frequency = 12
+  set Start     = 0.25
+end
 subsection Monitors
   set Points           = P1: 206, 134.6; P2: -3, 1e2
   set File             = points.csv
@@ -211,6 +216,13 @@ end
     EXPECT_EQ(motion.duration, 20.);
     EXPECT_EQ(motion.seed, 7);
     EXPECT_FALSE(motion.baseline_correction);
+
+    ASSERT_EQ(scene.point_loads.loads.size(), 2u);
+    EXPECT_EQ(scene.point_loads.loads[0].name, "left");
+    EXPECT_EQ(scene.point_loads.loads[0].position, Vec2(206., 134.6));
+    EXPECT_EQ(scene.point_loads.loads[1].peak, Vec2(2e6, 3e6));
+    EXPECT_EQ(scene.point_loads.frequency, 12.);
+    EXPECT_EQ(scene.point_loads.start, 0.25);
 
     const std::vector<Monitor> &points = scene.monitors.monitors;
     ASSERT_EQ(points.size(), 4u);
