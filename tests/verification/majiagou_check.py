@@ -184,7 +184,7 @@ def print_changes(directory, reference):
             continue
         cells = []
         for here, there in zip(*(monitor_peaks(run, name) for run in runs)):
-            cells.append("%11.4g %+6.1f %%" % (here, 100 * (here / there - 1)) if there else "%11.4g        -" % here)
+            cells.append("%11.4g %+6.1f %%" % (here, 100 * (abs(here / there) - 1)) if there else "%11.4g        -" % here)
         print("%-8s %20s %20s %20s" % (name, *cells))
     return 0
 
