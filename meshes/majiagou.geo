@@ -6,7 +6,7 @@ DefineConstant[ h = {4, Min 1, Max 20, Name "Resolution/h"} ]; // edge length in
 
 // The toe part, which is thin and yields first, is finer.
 toe_part   = 0.6; // of h up to toe_end
-toe_end    = 345; // where the slip surface is at the reservoir level, roughly [m]
+toe_end    = 345; // where its slip ends, at rest and in the Badong earthquake [m]
 toe_growth = 60;  // and h from there on over this distance [m]
 
 size_far     = 24;  // bedrock far from the slip surface [m]

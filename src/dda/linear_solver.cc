@@ -100,8 +100,7 @@ namespace hybrid::dda
 
 
 
-  template <typename System>
-  LinearSolver::Result LinearSolver::conjugate_gradients(System &system, const int limit)
+  LinearSolver::Result LinearSolver::conjugate_gradients(Swept &system, const int limit)
   {
     Result result;
     system.dual(r, dual_r);

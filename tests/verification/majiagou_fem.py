@@ -6,7 +6,7 @@ The sliding surface moves as the monitors D1 to D5 in the bedrock (linear in bet
 time integration are what is checked. A linear run is
 
     hybrid parameters/majiagou/badong.prm -s "Gravity/Acceleration=0" -s "Motion/Peak=0.05" -s Output/Directory=DIR
-    majiagou_fem.py DIR      table of peaks: run, finite elements, ratio (two minutes; needs scipy)
+    majiagou_fem.py DIR      table of peaks: run, finite elements, ratio (two minutes)
 """
 
 import sys

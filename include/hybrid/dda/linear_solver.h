@@ -81,8 +81,7 @@ namespace hybrid::dda
 
     // Both start from unknown = 0 and r. A system has a product (multiply), a scalar product (dual)
     // and knows when the residual of the original system is small enough (solved).
-    template <typename System>
-    Result conjugate_gradients(System &system, int limit);
+    Result conjugate_gradients(Swept &system, int limit); ///< symmetric matrices only
     template <typename System>
     Result stabilised_gradients(System &system, int limit);
 

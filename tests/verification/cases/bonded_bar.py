@@ -42,10 +42,16 @@ def peak(time, v):
 
 
 def draw(case, figure):
+    draw_pulse(case, figure, STATION)
+
+
+def draw_pulse(case, figure, station_height):
+    """case.histories over the input, delayed by the travel time to station_height [m] at case.speed [m/s]."""
     axes = figure.subplots()
     time, base, station = case.histories
     axes.plot(time, 1e3 * base, color="C1", label="base (input)")
-    axes.plot(time + STATION / case.speed, 1e3 * base, color="0.6", linewidth=4, label="closed form at 40 m")
-    axes.plot(time, 1e3 * station, color="C0", label="hybrid at 40 m (then the reflection from the top)")
+    axes.plot(time + station_height / case.speed, 1e3 * base, color="0.6", linewidth=4,
+              label="closed form at %g m" % station_height)
+    axes.plot(time, 1e3 * station, color="C0", label="hybrid at %g m (then the reflection from the top)" % station_height)
     axes.set(xlabel="time [s]", ylabel="velocity [mm/s]", xlim=(0, time[-1]))
     axes.legend()

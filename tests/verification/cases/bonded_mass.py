@@ -5,7 +5,7 @@ The first trough is judged: it is through before the waves from the sides and th
 """
 
 import numpy as np
-from bonded_bar import histories, peak
+from bonded_bar import draw_pulse, histories, peak
 
 DENSITY, E, STATION = 2000.0, 160e6, 14.0  # kg/m3, Pa, m
 
@@ -23,10 +23,4 @@ def check(case):
 
 
 def draw(case, figure):
-    axes = figure.subplots()
-    time, base, station = case.histories
-    axes.plot(time, 1e3 * base, color="C1", label="base (input)")
-    axes.plot(time + STATION / case.speed, 1e3 * base, color="0.6", linewidth=4, label="closed form at 14 m")
-    axes.plot(time, 1e3 * station, color="C0", label="hybrid at 14 m (then the reflection from the top)")
-    axes.set(xlabel="time [s]", ylabel="velocity [mm/s]", xlim=(0, time[-1]))
-    axes.legend()
+    draw_pulse(case, figure, STATION)
