@@ -87,6 +87,25 @@ namespace hybrid::dda
 
 
 
+    void audit_edge_loads(const StepAudit &step, BlockEnergy &energy)
+    {
+      const EdgeLoads &loads = step.model.edge_loads;
+      const Geometry  &g     = step.before.geometry;
+      const double     gamma = step.model.newmark.gamma;
+      const double     start = (1. - gamma) * loads.factor(step.before.time);
+      const double     end   = gamma * loads.factor(step.before.time + step.trial.dt);
+      for (const EdgeLoads::Edge &edge : loads.edges)
+        {
+          const BlockMotion  at_rest(step.before.blocks[edge.block].centroid, Vec6::Zero());
+          const BlockMotion &moved = step.trial.motion[edge.block];
+          energy.edge_load_work += step.trial.increment[edge.block].dot(
+            start * edge_force(edge, g, nullptr, at_rest) +
+            end * edge_force(edge, g, step.trial.displacement.data(), moved));
+        }
+    }
+
+
+
     /// Joints and contacts, each spring by its own kinematics.
     void audit_springs(const StepAudit &step, BlockEnergy &energy)
     {
@@ -133,6 +152,8 @@ namespace hybrid::dda
     audit_blocks(step, energy);
     if (step.model.water.action != Water::Action::none)
       audit_water(step, energy);
+    if (!step.model.edge_loads.edges.empty())
+      audit_edge_loads(step, energy);
     audit_springs(step, energy);
     if (step.model.n_bedrock > 0)
       audit_bedrock({step.model, step.before, step.trial, step.incoming}, energy);

@@ -127,6 +127,8 @@ namespace hybrid::dda
 
     if (model.water.action != Water::Action::none)
       add_water(model, state);
+    if (!model.edge_loads.edges.empty())
+      add_edge_loads(model, state);
     if (model.n_bedrock > 0)
       {
         for (const BoundaryEdge &edge : model.boundary)
@@ -161,6 +163,21 @@ namespace hybrid::dda
                      trial.motion[b],
                      {&g.vertices[first], &trial.displacement[first], g.offset[b + 1] - first})
             .force;
+      }
+  }
+
+
+
+  void OpenCloseIteration::add_edge_loads(const Model &model, const DdaState &state)
+  {
+    const double factor = model.edge_loads.factor(state.time + trial.dt);
+    for (const EdgeLoads::Edge &edge : model.edge_loads.edges)
+      {
+        const Vec6 force =
+          factor *
+          edge_force(edge, state.geometry, trial.displacement.data(), trial.motion[edge.block]);
+        residual.segment<6>(6 * edge.block) += force;
+        absolute[edge.block] += force.head<2>().norm();
       }
   }
 

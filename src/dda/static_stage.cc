@@ -39,6 +39,7 @@ namespace hybrid::dda
       copy.joint_damping_time   = 0.;
       copy.bedrock_damping_time = 0.;
       copy.hold_bedrock         = true;
+      copy.edge_loads.edges.clear();
       for (BlockProperties &block : copy.blocks)
         block.damping_time = 0.;
       copy.newmark             = Newmark::preset("shi");

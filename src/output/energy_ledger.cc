@@ -13,7 +13,7 @@ namespace hybrid::output
     /// All terms with the sign they have in the sum.
     Terms collect(const coupling::CoupledState &state,
                   const bool                    has_continuum,
-                  const BedrockTerms           &effects)
+                  const EffectTerms            &effects)
     {
       const dda::BlockEnergy           &b     = state.blocks.energy;
       const continuum::ContinuumEnergy &c     = state.continuum.energy;
@@ -26,6 +26,8 @@ namespace hybrid::output
                                                  {"blocks_damping_loss", b.damping_loss},
                                                  {"blocks_integration_loss", b.integration_loss + b.newmark},
                                                  {"contact_switch_loss", b.switch_loss}};
+      if (effects.edge_loads)
+        terms.push_back({"edge_load_work", -b.edge_load_work});
       if (!has_continuum)
         {
           terms.push_back({"base_work", -b.base_work});

@@ -28,7 +28,8 @@ namespace hybrid::output
     , ledger(run.continuum != nullptr,
              {run.scene.continuum.boundary_springs,
               run.scene.has_bedrock_blocks(),
-              run.continuum != nullptr && !run.continuum->slipping_planes().empty()})
+              run.continuum != nullptr && !run.continuum->slipping_planes().empty(),
+              !run.scene.edge_loads.tractions.empty()})
     , last_flush(std::chrono::steady_clock::now())
   {
     file.set_attribute("/", "title", parts.scene.title);

@@ -100,6 +100,13 @@ namespace hybrid::output
                    state(loads),
                    scene.point_loads.loads.size(),
                    scene.point_loads.frequency);
+      const scene::EdgeLoadParameters &edges = scene.edge_loads;
+      text += edges.tractions.empty()
+                ? line("  edge loads         off")
+                : line("  edge loads         on   %zu tractions, rising from %g to %g s",
+                       edges.tractions.size(),
+                       edges.start,
+                       edges.start + edges.rise_time);
       text +=
         motion.empty()
           ? line("  motion             off")

@@ -123,6 +123,7 @@ namespace hybrid::scene
     declare(table, scene.environment);
     declare(table, scene.motion);
     declare(table, scene.point_loads);
+    declare(table, scene.edge_loads);
     declare(table, scene.monitors);
     declare(table, scene.output);
     ParameterSection(table, {"Parallel"})
@@ -145,6 +146,7 @@ namespace hybrid::scene
     check_blocks(scene, table);
     check_water(scene, table);
     check_point_loads(scene, table);
+    check_edge_loads(scene, table);
     check(scene.motion, table);
     check(scene.monitors, table);
     if (scene.output.directory.empty())

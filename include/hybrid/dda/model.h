@@ -3,6 +3,7 @@
 
 #include <hybrid/dda/block.h>
 #include <hybrid/dda/boundary_edge.h>
+#include <hybrid/dda/edge_loads.h>
 #include <hybrid/dda/geometry.h>
 #include <hybrid/dda/joint_law.h>
 #include <hybrid/dda/water.h>
@@ -89,6 +90,7 @@ namespace hybrid::dda
     double                        dynamic_coefficient = 1.;   ///< k01 [-]
     double                        joint_damping_time  = 0.;   ///< beta_K of the joints' springs [s]
     Water                         water;
+    EdgeLoads                     edge_loads;
     IterationParameters           iteration;
 
     int    n_bedrock            = 0;     ///< the last blocks are the bedrock

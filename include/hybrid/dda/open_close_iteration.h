@@ -94,6 +94,8 @@ namespace hybrid::dda
     /// Add the water's forces to the residual.
     void add_water(const Model &model, const DdaState &state);
 
+    void add_edge_loads(const Model &model, const DdaState &state);
+
     void assemble(const Model        &model,
                   const DdaState     &state,
                   const BaseResponse &base,

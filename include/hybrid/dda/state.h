@@ -63,6 +63,7 @@ namespace hybrid::dda
     double boundary_loss    = 0.; ///< dashpots on edges of the bedrock's blocks
     double input_work       = 0.; ///< done by what comes in through them
     double static_work      = 0.; ///< against the static forces that the bedrock bears
+    double edge_load_work   = 0.; ///< done by tractions on the blocks' edges
 
     /// Energy now held plus energy lost, less the work received: constant if nothing is created
     /// [J/m].
@@ -70,7 +71,7 @@ namespace hybrid::dda
     {
       return kinetic + newmark + strain + gravity + springs + friction_loss + fracture_loss +
              damping_loss + integration_loss + switch_loss - base_work + boundary_loss -
-             input_work + static_work;
+             input_work + static_work - edge_load_work;
     }
   };
 

@@ -9,12 +9,13 @@
 
 namespace hybrid::output
 {
-  /// Terms of the bedrock that only scenes with these effects have.
-  struct BedrockTerms
+  /// Terms that only scenes with these effects have.
+  struct EffectTerms
   {
     bool boundary_springs = false;
     bool blocks           = false; ///< the bedrock is blocks
     bool bedding_slip     = false;
+    bool edge_loads       = false;
   };
 
 
@@ -29,7 +30,7 @@ namespace hybrid::output
   class EnergyLedger
   {
   public:
-    explicit EnergyLedger(bool with_continuum, const BedrockTerms &terms_of_effects = {})
+    explicit EnergyLedger(bool with_continuum, const EffectTerms &terms_of_effects = {})
       : has_continuum(with_continuum)
       , effects(terms_of_effects)
     {}
@@ -59,7 +60,7 @@ namespace hybrid::output
 
   private:
     bool                has_continuum;
-    BedrockTerms        effects;
+    EffectTerms         effects;
     std::vector<double> start, terms;
     double              exchanged = 1e-9, imbalance = 0., largest = 0.;
   };

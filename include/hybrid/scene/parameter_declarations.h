@@ -34,6 +34,8 @@ namespace hybrid::scene
 
   void declare(ParameterTable &table, PointLoadParameters &point_loads);
 
+  void declare(ParameterTable &table, EdgeLoadParameters &edge_loads);
+
   /// Sections "Monitors" and "Boreholes".
   void declare(ParameterTable &table, MonitorParameters &monitors);
 
@@ -57,6 +59,9 @@ namespace hybrid::scene
 
   /// Point loads against the model.
   void check_point_loads(const SceneParameters &scene, const ParameterTable &table);
+
+  /// Boxes of edge loads, and edge loads against the model.
+  void check_edge_loads(const SceneParameters &scene, const ParameterTable &table);
 
   /// Materials of blocks and belt.
   void check_blocks(const SceneParameters &scene, const ParameterTable &table);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/scene/load_parameters.h>
 #include <hybrid/scene/material.h>
 #include <hybrid/scene/newmark.h>
 #include <hybrid/scene/types.h>
@@ -194,22 +195,6 @@ namespace hybrid::scene
       true; ///< make velocity and displacement end at zero (all types but ricker, which does)
   };
 
-  /// A force at a point of the bedrock.
-  struct PointLoad
-  {
-    std::string name;
-    Vec2        position; ///< [m]
-    Vec2        peak;     ///< at the peak of the wavelet, to the right and up [N/m]
-  };
-
-  /// Section "Point loads": Ricker wavelets, off if there are none.
-  struct PointLoadParameters
-  {
-    std::vector<PointLoad> loads;
-    double                 frequency = 10.; ///< dominant frequency f [Hz], > 0
-    double                 start     = 0.;  ///< of the wavelet, 1.5 / f before its peak [s], >= 0
-  };
-
   /// A named point whose motion is recorded.
   struct Monitor
   {
@@ -263,6 +248,7 @@ namespace hybrid::scene
     EnvironmentParameters           environment;
     MotionParameters                motion;
     PointLoadParameters             point_loads;
+    EdgeLoadParameters              edge_loads;
     MonitorParameters               monitors;
     OutputParameters                output;
     std::map<std::string, Material> materials;

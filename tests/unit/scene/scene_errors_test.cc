@@ -251,3 +251,10 @@ TEST_F(SceneErrors, MotionsNeedWhatTheirTypeUses)
                {"Motion/Taper", "at most half of Motion/Cycles = 3"},
                {"Motion/Type=sine", "Motion/Cycles=3"});
 }
+
+TEST_F(SceneErrors, EdgeLoadsNeedABoxAndSixNumbers)
+{
+  expect_option_error("Edge loads/Tractions=top: 0, 1, 2, 1, 0, -1e3",
+                      {"the box of 'top' is empty", "y min <= y max"});
+  expect_option_error("Edge loads/Tractions=top: 0, 1, 2", {"'top' has 3 numbers", "must have 6"});
+}

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads a .vtu picture of a run (uncompressed binary arrays) without VTK."""
+
+import base64
+import pathlib
+import xml.etree.ElementTree as tree
+
+import numpy as np
+
+TYPES = {"Float64": np.float64, "Float32": np.float32, "Int32": np.int32, "UInt8": np.uint8}
+
+
+class Picture:
+    """points (n x 3) [m]; cells: list of index arrays; cell and point fields by their names."""
+
+    def __init__(self, file):
+        piece = tree.parse(file).getroot().find("UnstructuredGrid/Piece")
+        self.points = _array(piece.find("Points/DataArray"))
+        cells = {a.get("Name"): _array(a) for a in piece.find("Cells")}
+        self.cells = np.split(cells["connectivity"], cells["offsets"][:-1])
+        self.cell_fields = {a.get("Name"): _array(a) for a in piece.find("CellData")}
+        self.point_fields = {a.get("Name"): _array(a) for a in piece.find("PointData")}
+
+    def centroids(self):
+        """Mean of each cell's points, n x 2: the centroid of a triangle."""
+        return np.array([self.points[c, :2].mean(axis=0) for c in self.cells])
+
+
+def _array(element):
+    width = int(element.get("NumberOfComponents") or 1)
+    values = np.frombuffer(base64.b64decode(element.text.strip()), dtype=np.uint8)[8:].view(TYPES[element.get("type")])
+    return values.reshape(-1, width) if width > 1 else values
+
+
+def picture_at(directory, series, time):
+    """The picture of directory/series.pvd nearest to a time [s], and its own time."""
+    root = tree.parse(pathlib.Path(directory) / (series + ".pvd")).getroot()
+    entries = [(float(e.get("timestep")), e.get("file")) for e in root.iter("DataSet")]
+    found = min(entries, key=lambda e: abs(e[0] - time))
+    return Picture(pathlib.Path(directory) / found[1]), found[0]
