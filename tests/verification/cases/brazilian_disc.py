@@ -49,10 +49,14 @@ def check(case):
 
 
 def strength(case, h, run):
-    """Load 2P / (pi D) over F_t when the disc has split."""
+    """Load 2P / (pi D) over F_t when the disc has split; not a number if it has not."""
+    name = "h = %g m, " % h
+    failed = run.summary["joints"]["tensile"] + run.summary["joints"]["shear"]
+    case.true(name + "joints fail", failed)
+    if not failed:
+        return np.nan
     time, place = run.get("joints/failure_time").ravel(), run.get("joints/position")
     kinds = run.get("joints/failure_kind").ravel()
-    name = "h = %g m, " % h
     case.near(name + "2P / (pi D) when the first joint fails", load(time.min()), STRENGTH, 0.1, "Pa")
     first = place[time <= time.min()]
     case.below(name + "mean height of the joints that fail first, over the radius", first[:, 1].mean() / (DIAMETER / 2), 0.1)
