@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An effect that is switched off changes no bit of a scene that never had it.
+
+Usage: effects_off_test.py HYBRID_BINARY ROOT WORK_DIR
+
+For every effect: the scene as it is, the scene with all of the effect's parameters but its switch off, the scene with the
+switch on and nothing for it to do where there is such a thing, and the scene with the effect (which must differ, else the
+comparison would say nothing). Compared are all data sets of run.h5 but wall times.
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+from determinism_test import differences, run
+
+# The scenes: file and overrides that make them short.
+COLUMN = ["coupled_column.prm", "Time/End time=0.06"]
+BAR = ["coulomb_joint.prm", "Time/End time=0.1", "Time/Time step=0.002", "Output/Audit interval=0.01", "Motion/Peak=20",
+       "Mesh/Numbers=Lying = 1; Length = 60; Planes = 1; First plane = 20; Resolution/h = 10",
+       "Monitors/Points=before: 10, 5; behind: 30, 5"]
+ELASTIC = BAR + ["Bedding planes/Strength=elastic", "Bedding planes/Friction angle=0", "Bedding planes/Cohesion=0",
+                 "Bedding planes/Tensile strength=0", "Bedding planes/Initial normal stress=0"]
+SLOPE = ["unit_squares.prm", "Time/End time=0.03", "Mesh/Numbers=Angle = 20; Columns = 3; Rows = 2; Base above = 20",
+         "Monitors/Points=block: 0.299, 0.641"]
+LAYERS = ["bedrock_layers.prm", "Time/End time=0.02"]
+
+BEDDING = ["Bedding planes/Friction angle=30", "Bedding planes/Cohesion=2000", "Bedding planes/Tensile strength=1000",
+           "Bedding planes/Initial normal stress=10000"]
+SPRINGS = ["Continuum/Normal spring coefficient=2", "Continuum/Tangential spring coefficient=2", "Continuum/Spring distance=50"]
+TOP = "Edge loads/Tractions=top: -1, 11, 19.9, 20.1, 0, %s"
+EDGE = ["Edge loads/Start=0.01", "Edge loads/Rise time=0.02"]
+POINT = ["Point loads/Frequency=20", "Point loads/Start=0.001"]
+HELD = {"energy/edge_load_work", "interface/water_force"}  # recorded because the effect is on
+
+# effect: (scene, switched off, on with nothing to do or None, on)
+EFFECTS = {
+    "bedding slip": (ELASTIC, BEDDING, None, BEDDING + ["Bedding planes/Strength=Mohr-Coulomb"]),
+    "bedding planes": (COLUMN, BEDDING + ["Bedding planes/Names=", "Bedding planes/Shear stiffness=1e7"], None, None),
+    "water": (COLUMN, ["Water/Level=none", "Water/Density=1100"],
+              ["Water/Level=-1000", "Water/Method=paper", "Blocks/Saturated material=rock"],
+              ["Water/Level=15", "Water/Method=submerged"]),
+    "water, submerged": (SLOPE, ["Water/Density=1100"], ["Water/Level=-1000", "Water/Method=submerged"],
+                         ["Water/Level=3", "Water/Method=submerged"]),
+    "water, pressures": (COLUMN, ["Water/Density=1100"], ["Water/Level=-1000", "Water/Method=pressures"],
+                         ["Water/Level=15", "Water/Method=pressures"]),
+    "heterogeneity": (COLUMN, ["Heterogeneity/Modulus shape=none", "Heterogeneity/Strength shape=none", "Heterogeneity/Seed=7"],
+                      None, ["Heterogeneity/Modulus shape=4", "Heterogeneity/Seed=7"]),
+    "block damping": (COLUMN, ["Blocks/Damping ratio=0", "Blocks/Damping frequency=7"], None,
+                      ["Blocks/Damping ratio=0.05", "Blocks/Damping frequency=7"]),
+    "Rayleigh damping": (COLUMN, ["Continuum/Rayleigh mass=0", "Continuum/Rayleigh stiffness=0"], None,
+                         ["Continuum/Rayleigh mass=0.1", "Continuum/Rayleigh stiffness=1e-3"]),
+    "dynamic coefficient": (SLOPE, ["Time/Dynamic coefficient=1"], None, ["Time/Dynamic coefficient=0.99"]),
+    "boundary springs": (COLUMN, ["Continuum/Boundary springs=false"] + SPRINGS, None,
+                         ["Continuum/Boundary springs=true"] + SPRINGS),
+    "free field": (COLUMN + ["Continuum/Sides=viscous"], [], None, ["Continuum/Sides=free field"]),
+    "gravity": (COLUMN + ["Gravity/Acceleration=0"], ["Gravity/Static stage=held"], ["Gravity/Static stage=none"],
+                ["Gravity/Acceleration=9.81"]),
+    "point loads": (COLUMN, ["Point loads/Forces="] + POINT, ["Point loads/Forces=a: 5, 0, 0, 0"] + POINT,
+                    ["Point loads/Forces=a: 5, 0, 0, 1e6"] + POINT),
+    "edge loads": (COLUMN, ["Edge loads/Tractions="] + EDGE, [TOP % "0"] + EDGE, [TOP % "-1e3"] + EDGE),
+    "fracture": (COLUMN, ["Blocks/Fracture energy=200", "Blocks/Softening slip=0.5", "Materials/rock/Residual cohesion=100",
+                          "Materials/rock/Residual friction angle=5"], None,
+                 ["Materials/rock/Tensile strength=0", "Materials/rock/Cohesion=1e3"]),
+    "motion": (SLOPE, ["Motion/Type=none", "Motion/Frequency=5", "Motion/Angle=30", "Motion/Start=0.01"],
+               ["Motion/Type=ricker", "Motion/Peak=0", "Motion/Angle=30"], ["Motion/Type=ricker", "Motion/Peak=2"]),
+    "continuum": (SLOPE, ["Model/Bedrock=rigid", "Continuum/Materials=rock", "Continuum/Degree=3", "Continuum/Sides=fixed"], None,
+                  ["Materials/rock/Friction angle=5"]),
+    "blocks": (BAR, ["Blocks/Material=rock", "Blocks/Damping ratio=0.1", "Blocks/Penalty ratio=10"], None, None),
+    "bedrock of layers": (LAYERS, ["Bedding planes/Strength=elastic", "Continuum/Rayleigh mass=0"], None,
+                          ["Continuum/Rayleigh stiffness=1e-3"]),
+}
+
+
+class Comparison:
+    def __init__(self, binary, root, work):
+        self.binary, self.scenes, self.work = binary, pathlib.Path(root) / "parameters/verification", work
+        self.made, self.failures = {}, 0
+
+    def data(self, scene, overrides):
+        """Data sets of a run; each run is made once."""
+        key = tuple(scene) + tuple(overrides)
+        if key not in self.made:
+            directory = self.work / str(len(self.made))
+            self.made[key] = run(self.binary, self.scenes / scene[0], directory, 1, scene[1:] + overrides)
+        return self.made[key]
+
+    def equal(self, what, scene, overrides, extra=frozenset()):
+        without, now = self.data(scene, []), self.data(scene, overrides)
+        now = {name: values for name, values in now.items() if name not in extra or name in without}
+        names = differences(without, now)
+        print("%s  %-22s %s" % ("FAIL" if names else "ok  ", what, ", ".join(names[:4]) or "%d data sets equal" % len(now)))
+        self.failures += bool(names)
+
+    def different(self, what, scene, overrides):
+        without, now = self.data(scene, []), self.data(scene, overrides)
+        if all(without[name].tobytes() == now[name].tobytes() for name in without if name.startswith("monitors/")):
+            print("FAIL  %-22s on, and the monitors do not feel it" % what)
+            self.failures += 1
+
+
+def main():
+    work = pathlib.Path(sys.argv[3])
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    os.environ["OPENBLAS_NUM_THREADS"] = "1"
+    comparison = Comparison(sys.argv[1], sys.argv[2], work)
+    for name, (scene, off, neutral, on) in EFFECTS.items():
+        comparison.equal(name + ", off", scene, off)
+        if neutral is not None:
+            comparison.equal(name + ", nothing to do", scene, neutral, HELD)
+        if on is not None:
+            comparison.different(name, scene, on)
+    print("%d runs" % len(comparison.made))
+    return 1 if comparison.failures else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except subprocess.CalledProcessError as error:
+        sys.exit("error: %s ended with code %d" % (" ".join(map(str, error.cmd)), error.returncode))
