@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/clock.h>
+#include <hybrid/restart/archive.h>
 
 #include <cmath>
 
@@ -35,5 +36,12 @@ namespace hybrid
       return false;
     ++halvings;
     return true;
+  }
+
+
+
+  void Clock::serialize(restart::Archive &archive)
+  {
+    archive(ticks, halvings, good_steps, n_cuts);
   }
 } // namespace hybrid

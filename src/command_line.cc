@@ -11,11 +11,14 @@ namespace hybrid
            "  hybrid PARAMS.prm              run a scene\n"
            "  hybrid --check PARAMS.prm      read and mesh it, print its card and what looks wrong, run nothing\n"
            "  hybrid --print-parameters      every parameter with default, range, unit and help\n"
+           "  hybrid --resume DIRECTORY      go on with a run that was stopped or killed, from its last checkpoint\n"
            "  hybrid plot DIRECTORY          all pictures of a run, in DIRECTORY/figures\n"
            "  -s \"Section/Name=value\"        override one parameter (repeatable)\n"
+           "  --force                        replace the results of an earlier run in the output directory\n"
            "\n"
-           "Exit code 0: done; 1: the run stopped early; 2: a mistake in the input; 3: another failure.\n"
-           "Not finished yet: --resume, compare, study.\n";
+           "Ctrl-C ends a run after the present step with a checkpoint. Exit code 0: done; 1: the run stopped\n"
+           "early; 2: a mistake in the input; 3: another failure; 130: interrupted.\n"
+           "Not finished yet: compare, study.\n";
   }
 
 
@@ -39,11 +42,15 @@ namespace hybrid
           }
         else if (word == "--check")
           result.action = Action::check;
+        else if (word == "--resume")
+          result.action = Action::resume;
+        else if (word == "--force")
+          result.force = true;
         else if (word == "--print-parameters")
           result.action = Action::print_parameters;
         else if (word == "plot" && targets.empty() && result.action == Action::run)
           result.action = Action::plot;
-        else if (word == "--resume" || word == "compare" || word == "study")
+        else if (word == "compare" || word == "study")
           throw InputError("'" + word + "' is not finished in this version");
         else if (!word.empty() && word[0] == '-')
           throw InputError("unknown option '" + word + "'; hybrid --help lists the options");

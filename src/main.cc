@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/checkpoint.h>
 #include <hybrid/command_line.h>
 #include <hybrid/output/plot_command.h>
 #include <hybrid/output/progress.h>
+#include <hybrid/restart/checkpoint_file.h>
+#include <hybrid/restart/write_error.h>
+#include <hybrid/run_directory.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/scene_reader.h>
 #include <hybrid/simulation.h>
 
+#include <csignal>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <omp.h>
@@ -36,20 +39,6 @@ namespace
 
 
 
-  void prepare_directory(const scene::SceneParameters &scene, output::Log &log)
-  {
-    std::error_code error;
-    std::filesystem::create_directories(scene.output.directory, error);
-    if (error)
-      throw InputError("Output/Directory: cannot make the directory '" + scene.output.directory +
-                       "': " + error.message());
-    std::filesystem::remove(scene.output.directory + "/summary.json", error); // of an earlier run
-    log.open_file(scene.output.directory + "/log.txt");
-    std::ofstream(scene.output.directory + "/params.used.prm") << scene.used_prm;
-  }
-
-
-
   /// Mistakes that show only when the model is built name the scene.
   std::unique_ptr<Simulation>
   make_simulation(const std::string &file, const scene::SceneParameters &scene, output::Log &log)
@@ -66,23 +55,90 @@ namespace
 
 
 
-  int run_scene(const CommandLine &command, int &argc, char **&argv)
+  int exit_code(const RunStatus status)
   {
-    const scene::SceneParameters scene = scene::read_scene(command.target, command.overrides);
+    switch (status)
+      {
+        case RunStatus::finished:
+          return 0;
+        case RunStatus::no_convergence:
+          return 1;
+        case RunStatus::interrupted:
+          return 130;
+      }
+    return 3;
+  }
+
+
+
+  /// What fails during a run leaves everything up to the last flush.
+  template <typename Work>
+  int run_guarded(const std::string &directory, const Work &work)
+  {
+    try
+      {
+        return exit_code(work());
+      }
+    catch (const WriteError &error)
+      {
+        std::string text = error.what();
+        if (!text.empty() && text.back() == '.')
+          text.pop_back();
+        throw std::runtime_error(text + "; the results up to the last flush are in '" + directory +
+                                 "', and 'hybrid --resume " + directory +
+                                 "' goes on once the cause is removed");
+      }
+  }
+
+
+
+  /// One process, as the scene asks for it.
+  void prepare_process(const scene::SceneParameters &scene)
+  {
+    std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is an error of writing
     omp_set_num_threads(scene.threads);
     openblas_set_num_threads(1); // its bits change with the number of threads
+  }
+
+
+
+  int run_scene(const CommandLine            &command,
+                const scene::SceneParameters &scene,
+                int                          &argc,
+                char                       **&argv)
+  {
+    prepare_process(scene);
     const MpiSession session(argc, argv);
     output::Log      log(std::cout, output::standard_output_is_terminal());
     const auto       simulation = make_simulation(command.target, scene, log);
-    if (command.action == Action::run)
-      prepare_directory(scene, log);
+    if (command.action != Action::check)
+      prepare_directory(scene, command.force || command.action == Action::resume, log);
     simulation->print_card();
     if (command.action == Action::check)
       {
         log.info("The scene can be run.");
         return 0;
       }
-    return simulation->run() == RunStatus::finished ? 0 : 1;
+    const Interruption interruption;
+    return run_guarded(scene.output.directory, [&] { return simulation->run(interruption); });
+  }
+
+
+
+  int resume_run(const CommandLine &command, int &argc, char **&argv)
+  {
+    const scene::SceneParameters scene = read_scene_of_run(command.target, command.overrides);
+    if (has_not_begun(command.target))
+      return run_scene(command, scene, argc, argv);
+    const restart::CheckpointContent checkpoint =
+      restart::read_checkpoint(checkpoint_file(command.target));
+    prepare_process(scene);
+    const MpiSession   session(argc, argv);
+    output::Log        log(std::cout, output::standard_output_is_terminal());
+    const auto         simulation = make_simulation(command.target, scene, log);
+    const Interruption interruption;
+    return run_guarded(command.target,
+                       [&] { return simulation->resume(checkpoint, interruption); });
   }
 } // namespace
 
@@ -104,9 +160,14 @@ main(int argc, char **argv)
             return 0;
           case Action::plot:
             return output::plot(command.target);
+          case Action::resume:
+            return resume_run(command, argc, argv);
           case Action::check:
           case Action::run:
-            return run_scene(command, argc, argv);
+            return run_scene(command,
+                             scene::read_scene(command.target, command.overrides),
+                             argc,
+                             argv);
         }
     }
   catch (const InputError &error)

@@ -11,9 +11,8 @@
 #include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/mesh_check.h>
 #include <hybrid/scene/section_mesh_reader.h>
-#include <hybrid/simulation.h>
+#include <hybrid/simulation_run.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -23,15 +22,6 @@ namespace hybrid
 {
   namespace
   {
-    using SteadyClock = std::chrono::steady_clock;
-
-    double seconds_since(const SteadyClock::time_point start)
-    {
-      return std::chrono::duration<double>(SteadyClock::now() - start).count();
-    }
-
-
-
     /// Largest resident memory so far [MB].
     double peak_memory()
     {
@@ -261,35 +251,90 @@ namespace hybrid
 
 
 
-  RunStatus Simulation::run()
+  RunStatus Simulation::run(const Interruption &interruption)
   {
-    const auto          start = SteadyClock::now();
-    output::Summary     summary;
-    output::RunRecorder recorder({scene, mesh, motion, input.fit, blocks.get(), continuum.get()});
+    Run        run(*this, output::HistoryFile::Mode::create);
+    const auto start = SteadyClock::now();
     settle();
-    summary.timings["static_stage"] = seconds_since(start);
+    run.summary.timings["static_stage"] = seconds_since(start);
+    run.recorder.start(state);
+    if (scene.checkpoint.is_on())
+      save(run);
+    else
+      run.recorder.flush();
+    const RunStatus status = advance(run, interruption);
+    finish(run, status);
+    return status;
+  }
 
-    std::unique_ptr<dda::BlockSolver> solver;
-    if (blocks != nullptr)
-      solver = std::make_unique<dda::BlockSolver>(*blocks);
-    coupling::CoupledStep step(solver.get(), base.get(), continuum.get());
-    Clock clock(scene.time.time_step, scene.time.end_time, scene.time.maximum_halvings);
-    recorder.start(state);
-    const RunStatus status = advance(clock, step, recorder, summary);
 
-    recorder.finish(state, summary);
+
+  RunStatus Simulation::advance(Run &run, const Interruption &interruption)
+  {
+    output::Summary &summary     = run.summary;
+    double          &output_time = summary.timings["output"];
+    output::Progress progress(std::cout,
+                              output::standard_output_is_terminal(),
+                              run.clock.time(),
+                              scene.time.end_time);
+    const long       first_step = summary.steps, first_iteration = summary.iterations;
+    RunStatus        status = RunStatus::finished;
+    while (!run.clock.at_end() && status == RunStatus::finished)
+      {
+        const auto            begin  = SteadyClock::now();
+        const double          dt     = run.clock.next_step();
+        const dda::StepResult result = run.step.solve(state, dt);
+        summary.iterations += result.iterations;
+        if (!result.converged)
+          {
+            if (run.clock.shorten_step())
+              continue;
+            progress.finish();
+            say_why(result, run.clock.time());
+            return RunStatus::no_convergence;
+          }
+        run.clock.accept();
+        state.time = state.blocks.time = state.continuum.time = run.clock.time();
+        ++summary.steps;
+
+        const auto accepted = SteadyClock::now();
+        run.recorder.record_step(state,
+                                 result,
+                                 dt,
+                                 std::chrono::duration<double>(accepted - begin).count());
+        progress.update(state.time,
+                        summary.steps - first_step,
+                        summary.iterations - first_iteration);
+        output_time += seconds_since(accepted);
+        if (interruption.is_requested())
+          status = RunStatus::interrupted;
+        else if (run.schedule.is_due(summary.steps))
+          save(run);
+      }
+    progress.finish();
+    if (status == RunStatus::interrupted || scene.checkpoint.is_on())
+      save(run);
+    return status;
+  }
+
+
+
+  void Simulation::finish(Run &run, const RunStatus status)
+  {
+    output::Summary &summary = run.summary;
+    run.recorder.finish(state, summary);
     summary.title          = scene.title;
     summary.finished       = status == RunStatus::finished;
-    summary.simulated_time = clock.time();
+    summary.simulated_time = run.clock.time();
     summary.blocks         = blocks != nullptr ? blocks->n_blocks() : 0;
     summary.continuum_unknowns =
       continuum != nullptr ? static_cast<long>(continuum->n_unknowns()) : 0;
     summary.interface_unknowns =
       base != nullptr ? 2 * static_cast<long>(base->surface_nodes().size()) : 0;
-    summary.cuts                 = clock.cuts();
-    summary.timings["continuum"] = step.timings().continuum;
-    summary.timings["blocks"]    = step.timings().blocks;
-    summary.wall_time            = seconds_since(start);
+    summary.cuts                 = run.clock.cuts();
+    summary.timings["continuum"] = run.step.timings().continuum;
+    summary.timings["blocks"]    = run.step.timings().blocks;
+    summary.wall_time            = run.wall_time();
     summary.peak_memory          = peak_memory();
     output::write_summary(summary, scene.output.directory + "/summary.json");
 
@@ -306,50 +351,8 @@ namespace hybrid
       summary.joints.shear,
       summary.energy_residual);
     log.info(text);
-    return status;
-  }
-
-
-
-  RunStatus Simulation::advance(Clock                 &clock,
-                                coupling::CoupledStep &step,
-                                output::RunRecorder   &recorder,
-                                output::Summary       &summary)
-  {
-    output::Progress progress(std::cout,
-                              output::standard_output_is_terminal(),
-                              0.,
-                              scene.time.end_time);
-    double           output_time = 0.;
-    while (!clock.at_end())
-      {
-        const auto            begin  = SteadyClock::now();
-        const double          dt     = clock.next_step();
-        const dda::StepResult result = step.solve(state, dt);
-        summary.iterations += result.iterations;
-        if (!result.converged)
-          {
-            if (clock.shorten_step())
-              continue;
-            progress.finish();
-            say_why(result, clock.time());
-            return RunStatus::no_convergence;
-          }
-        clock.accept();
-        state.time = state.blocks.time = state.continuum.time = clock.time();
-        ++summary.steps;
-
-        const auto accepted = SteadyClock::now();
-        recorder.record_step(state,
-                             result,
-                             dt,
-                             std::chrono::duration<double>(accepted - begin).count());
-        progress.update(state.time, summary.steps, summary.iterations);
-        output_time += seconds_since(accepted);
-      }
-    progress.finish();
-    summary.timings["output"] = output_time;
-    return RunStatus::finished;
+    if (status == RunStatus::interrupted)
+      log.info("Interrupted; to continue: hybrid --resume " + scene.output.directory);
   }
 
 

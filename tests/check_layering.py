@@ -11,12 +11,13 @@ import sys
 # module -> modules whose headers it may include, besides its own
 ALLOWED = {
     "scene": set(),
-    "continuum": {"scene"},
-    "dda": {"scene"},
-    "coupling": {"scene", "continuum", "dda"},
-    "output": {"scene", "continuum", "dda", "coupling"},
+    "restart": {"scene"},
+    "continuum": {"scene", "restart"},
+    "dda": {"scene", "restart"},
+    "coupling": {"scene", "restart", "continuum", "dda"},
+    "output": {"scene", "restart", "continuum", "dda", "coupling"},
     "study": {"scene", "output"},
-    "simulation": {"scene", "continuum", "dda", "coupling", "output", "study"},
+    "simulation": {"scene", "restart", "continuum", "dda", "coupling", "output", "study"},
 }
 MAXIMUM_LINES = {".h": 300, ".cc": 500}
 

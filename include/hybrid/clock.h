@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/restart/archive_forward.h>
+
 #include <cstdint>
 
 namespace hybrid
@@ -46,6 +48,9 @@ namespace hybrid
     {
       return n_cuts;
     }
+
+    /// Where it stands, for the checkpoint; the end time stays that of the constructor.
+    void serialize(restart::Archive &archive);
 
   private:
     static constexpr int growth_delay = 8; ///< good steps before a longer one is tried

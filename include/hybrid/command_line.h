@@ -11,6 +11,7 @@ namespace hybrid
   {
     run,
     check,
+    resume,
     print_parameters,
     plot,
     help
@@ -21,8 +22,9 @@ namespace hybrid
   struct CommandLine
   {
     Action                   action = Action::help;
-    std::string              target;    ///< parameter file or run directory
-    std::vector<std::string> overrides; ///< of -s, "Section/Name=value"
+    std::string              target;        ///< parameter file or run directory
+    std::vector<std::string> overrides;     ///< of -s, "Section/Name=value"
+    bool                     force = false; ///< replace an earlier run
   };
 
 

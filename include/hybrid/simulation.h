@@ -5,8 +5,10 @@
 #include <hybrid/coupling/base.h>
 #include <hybrid/coupling/coupled_step.h>
 #include <hybrid/dda/static_stage.h>
+#include <hybrid/interruption.h>
 #include <hybrid/output/log.h>
 #include <hybrid/output/run_recorder.h>
+#include <hybrid/restart/checkpoint_file.h>
 #include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/scene_parameters.h>
 #include <hybrid/scene/section_mesh.h>
@@ -20,7 +22,8 @@ namespace hybrid
   enum class RunStatus
   {
     finished,
-    no_convergence ///< a step failed at the smallest allowed size
+    no_convergence, ///< a step failed at the smallest allowed size
+    interrupted     ///< by the user, with a checkpoint
   };
 
 
@@ -40,9 +43,16 @@ namespace hybrid
     void print_card() const;
 
     /// Run to the end and write everything to the output directory.
-    RunStatus run();
+    RunStatus run(const Interruption &interruption);
+
+    /// Go on from a checkpoint of the same scene; the results are those of a run that was never
+    /// stopped. @throws InputError if the checkpoint is of another scene or program, or finished.
+    RunStatus resume(const restart::CheckpointContent &checkpoint,
+                     const Interruption               &interruption);
 
   private:
+    struct Run; ///< what changes while the scene runs, besides the state of its parts
+
     const scene::SceneParameters          scene;
     output::Log                          &log;
     scene::SectionMesh                    mesh;
@@ -68,10 +78,20 @@ namespace hybrid
     void report_static_stage() const;
     void report_planes(const continuum::StaticSlip &planes) const;
 
-    RunStatus advance(Clock                 &clock,
-                      coupling::CoupledStep &step,
-                      output::RunRecorder   &recorder,
-                      output::Summary       &summary);
+    /// The time loop. @return how it ended, after a checkpoint if it was interrupted.
+    RunStatus advance(Run &run, const Interruption &interruption);
+
+    /// Last records and the summary.
+    void finish(Run &run, RunStatus status);
+
+    /// Everything that changes, for the checkpoint; what says whose it is comes before it.
+    void serialize(restart::Archive &archive, Run &run);
+
+    void save(Run &run);
+
+    void load(const restart::CheckpointContent &checkpoint, Run &run);
+
+    std::uint64_t layout(Run &run);
 
     void say_why(const dda::StepResult &result, double time) const;
   };

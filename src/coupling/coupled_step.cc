@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/coupling/coupled_step.h>
+#include <hybrid/restart/archive.h>
 
 #include <cassert>
 #include <chrono>
@@ -105,5 +106,13 @@ namespace hybrid::coupling
                   blocks->solved_step().base_force_increment());
     state.time += dt;
     return result;
+  }
+
+
+
+  void CoupledStep::serialize(restart::Archive &archive)
+  {
+    auto &[slip_rounds, continuum_time, blocks_time] = elapsed;
+    archive(slip_rounds, continuum_time, blocks_time);
   }
 } // namespace hybrid::coupling

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block_matrix.h>
+#include <hybrid/restart/archive.h>
 
 #include <algorithm>
 
@@ -198,5 +199,17 @@ namespace hybrid::dda
 
     multiply_nodes(x, y);
     add_blocks_to_nodes(x, y);
+  }
+
+
+
+  void BlockMatrix::serialize(restart::Archive &archive)
+  {
+    int blocks = n_blocks(), nodes = n_nodes();
+    archive(blocks, nodes, pairs, couplings);
+    if (archive.is_reading())
+      set_pattern(blocks, nodes, pairs, couplings);
+    archive(diagonal, off_diagonal, lower, block_node, node_block);
+    archive(node_diagonal, node_next, node_previous, symmetric);
   }
 } // namespace hybrid::dda

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/linear_solver.h>
+#include <hybrid/restart/archive.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,23 @@ namespace hybrid::dda
   void LinearSolver::matrix_changed(const BlockMatrix &matrix)
   {
     factor_is_current = false;
+    matrix_restored(matrix);
+  }
+
+
+
+  void LinearSolver::matrix_restored(const BlockMatrix &matrix)
+  {
     base.matrix_changed(matrix);
     swept.set(matrix, base);
+  }
+
+
+
+  void LinearSolver::serialize(restart::Archive &archive, const BlockMatrix &matrix)
+  {
+    archive(use_factor, factor_is_current);
+    factor.serialize(archive, matrix);
   }
 
 

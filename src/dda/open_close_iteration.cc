@@ -2,6 +2,7 @@
 #include <hybrid/dda/bedrock_forces.h>
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/open_close_iteration.h>
+#include <hybrid/restart/archive.h>
 
 #include <Eigen/Cholesky>
 
@@ -301,6 +302,9 @@ namespace hybrid::dda
     incoming = base.boundary_force;
     predict(model, state, base, dt);
     solver.set_base_stiffness(base.prescribed ? nullptr : base.stiffness);
+    if (is_restored)
+      solver.matrix_restored(matrix);
+    is_restored = false;
 
     constexpr int    stall_window = 10;
     constexpr double stalled_part = 0.3;
@@ -416,6 +420,19 @@ namespace hybrid::dda
         state.released = true;
     }
   } // namespace
+
+
+
+  void OpenCloseIteration::serialize(restart::Archive &archive)
+  {
+    bool is_current = tangent_pattern == matrix.pattern_version();
+    archive(matrix, tangent_dt, is_current);
+    solver.serialize(archive, matrix);
+    if (!archive.is_reading())
+      return;
+    tangent_pattern = is_current ? matrix.pattern_version() : -1;
+    is_restored     = matrix.n_blocks() > 0;
+  }
 
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/sparse_factor.h>
+#include <hybrid/restart/archive.h>
 
 #include <algorithm>
 #include <cholmod.h>
@@ -82,6 +83,12 @@ namespace hybrid::dda
         values.resize(rows.size());
       }
 
+      /// For the checkpoint.
+      void serialize(restart::Archive &archive)
+      {
+        archive(start, rows, values);
+      }
+
       void set_values(const BlockMatrix &matrix)
       {
         std::size_t at = 0;
@@ -148,19 +155,41 @@ namespace hybrid::dda
       return a;
     }
 
+    void analyze()
+    {
+      cholmod_free_factor(&factor, &common);
+      cholmod_sparse a = view();
+      factor           = cholmod_analyze(&a, &common);
+    }
+
+    bool factorize()
+    {
+      cholmod_sparse a = view();
+      return cholmod_factorize(&a, factor, &common) && common.status == CHOLMOD_OK;
+    }
+
     bool factorize(const BlockMatrix &source)
     {
       if (pattern_version != source.pattern_version())
         {
           matrix.set_pattern(source, true);
-          cholmod_free_factor(&factor, &common);
-          cholmod_sparse a = view();
-          factor           = cholmod_analyze(&a, &common);
-          pattern_version  = source.pattern_version();
+          analyze();
+          pattern_version = source.pattern_version();
         }
       matrix.set_values(source);
-      cholmod_sparse a = view();
-      return cholmod_factorize(&a, factor, &common) && common.status == CHOLMOD_OK;
+      return factorize();
+    }
+
+    /// The analysis depends on the pattern alone: it is made again whenever the factor is.
+    /// @param is_used this factor serves.
+    void serialize(restart::Archive &archive, const bool is_used)
+    {
+      CompressedColumns none;
+      archive(is_used ? matrix : none);
+      if (!archive.is_reading() || !is_used)
+        return;
+      analyze();
+      factorize();
     }
 
     void solve(const Eigen::VectorXd &b, Eigen::VectorXd &result)
@@ -182,6 +211,7 @@ namespace hybrid::dda
   struct SparseFactor::Lu
   {
     CompressedColumns   matrix;
+    std::vector<double> analyzed; ///< values that the analysis has seen
     void               *symbolic        = nullptr;
     void               *numeric         = nullptr;
     int                 pattern_version = -1;
@@ -203,7 +233,7 @@ namespace hybrid::dda
 
     bool factorize(const BlockMatrix &source)
     {
-      const int n = 6 * source.n_blocks();
+      const std::size_t n = 6 * static_cast<std::size_t>(source.n_blocks());
       if (pattern_version != source.pattern_version())
         {
           matrix.set_pattern(source, false);
@@ -213,14 +243,61 @@ namespace hybrid::dda
           work.resize(n);
         }
       matrix.set_values(source);
-      const int *p = matrix.start.data(), *i = matrix.rows.data();
-      if (symbolic == nullptr &&
-          umfpack_di_symbolic(n, n, p, i, matrix.values.data(), &symbolic, control, nullptr) !=
-            UMFPACK_OK)
-        return false;
+      if (symbolic == nullptr)
+        analyzed = matrix.values;
+      return (symbolic != nullptr || analyze()) && factorize();
+    }
+
+    bool analyze()
+    {
+      const int n = static_cast<int>(matrix.start.size()) - 1;
+      return umfpack_di_symbolic(n,
+                                 n,
+                                 matrix.start.data(),
+                                 matrix.rows.data(),
+                                 analyzed.data(),
+                                 &symbolic,
+                                 control,
+                                 nullptr) == UMFPACK_OK;
+    }
+
+    bool factorize()
+    {
       umfpack_di_free_numeric(&numeric);
-      return umfpack_di_numeric(p, i, matrix.values.data(), symbolic, &numeric, control, nullptr) ==
-             UMFPACK_OK;
+      return umfpack_di_numeric(matrix.start.data(),
+                                matrix.rows.data(),
+                                matrix.values.data(),
+                                symbolic,
+                                &numeric,
+                                control,
+                                nullptr) == UMFPACK_OK;
+    }
+
+    /// The analysis depends on the values with which it was made, and stays with the pattern: a
+    /// later factor needs it even while the Cholesky factor serves. @param is_used this factor
+    /// serves.
+    void serialize(restart::Archive &archive, const BlockMatrix &source, const bool is_used)
+    {
+      bool keeps_pattern = pattern_version == source.pattern_version() && symbolic != nullptr;
+      bool is_kept       = is_used || keeps_pattern;
+      archive(keeps_pattern, is_kept);
+      CompressedColumns   none;
+      std::vector<double> no_values;
+      archive(is_kept ? matrix : none, is_kept ? analyzed : no_values);
+      if (!archive.is_reading() || !is_kept)
+        return;
+      if (keeps_pattern)
+        {
+          const CompressedColumns stored = matrix;
+          matrix.set_pattern(source, false);
+          matrix.values   = stored.values;
+          pattern_version = source.pattern_version();
+        }
+      int_work.resize(matrix.start.size() - 1);
+      work.resize(matrix.start.size() - 1);
+      umfpack_di_free_symbolic(&symbolic);
+      if (analyze() && is_used)
+        factorize();
     }
 
     void solve(const Eigen::VectorXd &b, Eigen::VectorXd &result)
@@ -260,6 +337,15 @@ namespace hybrid::dda
       return false;
     size = 6 * matrix.n_blocks();
     return true;
+  }
+
+
+
+  void SparseFactor::serialize(restart::Archive &archive, const BlockMatrix &matrix)
+  {
+    archive(size, use_lu);
+    lu->serialize(archive, matrix, size > 0 && use_lu);
+    cholesky->serialize(archive, size > 0 && !use_lu);
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/energy_ledger.h>
+#include <hybrid/restart/archive.h>
 
 #include <algorithm>
 #include <cmath>
@@ -90,5 +91,12 @@ namespace hybrid::output
     imbalance = std::abs(sum) / exchanged;
     largest   = std::max(largest, imbalance);
     return terms;
+  }
+
+
+
+  void EnergyLedger::serialize(restart::Archive &archive)
+  {
+    archive(start, terms, exchanged, imbalance, largest);
   }
 } // namespace hybrid::output

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/history_file.h>
+#include <hybrid/restart/archive.h>
+#include <hybrid/restart/durable_file.h>
 #include <hybrid/scene/input_error.h>
 
 #include <hdf5.h>
 
 #include <algorithm>
 #include <cassert>
+#include <cstdio>
+#include <fstream>
 #include <stdexcept>
 
 namespace hybrid::output
@@ -18,6 +22,9 @@ namespace hybrid::output
     /// Size of a chunk and of a buffer [B]: 512 rows of two columns.
     constexpr std::size_t chunk_bytes = 8192;
 
+    /// By this much the file grows in memory at once [B].
+    constexpr std::size_t memory_increment = 1u << 22;
+
     /// An HDF5 identifier that is closed at the end of its scope.
     class Handle
     {
@@ -27,7 +34,7 @@ namespace hybrid::output
         , close_function(close)
       {
         if (id < 0)
-          throw std::runtime_error("HDF5 failed to " + what + ".");
+          throw std::runtime_error("HDF5 failed to " + what);
       }
 
       ~Handle()
@@ -52,7 +59,7 @@ namespace hybrid::output
     void check(const herr_t status, const std::string &what)
     {
       if (status < 0)
-        throw std::runtime_error("HDF5 failed to " + what + ".");
+        throw std::runtime_error("HDF5 failed to " + what);
     }
 
 
@@ -101,46 +108,32 @@ namespace hybrid::output
     }
 
 
-    /**
-     * Between flushes no metadata may reach the file, else a killed run could leave an object
-     * header that is newer than the index of its chunks. The cache grows by some 4 kB per 64
-     * chunks.
-     */
-    void keep_metadata_in_memory(const hid_t file)
+    bool can_write(const std::string &file_name)
     {
-      H5AC_cache_config_t configuration;
-      configuration.version = H5AC__CURR_CACHE_CONFIG_VERSION;
-      check(H5Fget_mdc_config(file, &configuration), "read the cache configuration");
-      configuration.evictions_enabled = false;
-      configuration.incr_mode         = H5C_incr__off;
-      configuration.flash_incr_mode   = H5C_flash_incr__off;
-      configuration.decr_mode         = H5C_decr__off;
-      check(H5Fset_mdc_config(file, &configuration), "set the cache configuration");
+      const bool good = std::ofstream(file_name).is_open();
+      std::remove(file_name.c_str());
+      return good;
     }
 
 
     hid_t open_file(const std::string &file_name, const HistoryFile::Mode mode)
     {
+      H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // failures are exceptions
       const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file properties");
-      // Old format: the newest one marks a file as open for writing, and a killed run leaves that
-      // mark.
+      // Old format: the newest one marks a file as open for writing.
       H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
-      H5Pset_file_locking(access, false, true);
-      H5Pset_meta_block_size(access, 1u << 20); // metadata in one place: a flush is few writes
-      hid_t file = -1;
-      H5E_BEGIN_TRY
-      {
-        file = mode == HistoryFile::Mode::create
-                 ? H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
-                 : H5Fopen(file_name.c_str(), H5F_ACC_RDWR, access);
-      }
-      H5E_END_TRY;
+      H5Pset_fapl_core(access, memory_increment, false); // in memory, nothing is written by HDF5
+      const bool create = mode == HistoryFile::Mode::create;
+      hid_t      file   = -1;
+      if (!create)
+        file = H5Fopen(file_name.c_str(), H5F_ACC_RDWR, access);
+      else if (can_write(restart::temporary_name(file_name)))
+        file = H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
       if (file < 0)
-        throw InputError(mode == HistoryFile::Mode::create
-                           ? "cannot create '" + file_name +
-                               "': the directory must exist and be writable."
-                           : "cannot open '" + file_name +
-                               "' to continue it: it must be the run.h5 of an earlier run.");
+        throw InputError(create ? "cannot create '" + file_name +
+                                    "': the directory must exist and be writable."
+                                : "cannot open '" + file_name +
+                                    "' to continue it: it must be the run.h5 of an earlier run.");
       return file;
     }
   } // namespace
@@ -150,10 +143,7 @@ namespace hybrid::output
   HistoryFile::HistoryFile(const std::string &name, const Mode mode)
     : file_name(name)
     , file(open_file(name, mode))
-  {
-    keep_metadata_in_memory(file);
-    flush();
-  }
+  {}
 
 
 
@@ -165,7 +155,7 @@ namespace hybrid::output
       }
     catch (const std::exception &)
       {
-        // a full disk must not end the program here; the file keeps the previous flush
+        // the file is that of the last flush; nothing may leave a destructor
       }
     for (const Series &series : all_series)
       H5Dclose(series.dataset);
@@ -260,6 +250,7 @@ namespace hybrid::output
   {
     if (series.buffered == 0)
       return;
+    errno                  = 0;
     const hsize_t size[]   = {series.written + series.buffered, series.columns};
     const hsize_t offset[] = {series.written, 0};
     const hsize_t count[]  = {series.buffered, series.columns};
@@ -361,10 +352,47 @@ namespace hybrid::output
 
 
 
-  void HistoryFile::flush()
+  void HistoryFile::flush(const bool durable)
   {
     for (Series &series : all_series)
       write_buffer(series);
     check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush " + file_name);
+    const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+    check(size < 0 ? -1 : 0, "measure " + file_name);
+    std::vector<char> image(static_cast<std::size_t>(size));
+    check(H5Fget_file_image(file, image.data(), image.size()) != size ? -1 : 0,
+          "copy " + file_name);
+    restart::replace_file(file_name, {image.data(), image.size()}, durable);
+  }
+
+
+
+  std::vector<double> HistoryFile::read(const int index)
+  {
+    Series &series = all_series[index];
+    write_buffer(series);
+    std::vector<double> values(series.written * series.columns);
+    if (!values.empty())
+      check(
+        H5Dread(series.dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+        "read " + series.path + " in " + file_name);
+    return values;
+  }
+
+
+
+  void HistoryFile::serialize(restart::Archive &archive)
+  {
+    std::vector<std::uint64_t> lengths;
+    for (std::size_t k = 0; k < all_series.size(); ++k)
+      lengths.push_back(rows(static_cast<int>(k)));
+    archive(lengths);
+    for (std::size_t k = 0; archive.is_reading() && k < all_series.size(); ++k)
+      {
+        if (k >= lengths.size() || rows(static_cast<int>(k)) < lengths[k])
+          throw InputError("'" + file_name + "' has fewer rows of " + all_series[k].path +
+                           " than the checkpoint: it is not the file of that run");
+        truncate(static_cast<int>(k), lengths[k]);
+      }
   }
 } // namespace hybrid::output

@@ -2,6 +2,8 @@
 #include <hybrid/output/log.h>
 #include <hybrid/scene/input_error.h>
 
+#include <filesystem>
+
 namespace hybrid::output
 {
   Log::Log(std::ostream &screen_stream, const bool screen_is_terminal)
@@ -11,9 +13,34 @@ namespace hybrid::output
 
 
 
-  void Log::open_file(const std::string &file_name, const FileMode mode)
+  void Log::open_file(const std::string &file_name)
   {
-    file.open(file_name, mode == FileMode::append ? std::ios::app : std::ios::trunc);
+    file.open(file_name, std::ios::trunc);
+    catch_up(file_name);
+  }
+
+
+
+  void Log::resume_file(const std::string &file_name, const std::uint64_t length)
+  {
+    std::error_code error;
+    if (std::filesystem::file_size(file_name, error) > length && !error)
+      std::filesystem::resize_file(file_name, length, error);
+    file.open(file_name, std::ios::app);
+    catch_up(file_name);
+  }
+
+
+
+  std::uint64_t Log::file_length()
+  {
+    return file.is_open() ? static_cast<std::uint64_t>(file.tellp()) : 0;
+  }
+
+
+
+  void Log::catch_up(const std::string &file_name)
+  {
     file << before_file << std::flush;
     if (!file)
       throw InputError("cannot write '" + file_name +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block_motion.h>
 #include <hybrid/output/pictures.h>
+#include <hybrid/restart/archive.h>
 
 namespace hybrid::output
 {
@@ -42,6 +43,16 @@ namespace hybrid::output
       }
     if (continuum != nullptr)
       add_continuum(state);
+  }
+
+
+
+  void Pictures::serialize(restart::Archive &archive)
+  {
+    archive(reference);
+    for (PvdSeries *series : {block_series.get(), joint_series.get(), continuum_series.get()})
+      if (series != nullptr)
+        archive(*series);
   }
 
 

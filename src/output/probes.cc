@@ -2,6 +2,7 @@
 #include <hybrid/dda/block_motion.h>
 #include <hybrid/dda/polygon.h>
 #include <hybrid/output/probes.h>
+#include <hybrid/restart/archive.h>
 #include <hybrid/scene/input_error.h>
 
 #include <limits>
@@ -156,5 +157,17 @@ namespace hybrid::output
     else if (state.blocks.base_displacement.size() > 0)
       motion.displacement = state.blocks.base_displacement.head<2>();
     return motion;
+  }
+
+
+
+  void Probes::serialize(restart::Archive &archive)
+  {
+    std::vector<Vec2> references;
+    for (const Probe &probe : probes)
+      references.push_back(probe.reference);
+    archive(references);
+    for (std::size_t k = 0; archive.is_reading() && k < probes.size(); ++k)
+      probes[k].reference = references.at(k);
   }
 } // namespace hybrid::output

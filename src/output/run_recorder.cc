@@ -20,10 +20,10 @@ namespace hybrid::output
 
 
 
-  RunRecorder::RunRecorder(const RunParts &run)
+  RunRecorder::RunRecorder(const RunParts &run, const HistoryFile::Mode mode)
     : parts(run)
     , probes(run.blocks, run.continuum)
-    , file(run.scene.output.directory + "/run.h5")
+    , file(run.scene.output.directory + "/run.h5", mode)
     , pictures(run.scene.output.directory, run.blocks, run.continuum)
     , ledger(run.continuum != nullptr,
              {run.scene.continuum.boundary_springs,
@@ -322,12 +322,22 @@ namespace hybrid::output
         while (next_picture <= state.time + early)
           next_picture += std::max(parts.scene.output.picture_interval, dt);
       }
-    const auto now = std::chrono::steady_clock::now();
-    if (std::chrono::duration<double>(now - last_flush).count() > parts.scene.output.flush_interval)
-      {
-        file.flush();
-        last_flush = now;
-      }
+    flush_if_due();
+  }
+
+
+
+  void RunRecorder::flush_if_due()
+  {
+    // A flush copies the whole file: the longer that takes, the rarer it is done.
+    constexpr double largest_part = 0.02; // of the wall time
+    const auto       now          = std::chrono::steady_clock::now();
+    const double interval = std::max(parts.scene.output.flush_interval, flush_cost / largest_part);
+    if (std::chrono::duration<double>(now - last_flush).count() <= interval)
+      return;
+    file.flush();
+    last_flush = std::chrono::steady_clock::now();
+    flush_cost = std::chrono::duration<double>(last_flush - now).count();
   }
 
 

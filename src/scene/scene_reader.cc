@@ -126,6 +126,7 @@ namespace hybrid::scene
     declare(table, scene.edge_loads);
     declare(table, scene.monitors);
     declare(table, scene.output);
+    declare(table, scene.checkpoint);
     ParameterSection(table, {"Parallel"})
       .integer("Threads",
                scene.threads,

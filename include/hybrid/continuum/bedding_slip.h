@@ -39,6 +39,9 @@ namespace hybrid::continuum
     SlipStatus solve_rest(const Eigen::MatrixXd &relaxation, const std::vector<double> &u);
     StaticSlip keep_rest(const std::vector<double> &u);
 
+    /// What keep_rest() kept, for the checkpoint.
+    void serialize_rest(restart::Archive &archive);
+
     /// Begin a step.
     void begin(const SlipState &state);
 

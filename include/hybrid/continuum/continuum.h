@@ -47,6 +47,10 @@ namespace hybrid::continuum
     ContinuumEnergy     energy;
   };
 
+  // All members, for the checkpoint (restart/archive.h).
+  void serialize(restart::Archive &archive, ContinuumEnergy &energy);
+  void serialize(restart::Archive &archive, ContinuumState &state);
+
   /**
    * The bedrock: linear elastodynamics in plane strain on deal.II finite elements,
    *   M u'' + C u' + K u = f(t) + B^T lambda,
@@ -163,6 +167,9 @@ namespace hybrid::continuum
     /// Bedding planes slip if gravity alone asks for it; what they carry then is their traction at
     /// rest.
     StaticSlip solve_static_state(const Eigen::VectorXd &surface_force, double gravity);
+
+    /// What solve_static_state() found, for the checkpoint.
+    void serialize_rest(restart::Archive &archive);
 
     /// Smallest edge length of cells per wave speed etc. for the scene card.
     struct Resolution

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/restart/archive_forward.h>
 #include <hybrid/scene/types.h>
 
 #include <string>
@@ -46,6 +47,9 @@ namespace hybrid::continuum
     std::vector<char>           broken;    ///< per point: cohesion and tensile strength are lost
     std::vector<PlaneCondition> condition; ///< per point, of the last step
   };
+
+  /// All members, for the checkpoint.
+  void serialize(restart::Archive &archive, SlipState &state);
 
 
   /// A plane that may slip, for output.

@@ -13,4 +13,7 @@ namespace hybrid::coupling
     dda::DdaState             blocks;
     continuum::ContinuumState continuum;
   };
+
+  /// All members, for the checkpoint.
+  void serialize(restart::Archive &archive, CoupledState &state);
 } // namespace hybrid::coupling

@@ -37,6 +37,9 @@ namespace hybrid::coupling
       return elapsed;
     }
 
+    /// Timings so far, for the checkpoint.
+    void serialize(restart::Archive &archive);
+
   private:
     /// Blocks and surface together; iterations add up in @p result.
     void solve_blocks(CoupledState            &state,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/dda/block.h>
+#include <hybrid/restart/archive_forward.h>
 
 #include <Eigen/Core>
 
@@ -76,6 +77,9 @@ namespace hybrid::dda
     {
       return version;
     }
+
+    /// Pattern and entries, for the checkpoint.
+    void serialize(restart::Archive &archive);
 
     std::vector<Mat6>  diagonal;
     std::vector<Mat6>  off_diagonal; ///< rows of block pairs[s][0], columns of pairs[s][1]

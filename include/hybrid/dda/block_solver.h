@@ -25,6 +25,12 @@ namespace hybrid::dda
       iteration.accept(model, state);
     }
 
+    /// What is kept from one step to the next, for the checkpoint.
+    void serialize(restart::Archive &archive)
+    {
+      iteration.serialize(archive);
+    }
+
     /// The solved step: displacement of the base nodes [m] and force increments on them [N/m].
     const OpenCloseIteration &solved_step() const
     {

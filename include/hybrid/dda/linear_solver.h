@@ -43,6 +43,13 @@ namespace hybrid::dda
     /// The matrix has changed: a sparse factor may be kept.
     void matrix_changed(const BlockMatrix &matrix);
 
+    /// What is kept from one step to the next, for the checkpoint; after the matrix.
+    void serialize(restart::Archive &archive, const BlockMatrix &matrix);
+
+    /// The matrix is that of a checkpoint, and set_base_stiffness() has been called: make again
+    /// what depends on both.
+    void matrix_restored(const BlockMatrix &matrix);
+
     /// y = (K + S) x.
     void multiply(const BlockMatrix &matrix, const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 

@@ -50,6 +50,9 @@ namespace hybrid::dda
     /// energy.
     void accept(const Model &model, DdaState &state) const;
 
+    /// The tangent that is kept from one step to the next, for the checkpoint.
+    void serialize(restart::Archive &archive);
+
     /// Displacement w of the base nodes of the solved step [m].
     const Eigen::VectorXd &base_displacement() const
     {
@@ -77,7 +80,8 @@ namespace hybrid::dda
     Eigen::VectorXd   incoming;              ///< at artificial boundaries, end of the step [N/m]
     double            tangent_dt      = -1.; ///< step of the tangent in matrix
     int               tangent_pattern = -1;
-    double            reference       = 0.; ///< norm of absolute forces [N]
+    bool              is_restored     = false; ///< the tangent is that of a checkpoint
+    double            reference       = 0.;    ///< norm of absolute forces [N]
 
     void predict(const Model &model, const DdaState &state, const BaseResponse &base, double dt);
 

@@ -28,6 +28,10 @@ namespace hybrid::dda
     /// True if a factor of this size is there.
     bool ready(int n_blocks) const;
 
+    /// For the checkpoint: what was factored is stored, and factored again when read. @param matrix
+    /// as it stands now; the factor may be that of an earlier one.
+    void serialize(restart::Archive &archive, const BlockMatrix &matrix);
+
     /// x = K^-1 b for the first 6 n_blocks entries.
     void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x);
 

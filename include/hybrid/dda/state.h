@@ -5,6 +5,7 @@
 #include <hybrid/dda/contact.h>
 #include <hybrid/dda/geometry.h>
 #include <hybrid/dda/joint_law.h>
+#include <hybrid/restart/archive_forward.h>
 
 #include <Eigen/Core>
 
@@ -92,4 +93,14 @@ namespace hybrid::dda
     Eigen::VectorXd boundary_force;       ///< incoming, see ViscousBoundary [N/m], now
     BlockEnergy     energy;
   };
+
+
+  // All members, for the checkpoint (restart/archive.h).
+  void serialize(restart::Archive &archive, SpringState &spring);
+  void serialize(restart::Archive &archive, JointState &joint);
+  void serialize(restart::Archive &archive, Contact &contact);
+  void serialize(restart::Archive &archive, BlockState &block);
+  void serialize(restart::Archive &archive, BlockEnergy &energy);
+  void serialize(restart::Archive &archive, Geometry &geometry);
+  void serialize(restart::Archive &archive, DdaState &state);
 } // namespace hybrid::dda

@@ -8,7 +8,7 @@ namespace hybrid::output
   /**
    * Write @p content to a temporary file beside @p file_name, then rename it: whoever reads
    * @p file_name finds the old content or the new one, never a part of it.
-   * @throws InputError if the file cannot be written (missing directory, full disk).
+   * @throws WriteError if the file cannot be written (missing directory, full disk).
    */
   void write_atomically(const std::string &file_name, const std::string &content);
 } // namespace hybrid::output

@@ -58,6 +58,9 @@ namespace hybrid::output
       return largest;
     }
 
+    /// For the checkpoint.
+    void serialize(restart::Archive &archive);
+
   private:
     bool                has_continuum;
     EffectTerms         effects;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <fstream>
 #include <ostream>
 #include <string>
@@ -15,19 +16,20 @@ namespace hybrid::output
   class Log
   {
   public:
-    enum class FileMode
-    {
-      create, ///< a new file
-      append  ///< go on with the log of an earlier run
-    };
-
     /// Screen only, until open_file().
     /// @param screen_is_terminal whether a progress line may stand there that must be wiped first.
     explicit Log(std::ostream &screen_stream, bool screen_is_terminal = false);
 
     /// Lines go to @p file_name too from now on; those written before are caught up.
     /// @throws InputError if the file cannot be written.
-    void open_file(const std::string &file_name, FileMode mode = FileMode::create);
+    void open_file(const std::string &file_name);
+
+    /// Go on with the log of an earlier run after its first @p length bytes. @throws InputError if
+    /// the file cannot be written.
+    void resume_file(const std::string &file_name, std::uint64_t length);
+
+    /// Bytes in the file so far.
+    std::uint64_t file_length();
 
     /// One or more lines, without the last newline.
     void info(const std::string &text);
@@ -43,6 +45,8 @@ namespace hybrid::output
 
   private:
     void write(const std::string &text);
+
+    void catch_up(const std::string &file_name);
 
     std::ostream            &screen;
     const bool               is_terminal;

@@ -24,6 +24,10 @@ namespace hybrid::output
 
     void add(const coupling::CoupledState &state);
 
+    /// Reference and number of pictures so far, for the checkpoint. Reading takes over the pictures
+    /// of the earlier run and drops later ones.
+    void serialize(restart::Archive &archive);
+
   private:
     const dda::Model           *model;
     const continuum::Continuum *continuum;

@@ -42,6 +42,9 @@ namespace hybrid::output
 
     PointMotion sample(const coupling::CoupledState &state, int probe) const;
 
+    /// Reference positions, for the checkpoint.
+    void serialize(restart::Archive &archive);
+
   private:
     struct Probe
     {

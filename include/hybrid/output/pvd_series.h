@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/output/vtu_writer.h>
+#include <hybrid/restart/archive_forward.h>
 
 #include <string>
 #include <utility>
@@ -23,20 +24,18 @@ namespace hybrid::output
     /// Write a picture at simulated time @p time [s] and list it.
     void add(double time, const VtuWriter &picture);
 
-    /// Take over the pictures of an earlier run up to @p last_time [s] (inclusive); later ones are
-    /// dropped.
-    void resume(double last_time);
-
-    std::size_t n_pictures() const
-    {
-      return pictures.size();
-    }
+    /// The list of pictures, for the checkpoint. Reading writes the .pvd anew: later pictures of
+    /// the earlier run are dropped.
+    void serialize(restart::Archive &archive);
 
   private:
     void write_pvd() const;
 
-    std::string                                 directory;
-    std::string                                 name;
-    std::vector<std::pair<double, std::string>> pictures; ///< time [s], file relative to directory
+    std::string         directory;
+    std::string         name;
+    std::vector<double> times; ///< of the pictures [s]
+
+    /// File of picture @p number, relative to the directory.
+    std::string file_of(std::size_t number) const;
   };
 } // namespace hybrid::output

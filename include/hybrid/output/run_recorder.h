@@ -35,8 +35,9 @@ namespace hybrid::output
   class RunRecorder
   {
   public:
-    /// Makes run.h5 in the output directory. @throws InputError.
-    explicit RunRecorder(const RunParts &parts);
+    /// Makes run.h5 in the output directory, or goes on with that of an earlier run; serialize()
+    /// has to follow then. @throws InputError.
+    explicit RunRecorder(const RunParts &parts, HistoryFile::Mode mode = HistoryFile::Mode::create);
 
     /// The state after the static stage: displacements count from here. Writes the first picture.
     void start(coupling::CoupledState &state);
@@ -55,11 +56,15 @@ namespace hybrid::output
       return ledger;
     }
 
-    /// Flush run.h5.
+    /// Flush run.h5, safe from a power failure.
     void flush()
     {
-      file.flush();
+      file.flush(true);
     }
+
+    /// For the checkpoint; flush() comes before it. Reading cuts run.h5 and the pictures to what
+    /// there was then.
+    void serialize(restart::Archive &archive);
 
   private:
     /// Numbers of the three series of one monitor, and its histories for the summary.
@@ -102,6 +107,7 @@ namespace hybrid::output
     std::vector<double> peak_displacement; ///< of each block relative to the base [m]
     double              next_picture = 0., next_audit = 0.;
     std::chrono::steady_clock::time_point last_flush;
+    double                                flush_cost = 0.; ///< wall time of the last flush [s]
 
     void add_monitors();
     void add_boreholes();
@@ -112,6 +118,8 @@ namespace hybrid::output
     void record_energy(coupling::CoupledState &state);
     void record_picture(const coupling::CoupledState &state);
     void update_peaks(const coupling::CoupledState &state);
+    void read_histories();
+    void flush_if_due();
     void write_section(const coupling::CoupledState &state);
     void write_joints(const coupling::CoupledState &state);
     Vec2 base_displacement() const;

@@ -41,6 +41,8 @@ namespace hybrid::scene
 
   void declare(ParameterTable &table, OutputParameters &output);
 
+  void declare(ParameterTable &table, CheckpointParameters &checkpoint);
+
   /// Every section of a scene whose material table has its names.
   void declare(ParameterTable &table, SceneParameters &scene);
 

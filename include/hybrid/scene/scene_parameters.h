@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/scene/checkpoint_parameters.h>
 #include <hybrid/scene/load_parameters.h>
 #include <hybrid/scene/material.h>
 #include <hybrid/scene/newmark.h>
@@ -251,6 +252,7 @@ namespace hybrid::scene
     EdgeLoadParameters              edge_loads;
     MonitorParameters               monitors;
     OutputParameters                output;
+    CheckpointParameters            checkpoint;
     std::map<std::string, Material> materials;
     int                             threads = 1;
     std::string used_prm; ///< the scene with every parameter, as a valid parameter file

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "random_block_matrix.h"
 
+#include <hybrid/restart/archive.h>
+
 #include <gtest/gtest.h>
 #include <omp.h>
 
@@ -67,4 +69,24 @@ TEST(BlockMatrix, any_number_of_threads_gives_the_same_bits)
   m.multiply(x, two);
   omp_set_num_threads(threads);
   EXPECT_TRUE(one == two);
+}
+
+
+
+TEST(BlockMatrix, a_restored_matrix_is_the_same)
+{
+  using hybrid::restart::Archive;
+  hybrid::dda::BlockMatrix m      = hybrid::test::unsymmetric_block_matrix(12, 5, 0.2), copy;
+  Archive                  writer = Archive::writer();
+  writer(m);
+  Archive reader = Archive::reader(writer.content());
+  reader(copy);
+  EXPECT_TRUE(reader.at_end());
+  EXPECT_EQ(hybrid::test::dense(copy), hybrid::test::dense(m));
+  EXPECT_FALSE(copy.symmetric);
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(m.size(), -1., 1.);
+  Eigen::VectorXd       y(m.size()), z(m.size());
+  m.multiply(x, y);
+  copy.multiply(x, z);
+  EXPECT_EQ(y, z);
 }

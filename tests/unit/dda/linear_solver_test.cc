@@ -2,6 +2,7 @@
 #include "random_block_matrix.h"
 
 #include <hybrid/dda/linear_solver.h>
+#include <hybrid/restart/archive.h>
 
 #include <gtest/gtest.h>
 
@@ -133,4 +134,48 @@ TEST(LinearSolver, unsymmetric_matrix_with_and_without_a_base)
   LinearSolver          solver;
   check(solver, m, &s);
   check(solver, m, nullptr);
+}
+
+
+
+// Sweeps with a base, and a kept factor of an earlier matrix.
+TEST(LinearSolver, a_restored_solver_gives_the_same_bits)
+{
+  using hybrid::restart::Archive;
+  for (const double stiffness : {0., 1e5})
+    {
+      BlockMatrix           m    = random_block_matrix(60, 8);
+      const Eigen::MatrixXd base = base_stiffness(16);
+      const Vec6            a = Vec6::LinSpaced(1., 2.), b = Vec6::LinSpaced(2., 0.5);
+      for (std::size_t s = 0; s < m.pairs.size(); ++s)
+        {
+          m.diagonal[m.pairs[s][0]] += stiffness * a * a.transpose();
+          m.diagonal[m.pairs[s][1]] += stiffness * b * b.transpose();
+          m.off_diagonal[s] -= stiffness * a * b.transpose();
+          m.lower[s] -= stiffness * b * a.transpose();
+        }
+      LinearSolver solver, copy;
+      check(solver, m, &base);
+      for (Mat6 &block : m.diagonal)
+        block *= 1.01;
+      check(solver, m, &base);
+
+      BlockMatrix other;
+      Archive     writer = Archive::writer();
+      writer(m);
+      solver.serialize(writer, m);
+      Archive reader = Archive::reader(writer.content());
+      reader(other);
+      copy.serialize(reader, other);
+      copy.set_base_stiffness(&base);
+      copy.matrix_restored(other);
+
+      const Eigen::VectorXd rhs   = Eigen::VectorXd::LinSpaced(m.size(), -1., 2.);
+      const Eigen::VectorXd scale = Eigen::VectorXd::Ones(m.size());
+      Eigen::VectorXd       x, y;
+      const auto            first  = solver.solve(m, rhs, scale, 1e-10, x);
+      const auto            second = copy.solve(other, rhs, scale, 1e-10, y);
+      EXPECT_EQ(first.iterations, second.iterations);
+      EXPECT_EQ(x, y) << stiffness;
+    }
 }

@@ -2,6 +2,7 @@
 #include "random_block_matrix.h"
 
 #include <hybrid/dda/sparse_factor.h>
+#include <hybrid/restart/archive.h>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,28 @@ namespace
   using hybrid::test::dense;
   using hybrid::test::random_block_matrix;
   using hybrid::test::unsymmetric_block_matrix;
+
+  /// x of a fixed right-hand side.
+  Eigen::VectorXd solution(SparseFactor &factor)
+  {
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(150, -1., 2.);
+    Eigen::VectorXd       x(150);
+    factor.solve(b, x);
+    return x;
+  }
+
+  /// Store @p factor beside @p matrix and read both into others.
+  void restore(SparseFactor &factor, BlockMatrix &matrix, SparseFactor &copy, BlockMatrix &other)
+  {
+    using hybrid::restart::Archive;
+    Archive writer = Archive::writer();
+    writer(matrix);
+    factor.serialize(writer, matrix);
+    Archive reader = Archive::reader(writer.content());
+    reader(other);
+    copy.serialize(reader, other);
+    EXPECT_TRUE(reader.at_end());
+  }
 } // namespace
 
 
@@ -56,4 +79,57 @@ TEST(SparseFactor, new_values_in_the_same_pattern)
   Eigen::VectorXd       x(150);
   factor.solve(b, x);
   EXPECT_LT((dense(m) * x - b).norm(), 1e-12 * b.norm());
+}
+
+
+
+TEST(SparseFactor, a_restored_factor_gives_the_same_bits)
+{
+  for (const bool symmetric : {true, false})
+    {
+      BlockMatrix m = symmetric ? random_block_matrix(25, 0) : unsymmetric_block_matrix(25, 0, 0.1);
+      SparseFactor factor, copy;
+      BlockMatrix  other;
+      ASSERT_TRUE(factor.factorize(m));
+      for (Mat6 &block : m.diagonal)
+        block *= 1.1; // the factor is that of an earlier matrix
+      restore(factor, m, copy, other);
+      ASSERT_TRUE(copy.ready(25));
+      EXPECT_EQ(solution(copy), solution(factor)) << symmetric;
+    }
+}
+
+
+
+// The analysis for LU depends on the values it was made with: it has to survive.
+TEST(SparseFactor, later_factors_of_a_restored_one_give_the_same_bits)
+{
+  BlockMatrix  m = unsymmetric_block_matrix(25, 0, 0.1), symmetric = random_block_matrix(25, 0);
+  SparseFactor factor, copy;
+  BlockMatrix  other;
+  ASSERT_TRUE(factor.factorize(m));
+  for (int i = 0; i < 25; ++i)
+    m.diagonal[i] = symmetric.diagonal[i];
+  m.lower     = symmetric.lower;
+  m.symmetric = true;
+  ASSERT_TRUE(factor.factorize(m)); // Cholesky now
+  restore(factor, m, copy, other);
+  EXPECT_EQ(solution(copy), solution(factor));
+  for (BlockMatrix *matrix : {&m, &other})
+    {
+      matrix->diagonal[3](0, 1) += 0.3;
+      matrix->symmetric = false;
+    }
+  ASSERT_TRUE(factor.factorize(m) && copy.factorize(other));
+  EXPECT_EQ(solution(copy), solution(factor));
+}
+
+
+
+TEST(SparseFactor, no_factor_is_restored_as_none)
+{
+  BlockMatrix  m = random_block_matrix(25, 0), other;
+  SparseFactor factor, copy;
+  restore(factor, m, copy, other);
+  EXPECT_FALSE(copy.ready(25));
 }

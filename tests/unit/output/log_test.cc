@@ -24,10 +24,14 @@ namespace hybrid::output
       EXPECT_EQ(test::read_text(name), screen.str());
       EXPECT_EQ(log.warnings(), std::vector<std::string>{"mesh too coarse"});
 
+      const std::string before = screen.str();
+      EXPECT_EQ(log.file_length(), before.size());
+      log.info("after the checkpoint");
       Log resumed(screen);
-      resumed.open_file(name, Log::FileMode::append);
+      resumed.resume_file(name, before.size());
+      EXPECT_EQ(resumed.file_length(), before.size());
       resumed.info("again");
-      EXPECT_EQ(test::read_text(name), screen.str());
+      EXPECT_EQ(test::read_text(name), before + "again\n");
     }
 
 

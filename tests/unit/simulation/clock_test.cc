@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/clock.h>
+#include <hybrid/restart/archive.h>
 
 #include <gtest/gtest.h>
 
@@ -115,4 +116,36 @@ TEST(Clock, failures_now_and_then_never_leave_the_grid)
       clock.accept();
   EXPECT_NEAR(clock.time(), 50., 1e-10);
   EXPECT_GT(clock.cuts(), 10);
+}
+
+
+
+// Halvings, and the steps until the next longer one is tried, go on where they were.
+TEST(Clock, a_restored_clock_takes_the_same_steps)
+{
+  using hybrid::restart::Archive;
+  const auto work = [](Clock &clock, const int k) {
+    if (k % 13 == 0)
+      clock.shorten_step();
+    else
+      clock.accept();
+  };
+  for (int moment = 1; moment < 60; ++moment)
+    {
+      Clock clock(1e-2, 1., 5), copy(1e-2, 1., 5);
+      for (int k = 1; k < moment; ++k)
+        work(clock, k);
+      Archive writer = Archive::writer();
+      writer(clock);
+      Archive reader = Archive::reader(writer.content());
+      reader(copy);
+      for (int k = moment; k < 100; ++k)
+        {
+          ASSERT_EQ(clock.time(), copy.time());
+          ASSERT_EQ(clock.next_step(), copy.next_step());
+          ASSERT_EQ(clock.cuts(), copy.cuts());
+          work(clock, k);
+          work(copy, k);
+        }
+    }
 }

@@ -65,6 +65,12 @@ TEST(CommandLine, other_actions)
   const CommandLine plot = parse({"plot", "output/run"});
   EXPECT_EQ(plot.action, Action::plot);
   EXPECT_EQ(plot.target, "output/run");
+  const CommandLine resume = parse({"--resume", "output/run", "-s", "Time/End time=3"});
+  EXPECT_EQ(resume.action, Action::resume);
+  EXPECT_EQ(resume.target, "output/run");
+  EXPECT_EQ(resume.overrides.size(), 1u);
+  EXPECT_TRUE(parse({"scene.prm", "--force"}).force);
+  EXPECT_FALSE(parse({"scene.prm"}).force);
 }
 
 
@@ -83,7 +89,13 @@ TEST(CommandLine, mistakes_are_named)
 
 TEST(CommandLine, usage_lists_every_action)
 {
-  for (const char *word :
-       {"PARAMS.prm", "--check", "--print-parameters", "plot", "-s", "Exit code"})
+  for (const char *word : {"PARAMS.prm",
+                           "--check",
+                           "--resume",
+                           "--force",
+                           "--print-parameters",
+                           "plot",
+                           "-s",
+                           "Exit code"})
     EXPECT_NE(usage().find(word), std::string::npos) << word;
 }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace hybrid::restart
+{
+  /// What a checkpoint file holds.
+  struct CheckpointContent
+  {
+    std::uint64_t layout = 0; ///< checksum of the description of the state (Archive::describer())
+    std::string   state;      ///< content of an Archive
+  };
+
+  /// Version of the file format that this program writes and reads.
+  constexpr std::uint32_t checkpoint_version = 1;
+
+  /// Write under a temporary name, bring to the disk, rename: after a kill or a power failure there
+  /// is the old checkpoint or the new one. @throws WriteError.
+  void write_checkpoint(const std::string &file_name, const CheckpointContent &content);
+
+  /// @throws InputError if there is no file, or one that is no checkpoint, has another version or
+  /// is damaged.
+  CheckpointContent read_checkpoint(const std::string &file_name);
+} // namespace hybrid::restart

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace hybrid::restart
+{
+  /// Where the new version of a file is written before it takes the file's name.
+  std::string temporary_name(const std::string &file_name);
+
+  /**
+   * Write @p content under a temporary name and rename it: whoever reads @p file_name finds the old
+   * content or the new one, also after a kill at any moment.
+   * @param durable also after a power failure: waits until the disk has it.
+   * @throws WriteError; the old content is still there.
+   */
+  void replace_file(const std::string &file_name, std::string_view content, bool durable);
+} // namespace hybrid::restart

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/output/log.h>
+#include <hybrid/scene/scene_parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace hybrid
+{
+  /**
+   * Make the output directory of a new run, with log.txt and params.used.prm.
+   *
+   * @param force what an earlier run has left there is deleted.
+   * @throws InputError if an earlier run is there, or nothing can be written.
+   */
+  void prepare_directory(const scene::SceneParameters &scene, bool force, output::Log &log);
+
+  /// The scene of the run in @p directory, for which the results go there again.
+  /// @throws InputError if there is no run, or a file that its scene needs is gone.
+  scene::SceneParameters read_scene_of_run(const std::string              &directory,
+                                           const std::vector<std::string> &overrides);
+
+  /// The run in @p directory was killed before its first step: it has no checkpoint yet and nothing
+  /// that could be lost.
+  bool has_not_begun(const std::string &directory);
+
+  /// params.used.prm of a run that goes on with other parameters.
+  void write_parameters(const scene::SceneParameters &scene);
+} // namespace hybrid

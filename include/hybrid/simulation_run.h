@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/checkpoint.h>
+#include <hybrid/dda/block_solver.h>
+#include <hybrid/simulation.h>
+
+#include <chrono>
+#include <memory>
+
+namespace hybrid
+{
+  using SteadyClock = std::chrono::steady_clock;
+
+  inline double seconds_since(const SteadyClock::time_point start)
+  {
+    return std::chrono::duration<double>(SteadyClock::now() - start).count();
+  }
+
+
+  /// What changes while a scene runs, besides the state of its parts.
+  struct Simulation::Run
+  {
+    Run(Simulation &simulation, output::HistoryFile::Mode mode);
+
+    std::unique_ptr<dda::BlockSolver> solver; ///< null without blocks
+    coupling::CoupledStep             step;
+    Clock                             clock;
+    output::RunRecorder               recorder;
+    output::Summary                   summary; ///< steps, iterations and timings so far
+    CheckpointSchedule                schedule;
+    const SteadyClock::time_point     start             = SteadyClock::now();
+    double                            earlier_wall_time = 0.; ///< before the run was resumed [s]
+
+    double wall_time() const
+    {
+      return earlier_wall_time + seconds_since(start);
+    }
+  };
+} // namespace hybrid

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/continuum/continuum_implementation.h>
+#include <hybrid/restart/archive.h>
+
+namespace hybrid::continuum
+{
+  using restart::Archive;
+
+  void serialize(Archive &archive, SlipState &state)
+  {
+    auto &[jump, path, broken, condition] = state;
+    archive(jump, path, broken, condition);
+  }
+
+
+
+  void serialize(Archive &archive, ContinuumEnergy &energy)
+  {
+    auto &[kinetic,
+           newmark,
+           strain,
+           boundary_springs,
+           input_work,
+           surface_work,
+           boundary_loss,
+           damping_loss,
+           bedding_loss,
+           bedding_static_stress,
+           integration_loss] = energy;
+    archive(kinetic, newmark, strain, boundary_springs, input_work, surface_work, boundary_loss);
+    archive(damping_loss, bedding_loss, bedding_static_stress, integration_loss);
+  }
+
+
+
+  void serialize(Archive &archive, ContinuumState &state)
+  {
+    auto &[time, displacement, velocity, acceleration, surface_force, time_step, slip, energy] =
+      state;
+    archive(time, displacement, velocity, acceleration, surface_force, time_step, slip, energy);
+  }
+
+
+
+  void BeddingSlip::serialize_rest(Archive &archive)
+  {
+    archive(rest, rest_broken);
+  }
+
+
+
+  void Continuum::serialize_rest(Archive &archive)
+  {
+    archive(impl->static_displacement);
+    if (impl->slip != nullptr)
+      impl->slip->serialize_rest(archive);
+  }
+} // namespace hybrid::continuum

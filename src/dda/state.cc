@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/state.h>
+#include <hybrid/restart/archive.h>
+
+namespace hybrid::dda
+{
+  using restart::Archive;
+
+  void serialize(Archive &archive, JointHistory &history)
+  {
+    auto &[plastic_slip, softening, damage] = history;
+    archive(plastic_slip, softening, damage);
+  }
+
+
+
+  void serialize(Archive &archive, SpringState &spring)
+  {
+    auto &[history, jump, gap, slip, normal, shear, elastic_normal, elastic_shear, state] = spring;
+    archive(history, jump, gap, slip, normal, shear, elastic_normal, elastic_shear, state);
+  }
+
+
+
+  void serialize(Archive &archive, JointState &joint)
+  {
+    auto &[points, failure, failure_time, released] = joint;
+    archive(points, failure, failure_time, released);
+  }
+
+
+
+  void serialize(Archive &archive, Contact &contact)
+  {
+    auto &[vertex_body, vertex, edge_body, edge, edge_position, slip, plastic_slip, state] =
+      contact;
+    archive(vertex_body, vertex, edge_body, edge, edge_position, slip, plastic_slip, state);
+  }
+
+
+
+  void serialize(Archive &archive, BlockState &block)
+  {
+    auto &[centroid, rotation, velocity, acceleration, contact_acceleration, stress] = block;
+    archive(centroid, rotation, velocity, acceleration, contact_acceleration, stress);
+  }
+
+
+
+  void serialize(Archive &archive, BlockEnergy &energy)
+  {
+    auto &[kinetic,
+           newmark,
+           strain,
+           gravity,
+           springs,
+           friction_loss,
+           fracture_loss,
+           damping_loss,
+           integration_loss,
+           switch_loss,
+           base_work,
+           boundary_loss,
+           input_work,
+           static_work,
+           edge_load_work] = energy;
+    archive(kinetic, newmark, strain, gravity, springs, friction_loss, fracture_loss, damping_loss);
+    archive(integration_loss, switch_loss, base_work, boundary_loss, input_work, static_work);
+    archive(edge_load_work);
+  }
+
+
+
+  void serialize(Archive &archive, Geometry &geometry)
+  {
+    auto &[offset, block_of, vertices, base_nodes] = geometry;
+    archive(offset, block_of, vertices, base_nodes);
+  }
+
+
+
+  void serialize(Archive &archive, DdaState &state)
+  {
+    auto &[time,
+           geometry,
+           blocks,
+           joints,
+           contacts,
+           base_displacement,
+           base_force,
+           base_contact_force,
+           static_force,
+           bedrock_static_force,
+           boundary_force,
+           energy] = state;
+    archive(time, geometry, blocks, joints, contacts, base_displacement, base_force);
+    archive(base_contact_force, static_force, bedrock_static_force, boundary_force, energy);
+  }
+} // namespace hybrid::dda

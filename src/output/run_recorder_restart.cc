@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/run_recorder.h>
+#include <hybrid/restart/archive.h>
+
+namespace hybrid::output
+{
+  void RunRecorder::serialize(restart::Archive &archive)
+  {
+    archive(file, pictures, probes, ledger, reference_centroids, peak_displacement);
+    archive(next_picture, next_audit);
+    if (archive.is_reading())
+      read_histories();
+  }
+
+
+
+  void RunRecorder::read_histories()
+  {
+    times              = file.read(time_series);
+    input_acceleration = file.read(input_series[0]);
+    for (MonitorSeries &monitor : monitors)
+      for (int k = 0; k < 3; ++k)
+        monitor.histories[k] = file.read(monitor.series[k]);
+  }
+} // namespace hybrid::output

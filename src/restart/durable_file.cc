@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/restart/durable_file.h>
+#include <hybrid/restart/write_error.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <unistd.h>
+
+namespace hybrid::restart
+{
+  namespace
+  {
+    WriteError failure(const std::string &path, const int number)
+    {
+      return WriteError("cannot write '" + path + "': " + std::strerror(number));
+    }
+
+
+
+    /// An open file or directory.
+    class Descriptor
+    {
+    public:
+      explicit Descriptor(const int number)
+        : descriptor(number)
+      {}
+
+      ~Descriptor()
+      {
+        if (descriptor >= 0)
+          close(descriptor);
+      }
+
+      Descriptor(const Descriptor &)            = delete;
+      Descriptor &operator=(const Descriptor &) = delete;
+
+      bool is_open() const
+      {
+        return descriptor >= 0;
+      }
+
+      bool write_all(std::string_view content) const
+      {
+        while (!content.empty())
+          {
+            const ssize_t n = write(descriptor, content.data(), content.size());
+            if (n < 0 && errno != EINTR)
+              return false;
+            content.remove_prefix(n > 0 ? static_cast<std::size_t>(n) : 0);
+          }
+        return true;
+      }
+
+      bool synchronize() const
+      {
+        return fsync(descriptor) == 0 || errno == EINVAL; // some file systems cannot
+      }
+
+    private:
+      const int descriptor;
+    };
+
+
+
+    /// @return 0 or the number of the error.
+    int write_file(const std::string &name, const std::string_view content, const bool durable)
+    {
+      const Descriptor file(open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+      if (!file.is_open() || !file.write_all(content) || (durable && !file.synchronize()))
+        return errno;
+      return 0;
+    }
+  } // namespace
+
+
+
+  std::string temporary_name(const std::string &file_name)
+  {
+    return file_name + ".tmp";
+  }
+
+
+
+  void
+  replace_file(const std::string &file_name, const std::string_view content, const bool durable)
+  {
+    const std::string temporary = temporary_name(file_name);
+    int               error     = write_file(temporary, content, durable);
+    if (error == 0 && std::rename(temporary.c_str(), file_name.c_str()) != 0)
+      error = errno;
+    if (error != 0)
+      {
+        std::remove(temporary.c_str());
+        throw failure(file_name, error);
+      }
+    if (!durable)
+      return;
+    const std::string directory = std::filesystem::path(file_name).parent_path().string();
+    const Descriptor  folder(open(directory.empty() ? "." : directory.c_str(), O_RDONLY));
+    if (!folder.is_open() || !folder.synchronize())
+      throw failure(directory, errno);
+  }
+} // namespace hybrid::restart

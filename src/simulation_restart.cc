@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/restart/archive.h>
+#include <hybrid/run_directory.h>
+#include <hybrid/scene/input_error.h>
+#include <hybrid/simulation_run.h>
+
+#include <cstdio>
+
+namespace hybrid
+{
+  Simulation::Run::Run(Simulation &simulation, const output::HistoryFile::Mode mode)
+    : solver(simulation.blocks != nullptr ? std::make_unique<dda::BlockSolver>(*simulation.blocks)
+                                          : nullptr)
+    , step(solver.get(), simulation.base.get(), simulation.continuum.get())
+    , clock(simulation.scene.time.time_step,
+            simulation.scene.time.end_time,
+            simulation.scene.time.maximum_halvings)
+    , recorder({simulation.scene,
+                simulation.mesh,
+                simulation.motion,
+                simulation.input.fit,
+                simulation.blocks.get(),
+                simulation.continuum.get()},
+               mode)
+    , schedule(simulation.scene.checkpoint)
+  {}
+
+
+
+  void Simulation::serialize(restart::Archive &archive, Run &run)
+  {
+    archive(state);
+    if (continuum != nullptr)
+      continuum->serialize_rest(archive);
+    if (run.solver != nullptr)
+      archive(*run.solver);
+    double        wall_time  = run.wall_time();
+    std::uint64_t log_length = log.file_length();
+    archive(run.step, run.clock, wall_time, log_length);
+    archive(run.summary.steps, run.summary.iterations, run.summary.timings);
+    archive(run.recorder);
+    if (!archive.is_reading())
+      return;
+    run.earlier_wall_time = wall_time;
+    log.resume_file(scene.output.directory + "/log.txt", log_length);
+  }
+
+
+
+  std::uint64_t Simulation::layout(Run &run)
+  {
+    restart::Archive archive = restart::Archive::describer();
+    serialize(archive, run);
+    return restart::checksum(archive.content());
+  }
+
+
+
+  void Simulation::save(Run &run)
+  {
+    run.recorder.flush(); // run.h5 is never behind the checkpoint
+    restart::Archive archive = restart::Archive::writer();
+    archive.put(scene.used_prm);
+    archive.put(fingerprint(mesh, motion));
+    serialize(archive, run);
+    restart::write_checkpoint(checkpoint_file(scene.output.directory),
+                              {layout(run), archive.content()});
+    run.schedule.written();
+  }
+
+
+
+  void Simulation::load(const restart::CheckpointContent &checkpoint, Run &run)
+  {
+    if (checkpoint.layout != layout(run))
+      throw InputError("the checkpoint '" + checkpoint_file(scene.output.directory) +
+                       "' was written by a program whose state has other parts: resume with that "
+                       "program");
+    restart::Archive archive = restart::Archive::reader(checkpoint.state);
+    std::string      parameters;
+    std::uint64_t    number = 0;
+    archive(parameters, number);
+    serialize(archive, run);
+    if (!archive.at_end())
+      throw InputError("the checkpoint '" + checkpoint_file(scene.output.directory) +
+                       "' is longer than its state");
+  }
+
+
+
+  RunStatus Simulation::resume(const restart::CheckpointContent &checkpoint,
+                               const Interruption               &interruption)
+  {
+    restart::Archive archive = restart::Archive::reader(checkpoint.state);
+    std::string      parameters;
+    std::uint64_t    number = 0;
+    archive(parameters, number);
+    check_same_scene(parameters, scene.used_prm);
+    if (number != fingerprint(mesh, motion))
+      throw InputError("the mesh or the motion is not that of the run in '" +
+                       scene.output.directory + "': a file of the scene has changed since");
+
+    Run run(*this, output::HistoryFile::Mode::resume);
+    load(checkpoint, run);
+    write_parameters(scene);
+    char text[200];
+    std::snprintf(text,
+                  sizeof(text),
+                  "Resumed from the checkpoint at t = %.6g s, after %ld steps",
+                  run.clock.time(),
+                  run.summary.steps);
+    log.info(text);
+    const RunStatus status = advance(run, interruption);
+    finish(run, status);
+    return status;
+  }
+} // namespace hybrid

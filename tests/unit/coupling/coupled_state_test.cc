@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/coupling/coupled_state.h>
+#include <hybrid/restart/archive.h>
+
+#include <gtest/gtest.h>
+
+namespace hybrid::coupling
+{
+  namespace
+  {
+    using restart::Archive;
+
+    TEST(CoupledState, IsStoredWhole)
+    {
+      CoupledState state;
+      state.time                   = 1.;
+      state.blocks.time            = 2.;
+      auto &rock                   = state.continuum;
+      rock.time                    = 3.;
+      rock.displacement            = {4.};
+      rock.velocity                = {5., 6.};
+      rock.acceleration            = {7., 8., 9.};
+      rock.surface_force           = {10.};
+      rock.time_step               = 11.;
+      rock.slip.jump               = {12.};
+      rock.slip.path               = {13.};
+      rock.slip.broken             = {1, 0};
+      rock.slip.condition          = {continuum::PlaneCondition::open};
+      constexpr std::size_t n      = sizeof(continuum::ContinuumEnergy) / sizeof(double);
+      double *const         values = &rock.energy.kinetic;
+      for (std::size_t k = 0; k < n; ++k)
+        values[k] = 1. + k;
+
+      Archive writer = Archive::writer();
+      writer(state);
+      Archive      reader = Archive::reader(writer.content());
+      CoupledState copy;
+      reader(copy);
+      EXPECT_TRUE(reader.at_end());
+      EXPECT_EQ(copy.time, 1.);
+      EXPECT_EQ(copy.blocks.time, 2.);
+      EXPECT_EQ(copy.continuum.time, 3.);
+      EXPECT_EQ(copy.continuum.displacement, rock.displacement);
+      EXPECT_EQ(copy.continuum.velocity, rock.velocity);
+      EXPECT_EQ(copy.continuum.acceleration, rock.acceleration);
+      EXPECT_EQ(copy.continuum.surface_force, rock.surface_force);
+      EXPECT_EQ(copy.continuum.time_step, 11.);
+      EXPECT_EQ(copy.continuum.slip.jump, rock.slip.jump);
+      EXPECT_EQ(copy.continuum.slip.path, rock.slip.path);
+      EXPECT_EQ(copy.continuum.slip.broken, rock.slip.broken);
+      EXPECT_EQ(copy.continuum.slip.condition, rock.slip.condition);
+      const double *const read = &copy.continuum.energy.kinetic;
+      for (std::size_t k = 0; k < n; ++k)
+        EXPECT_EQ(read[k], 1. + k);
+    }
+  } // namespace
+} // namespace hybrid::coupling

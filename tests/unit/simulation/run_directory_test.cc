@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/run_directory.h>
+#include <hybrid/scene/input_error.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace
+{
+  using namespace hybrid;
+  namespace fs = std::filesystem;
+
+  class RunDirectory : public testing::Test
+  {
+  protected:
+    scene::SceneParameters scene;
+    std::ostringstream     screen;
+    output::Log            log{screen};
+    std::string            directory = testing::TempDir() + "hybrid_run_directory";
+
+    void SetUp() override
+    {
+      fs::remove_all(directory);
+      scene.output.directory = directory;
+      scene.used_prm         = "set Title = a run\n";
+    }
+
+    void touch(const std::string &name) const
+    {
+      fs::create_directories(fs::path(directory + "/" + name).parent_path());
+      std::ofstream(directory + "/" + name) << "content";
+    }
+  };
+} // namespace
+
+
+
+TEST_F(RunDirectory, an_earlier_run_is_kept_unless_forced)
+{
+  prepare_directory(scene, false, log);
+  EXPECT_TRUE(fs::exists(directory + "/params.used.prm"));
+  for (const char *name : {"summary.json",
+                           "run.h5",
+                           "run.h5.tmp",
+                           "vtu/blocks_00001.vtu",
+                           "vtu/mine.vtu",
+                           "notes.txt",
+                           "checkpoint/state.bin",
+                           "figures/overview.png"})
+    touch(name);
+  try
+    {
+      prepare_directory(scene, false, log);
+      FAIL();
+    }
+  catch (const InputError &error)
+    {
+      const std::string text = error.what();
+      for (const std::string &part : {directory, std::string("--resume"), std::string("--force")})
+        EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
+  EXPECT_TRUE(fs::exists(directory + "/run.h5"));
+
+  output::Log second(screen);
+  prepare_directory(scene, true, second);
+  for (const char *name :
+       {"summary.json", "run.h5", "run.h5.tmp", "vtu/blocks_00001.vtu", "checkpoint/state.bin"})
+    EXPECT_FALSE(fs::exists(directory + "/" + name)) << name;
+  for (const char *name : {"vtu/mine.vtu", "notes.txt", "figures/overview.png"})
+    EXPECT_TRUE(fs::exists(directory + "/" + name)) << name;
+}
+
+
+
+TEST_F(RunDirectory, a_directory_with_other_files_can_be_used)
+{
+  touch("notes.txt");
+  prepare_directory(scene, false, log);
+  EXPECT_TRUE(fs::exists(directory + "/notes.txt"));
+}
+
+
+
+TEST_F(RunDirectory, nothing_to_resume_is_said)
+{
+  EXPECT_THROW(read_scene_of_run(directory, {}), InputError);
+}
+
+
+
+TEST_F(RunDirectory, a_run_without_steps_has_not_begun)
+{
+  prepare_directory(scene, false, log);
+  EXPECT_TRUE(has_not_begun(directory));
+  touch("summary.json");
+  EXPECT_FALSE(has_not_begun(directory));
+  fs::remove(directory + "/summary.json");
+  touch("checkpoint/state.bin");
+  EXPECT_FALSE(has_not_begun(directory));
+}

@@ -1,0 +1,293 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A run that is stopped, killed or runs out of disk loses nothing, and goes on to the bits of an uninterrupted one.
+
+Usage: restart_test.py HYBRID_BINARY PART WORK_DIR     PART: coupled, dda, signals, faults
+"""
+import json
+import os
+import pathlib
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import h5py
+
+BINARY, PART, WORK = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]).resolve()
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+COUPLED = ROOT / "parameters/verification/restart_coupled.prm"
+SQUARES = ROOT / "parameters/verification/unit_squares.prm"
+TOPPLING = ["Mesh/Numbers=Angle = 20; Columns = 4; Rows = 4; Base above = 20", "Time/End time=0.35", "Output/Picture interval=0.05",
+            "Output/Flush interval=0.02"]
+ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
+WALL = {"wall_time_s", "peak_memory_mb", "timings_s"}  # of summary.json; steps/wall_time of run.h5
+complaints = []
+
+
+def require(condition, text):
+    if not condition:
+        complaints.append(text)
+        print("FAILED:", text)
+
+
+def words_of(scene, directory, overrides=(), *options):
+    words = [BINARY, str(scene), *options, "-s", f"Output/Directory={directory}"]
+    for override in overrides:
+        words += ["-s", override]
+    return words
+
+
+def run(words, expect=0, full=None):
+    """Run to the end. @param full (begun, limit): once begun() is true, no file may grow beyond limit bytes
+    (earlier MPI would fail). @return what it printed on stderr, or on stdout if it ends well."""
+    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=ENVIRONMENT)
+    if full is not None:
+        while process.poll() is None and not full[0]():
+            time.sleep(0.002)
+        if process.poll() is None:
+            resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (full[1], full[1]))
+    output, errors = process.communicate(timeout=120)
+    require(process.returncode == expect, f"{words[1:4]}: exit code {expect}, not {process.returncode}: {errors[-300:]}")
+    if expect not in (0, 1, 130):
+        lines = errors.splitlines()
+        require(len(lines) == 1 and lines[0].startswith("error: "), f"one line 'error: ...', not {errors!r}")
+    return errors if expect else output
+
+
+def data_sets(directory):
+    data = {}
+    with h5py.File(directory / "run.h5", "r") as file:
+        file.visititems(lambda name, item: data.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None)
+    return data
+
+
+def results(directory):
+    """Everything that must be equal, as bytes by name."""
+    found = {name: (str(value.shape), value.tobytes()) for name, value in data_sets(directory).items()
+             if name != "steps/wall_time"}
+    for file in [*directory.glob("*.pvd"), *directory.glob("vtu/*.vtu")]:
+        found[file.name] = file.read_bytes()
+    summary = json.loads((directory / "summary.json").read_text(encoding="utf-8"))
+    found.update({"summary " + key: value for key, value in summary.items() if key not in WALL})
+    log = (directory / "log.txt").read_text(encoding="utf-8").splitlines()
+    found["log"] = [line for line in log if not line.startswith("Resumed")]
+    return found
+
+
+def compare(whole, directory, what):
+    one, other = results(whole), results(directory)
+    names = sorted(one.keys() ^ other.keys()) + [name for name in one if name in other and one[name] != other[name]]
+    require(not names, f"{what}: {', '.join(names[:8])} differ")
+
+
+def check_readable(directory):
+    """After a kill: whatever there is can be read. @return the number of steps in run.h5."""
+    for file in directory.glob("*.pvd"):
+        listed = [line.split('file="')[1].split('"')[0] for line in file.read_text().splitlines() if "file=" in line]
+        require(all((directory / name).is_file() for name in listed), f"{file.name} lists pictures that are there")
+    (directory / "log.txt").read_text(encoding="utf-8")
+    if not (directory / "run.h5").exists():
+        return -1
+    try:
+        return len(data_sets(directory)["time"])
+    except (OSError, RuntimeError, KeyError) as error:
+        require(False, f"run.h5 of a killed run can be read: {error}")
+        return -1
+
+
+def kill_and_resume(scene, overrides, rounds, kills):
+    """Runs that are killed with SIGKILL at random moments, several times each."""
+    whole = WORK / "whole"
+    start = time.monotonic()
+    run(words_of(scene, whole, overrides))
+    duration = time.monotonic() - start
+    data = data_sets(whole)
+    print(f"uninterrupted: {len(data)} data sets, {data['time'].size} steps, {duration:.2f} s, "
+          f"{data['joints/failure_time'].size} joints failed, "
+          f"{len(set(data['steps/dt']))} step sizes")
+    seed = int(os.environ.get("HYBRID_SEED", "1"))
+    random.seed(seed)
+    for round_number in range(rounds):
+        directory = WORK / f"killed_{round_number}"
+        interval = random.choice([1, 3, 10, 40])
+        words = words_of(scene, directory, [*overrides, f"Checkpoint/Step interval={interval}"])
+        moments = []
+        while True:
+            process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=ENVIRONMENT)
+            try:
+                wait = random.uniform(0.1, 1.) * duration if len(moments) < kills else None
+                errors = process.communicate(timeout=wait)[1]
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.communicate()
+                if (directory / "params.used.prm").exists():
+                    words = [BINARY, "--resume", str(directory)]
+                    moments.append(check_readable(directory))
+                else:
+                    moments.append("nothing yet")
+                continue
+            require(process.returncode == 0, f"a resumed run finishes: {errors}")
+            break
+        print(f"round {round_number}: checkpoint every {interval} steps, steps in run.h5 when killed: {moments}")
+        compare(whole, directory, f"killed {len(moments)} times")
+
+
+def check_coupled():
+    kill_and_resume(COUPLED, [], 3, 3)
+
+
+def check_dda():
+    kill_and_resume(SQUARES, TOPPLING, 3, 3)
+
+
+def interrupt(number, wait):
+    """Send a signal to a run once it has begun. @return its directory and what it printed."""
+    directory = WORK / f"signal_{number}"
+    process = subprocess.Popen(words_of(COUPLED, directory), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                               env=ENVIRONMENT)
+    while process.poll() is None and not (directory / "checkpoint/state.bin").exists():
+        time.sleep(0.005)
+    time.sleep(wait)
+    process.send_signal(number)
+    output = process.communicate(timeout=60)[0]
+    require(process.returncode == 130, f"signal {number}: exit code 130, not {process.returncode}")
+    require(f"hybrid --resume {directory}" in output, f"signal {number}: says how to go on")
+    return directory
+
+
+def check_signals():
+    whole = WORK / "whole"
+    run(words_of(COUPLED, whole))
+    for number, wait in ((signal.SIGINT, 0.), (signal.SIGTERM, 0.1)):
+        directory = interrupt(number, wait)
+        steps = check_readable(directory)
+        summary = json.loads((directory / "summary.json").read_text(encoding="utf-8"))
+        require(not summary["finished"] and summary["steps"] == steps > 0, f"signal {number}: a summary of {steps} steps")
+        run([BINARY, "--resume", str(directory)])
+        log = [line for line in (directory / "log.txt").read_text().splitlines() if "Interrupted" in line]
+        require(not log, "the log goes on from the checkpoint")
+        compare(whole, directory, f"signal {number} after {steps} steps")
+
+    # A later end is all that a finished run needs to go on.
+    short = WORK / "short"
+    run(words_of(COUPLED, short, ["Time/End time=0.4"]))
+    run([BINARY, "--resume", str(short), "-s", "Time/End time=0.6"])
+    one, other = data_sets(whole), data_sets(short)
+    names = [name for name in one if name.startswith(("monitors/", "profiles/", "steps/dt", "time", "joints/"))
+             and one[name].tobytes() != other[name].tobytes()]
+    require(not names, f"extended from 0.4 to 0.6 s: {names} differ")
+    before = results(short)
+    run([BINARY, "--resume", str(short)])
+    require(results(short) == before, "resuming a finished run changes nothing")
+
+
+def expect_refusal(words, *parts, code=2):
+    message = run(words, expect=code)
+    for part in parts:
+        require(str(part) in message, f"the message names '{part}': {message.strip()}")
+    print(message.strip())
+
+
+def check_existing_directory():
+    directory = WORK / "existing"
+    words = words_of(COUPLED, directory, ["Time/End time=0.02"])
+    run(words)
+    before = (directory / "run.h5").read_bytes()
+    expect_refusal(words, directory, "--force", "--resume")
+    require((directory / "run.h5").read_bytes() == before, "an earlier run is not touched")
+    (directory / "vtu/blocks_00099.vtu").write_text("old")
+    run(words_of(COUPLED, directory, ["Time/End time=0.04"], "--force"))
+    require(len(data_sets(directory)["time"]) == 20, "--force replaces it")
+    require(not (directory / "vtu/blocks_00099.vtu").exists(), "--force removes its pictures")
+    expect_refusal(words_of(COUPLED, "/proc/hybrid"), "/proc/hybrid")
+    expect_refusal([BINARY, "--resume", str(WORK / "nowhere")], "nowhere")
+
+
+def check_checkpoints(whole):
+    """Checkpoints of others and damaged ones."""
+    file = whole / "checkpoint/state.bin"
+    good = file.read_bytes()
+    before = results(whole)
+    resume = [BINARY, "--resume", str(whole)]
+
+    def changed(place, value):
+        return good[:place] + bytes([value]) + good[place + 1:]
+
+    for content, part in ((changed(12, 99), "version 99"), (changed(16, good[16] ^ 1), "other parts"),
+                          (changed(5000, good[5000] ^ 1), "damaged"), (good[:-7], "damaged"),
+                          (b"PK" + good[2:], "no checkpoint of hybrid"), (b"", "no checkpoint of hybrid")):
+        file.write_bytes(content)
+        expect_refusal(resume, file, part)
+    file.unlink()
+    expect_refusal(resume, "there is no checkpoint")
+    file.write_bytes(good)
+    expect_refusal([*resume, "-s", "Time/Time step=0.001"], "Time/Time step", "0.002")
+    shutil.move(whole / "run.h5", WORK / "run.h5")
+    expect_refusal(resume, "run.h5")
+    shutil.move(WORK / "run.h5", whole / "run.h5")
+    require(results(whole) == before, "refused checkpoints change nothing")
+
+
+def check_vanished_files():
+    """Mesh and record that are gone or changed when the run is resumed."""
+    mesh, record = WORK / "mesh.geo", WORK / "record.txt"
+    shutil.copy(ROOT / "meshes/blocks_on_layers.geo", mesh)
+    record.write_text("\n".join(f"{0.01 * k} {(-1) ** k}" for k in range(50)), encoding="utf-8")
+    directory = WORK / "vanished"
+    run(words_of(COUPLED, directory, [f"Mesh/File={mesh}", f"Motion/File={record}", "Motion/Type=text",
+                                      "Time/End time=0.02"]))
+    before = results(directory)
+    resume = [BINARY, "--resume", str(directory), "-s", "Time/End time=0.04"]
+    for file in (mesh, record):
+        text = file.read_text(encoding="utf-8")
+        file.unlink()
+        expect_refusal(resume, file)
+        file.write_text(text.replace("{2.5,", "{2.4,") if file == mesh else text.replace("-1", "-2"), encoding="utf-8")
+        expect_refusal(resume, "changed")
+        file.write_text(text, encoding="utf-8")
+    require(results(directory) == before, "nothing is lost")
+    run(resume)
+
+
+def check_full_disk(whole):
+    """No file may grow beyond a limit: what there is stays, and the run goes on when there is space."""
+    size = (whole / "run.h5").stat().st_size
+    for part in (0.05, 0.4, 0.9):
+        limit, directory = int(part * size), WORK / f"full_{part}"
+        words = words_of(COUPLED, directory, ["Checkpoint/Step interval=20"])
+        message = run(words, expect=3, full=((directory / "log.txt").exists, limit))
+        print(message.strip())
+        require(f"'hybrid --resume {directory}'" in message, "the message says how to go on")
+        steps = check_readable(directory)
+        resume = [BINARY, "--resume", str(directory)]
+        log = directory / "log.txt"
+        before = log.stat().st_mtime_ns
+        run(resume, expect=3, full=(lambda: log.exists() and log.stat().st_mtime_ns != before, limit))
+        require(check_readable(directory) >= steps, "a second attempt on the full disk loses nothing")
+        run(resume)
+        compare(whole, directory, f"disk full at {limit} bytes, {steps} steps")
+
+
+def check_faults():
+    whole = WORK / "whole"
+    run(words_of(COUPLED, whole))
+    check_existing_directory()
+    check_checkpoints(whole)
+    check_vanished_files()
+    check_full_disk(whole)
+
+
+def main():
+    shutil.rmtree(WORK, ignore_errors=True)
+    WORK.mkdir(parents=True)
+    {"coupled": check_coupled, "dda": check_dda, "signals": check_signals, "faults": check_faults}[PART]()
+    print(f"{len(complaints)} complaints")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
