@@ -9,7 +9,7 @@ namespace hybrid
   {
     volatile std::sig_atomic_t requested = 0;
 
-    constexpr int caught[] = {SIGINT, SIGTERM};
+    constexpr int caught[] = {SIGINT, SIGTERM, SIGHUP};
 
     extern "C" void note_signal(const int number)
     {
@@ -24,7 +24,8 @@ namespace hybrid
   {
     requested = 0;
     for (const int number : caught)
-      std::signal(number, note_signal);
+      if (std::signal(number, note_signal) == SIG_IGN)
+        std::signal(number, SIG_IGN);
   }
 
 
@@ -32,7 +33,8 @@ namespace hybrid
   Interruption::~Interruption()
   {
     for (const int number : caught)
-      std::signal(number, SIG_DFL);
+      if (std::signal(number, SIG_DFL) == SIG_IGN)
+        std::signal(number, SIG_IGN);
   }
 
 

@@ -96,6 +96,7 @@ namespace
   void prepare_process(const scene::SceneParameters &scene)
   {
     std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is an error of writing
+    std::signal(SIGPIPE, SIG_IGN); // a run outlives its screen
     omp_set_num_threads(scene.threads);
     openblas_set_num_threads(1); // its bits change with the number of threads
   }
@@ -114,6 +115,7 @@ namespace
     if (command.action != Action::check)
       prepare_directory(scene, command.force || command.action == Action::resume, log);
     simulation->print_card();
+    simulation->print_memory(command.action != Action::check);
     if (command.action == Action::check)
       {
         log.info("The scene can be run.");

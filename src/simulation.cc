@@ -5,6 +5,7 @@
 #include <hybrid/dda/bedrock_blocks.h>
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/model_builder.h>
+#include <hybrid/output/memory_estimate.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/scene_card.h>
@@ -150,6 +151,18 @@ namespace hybrid
     for (const std::string &warning : input.warnings)
       log.warning(warning);
     for (const std::string &warning : card.warnings)
+      log.warning(warning);
+  }
+
+
+
+  void Simulation::print_memory(const bool warning_only) const
+  {
+    const auto estimate = output::estimate_memory(scene, blocks.get(), continuum.get());
+    if (!warning_only)
+      log.info(output::describe(estimate));
+    const std::string warning = output::memory_warning(estimate, output::available_memory());
+    if (!warning.empty())
       log.warning(warning);
   }
 

@@ -3,8 +3,9 @@
 
 namespace hybrid
 {
-  /// Catches Ctrl-C and SIGTERM while it exists, so that the run can end after a whole step. A
-  /// second signal ends the program at once.
+  /// Catches Ctrl-C, SIGTERM and SIGHUP (a closed terminal) while it exists, so that the run can
+  /// end after a whole step. A second signal ends the program at once; one that was ignored before
+  /// (nohup) stays so.
   class Interruption
   {
   public:

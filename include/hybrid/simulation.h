@@ -42,6 +42,10 @@ namespace hybrid
     /// Scene card and warnings to the log.
     void print_card() const;
 
+    /// What a run will take of the machine's memory. Only a warning belongs in the log of a run:
+    /// the numbers differ a little between equal runs.
+    void print_memory(bool warning_only) const;
+
     /// Run to the end and write everything to the output directory.
     RunStatus run(const Interruption &interruption);
 

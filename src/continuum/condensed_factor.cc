@@ -138,6 +138,19 @@ namespace hybrid::continuum
   }
 
 
+  double CondensedFactorisation::factor_memory() const
+  {
+    const cholmod_factor &l       = *cholmod->symbolic;
+    const double          surface = static_cast<double>(cholmod->n_surface);
+    // Numbers and their pattern, workspace, entries of the matrix in and out of order; the
+    // surface's block of the factor, S and a copy of it.
+    return sizeof(double) *
+             (static_cast<double>(l.xsize) + static_cast<double>(l.maxcsize) +
+              2. * static_cast<double>(cholmod->row.size()) + 3. * surface * surface) +
+           sizeof(int) * (static_cast<double>(l.ssize) + static_cast<double>(cholmod->row.size()));
+  }
+
+
   std::shared_ptr<CondensedFactorisation::Factor>
   CondensedFactorisation::factor(const std::vector<double> &values)
   {

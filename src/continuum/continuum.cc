@@ -227,4 +227,18 @@ namespace hybrid::continuum
       }
     return result;
   }
+
+
+  double Continuum::estimated_memory() const
+  {
+    double numbers = static_cast<double>(impl->matrices.stiffness.size());
+    if (impl->slip != nullptr)
+      {
+        // Compliance of the node pairs, and the products that make it a relaxation of the points.
+        const double pairs  = 2. * static_cast<double>(impl->slip->planes().node_pairs().size());
+        const double points = 2. * static_cast<double>(impl->slip->planes().points().size());
+        numbers += pairs * pairs + 2. * pairs * points + 2. * points * points;
+      }
+    return sizeof(double) * numbers + impl->factorisation->factor_memory();
+  }
 } // namespace hybrid::continuum

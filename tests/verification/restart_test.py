@@ -148,7 +148,7 @@ def interrupt(number, wait):
     """Send a signal to a run once it has begun. @return its directory and what it printed."""
     directory = WORK / f"signal_{number}"
     process = subprocess.Popen(words_of(COUPLED, directory), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                               env=ENVIRONMENT)
+                               env=ENVIRONMENT, preexec_fn=lambda: signal.signal(number, signal.SIG_DFL))
     while process.poll() is None and not (directory / "checkpoint/state.bin").exists():
         time.sleep(0.005)
     time.sleep(wait)
@@ -162,7 +162,7 @@ def interrupt(number, wait):
 def check_signals():
     whole = WORK / "whole"
     run(words_of(COUPLED, whole))
-    for number, wait in ((signal.SIGINT, 0.), (signal.SIGTERM, 0.1)):
+    for number, wait in ((signal.SIGINT, 0.), (signal.SIGTERM, 0.1), (signal.SIGHUP, 0.2)):
         directory = interrupt(number, wait)
         steps = check_readable(directory)
         summary = json.loads((directory / "summary.json").read_text(encoding="utf-8"))

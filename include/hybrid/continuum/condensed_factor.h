@@ -34,6 +34,9 @@ namespace hybrid::continuum
 
     int size() const;
 
+    /// What a factor and making it take [B].
+    double factor_memory() const;
+
     /// Factor the matrix with these entries. @throws std::runtime_error if it is not positive
     /// definite.
     std::shared_ptr<Factor> factor(const std::vector<double> &values);

@@ -183,6 +183,10 @@ namespace hybrid::continuum
 
     Resolution resolution() const;
 
+    /// What steps take beside the model itself [B]: the factor of one step size and the condensed
+    /// matrices; each further step size (cut steps, at most two) takes about as much.
+    double estimated_memory() const;
+
   private:
     struct Implementation;
     std::unique_ptr<Implementation> impl;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/continuum/continuum.h>
+#include <hybrid/dda/model.h>
+#include <hybrid/scene/scene_parameters.h>
+
+#include <string>
+
+namespace hybrid::output
+{
+  /// What a run will take at most, as far as it can be told before [B].
+  struct MemoryEstimate
+  {
+    double built     = 0.; ///< program, mesh and model: measured
+    double continuum = 0.; ///< factor, condensed matrices
+    double blocks    = 0.; ///< springs, matrix, factor
+    double histories = 0.; ///< run.h5, which is kept in memory, and what peaks are taken from
+
+    double total() const
+    {
+      return built + continuum + blocks + histories;
+    }
+  };
+
+  /// Of a scene whose model has just been built. Parts that are nullptr take nothing.
+  MemoryEstimate estimate_memory(const scene::SceneParameters &scene,
+                                 const dda::Model             *blocks,
+                                 const continuum::Continuum   *continuum);
+
+  /// Memory that this process may use [B]: the machine's, or less by a limit of its container.
+  double available_memory();
+
+  /// "Memory     about 460 MB (...)".
+  std::string describe(const MemoryEstimate &estimate);
+
+  /// Warning if the estimate exceeds @p available [B], else empty.
+  std::string memory_warning(const MemoryEstimate &estimate, double available);
+} // namespace hybrid::output

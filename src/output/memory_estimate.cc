@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/memory_estimate.h>
+#include <hybrid/output/memory_estimate.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    constexpr double megabyte = 1048576.;
+
+    /// Largest resident memory so far [B].
+    double resident_memory()
+    {
+      rusage usage;
+      return getrusage(RUSAGE_SELF, &usage) == 0 ? 1024. * static_cast<double>(usage.ru_maxrss)
+                                                 : 0.;
+    }
+
+
+
+    /// Numbers that a run keeps: run.h5 and once more while it is flushed; what peaks are taken
+    /// from, in vectors with room for up to twice as many.
+    double history_numbers(const scene::SceneParameters &scene)
+    {
+      const double steps    = scene.time.end_time / scene.time.time_step;
+      const double monitors = 6. * static_cast<double>(scene.monitors.monitors.size());
+      double       profiles = 0.;
+      for (const scene::Borehole &hole : scene.monitors.boreholes)
+        profiles += 2. * hole.samples;
+      constexpr double time = 1., motion = 6., step = 4., input = 2.;
+      return steps *
+             (2. * (time + motion + step + monitors + profiles) + 2. * (time + input + monitors));
+    }
+  } // namespace
+
+
+
+  MemoryEstimate estimate_memory(const scene::SceneParameters &scene,
+                                 const dda::Model             *blocks,
+                                 const continuum::Continuum   *continuum)
+  {
+    MemoryEstimate estimate;
+    estimate.built     = resident_memory();
+    estimate.continuum = continuum != nullptr ? continuum->estimated_memory() : 0.;
+    estimate.blocks    = blocks != nullptr ? dda::estimated_memory(*blocks) : 0.;
+    estimate.histories = sizeof(double) * history_numbers(scene);
+    return estimate;
+  }
+
+
+
+  double available_memory()
+  {
+    double memory =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    std::ifstream limit("/sys/fs/cgroup/memory.max"); // "max" without a limit
+    double        bytes = 0.;
+    if (limit >> bytes && bytes > 0.)
+      memory = std::min(memory, bytes);
+    return memory;
+  }
+
+
+
+  std::string describe(const MemoryEstimate &estimate)
+  {
+    char text[200];
+    std::snprintf(text,
+                  sizeof(text),
+                  "Memory     about %.0f MB: program and model %.0f, bedrock %.0f, blocks %.0f, "
+                  "histories %.0f",
+                  estimate.total() / megabyte,
+                  estimate.built / megabyte,
+                  estimate.continuum / megabyte,
+                  estimate.blocks / megabyte,
+                  estimate.histories / megabyte);
+    return text;
+  }
+
+
+
+  std::string memory_warning(const MemoryEstimate &estimate, const double available)
+  {
+    if (estimate.total() <= available)
+      return "";
+    char text[200];
+    std::snprintf(text,
+                  sizeof(text),
+                  "the run needs about %.0f MB of memory, this machine has %.0f MB; a coarser mesh "
+                  "needs less",
+                  estimate.total() / megabyte,
+                  available / megabyte);
+    return text;
+  }
+} // namespace hybrid::output

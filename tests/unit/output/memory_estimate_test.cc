@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/memory_estimate.h>
+
+#include <gtest/gtest.h>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    TEST(MemoryEstimate, CountsHistoriesBySteps)
+    {
+      scene::SceneParameters scene;
+      scene.time.end_time  = 1.;
+      scene.time.time_step = 1e-3;
+      scene.monitors.monitors.resize(2);
+      const double once             = estimate_memory(scene, nullptr, nullptr).histories;
+      scene.time.end_time           = 10.;
+      const MemoryEstimate estimate = estimate_memory(scene, nullptr, nullptr);
+      EXPECT_NEAR(estimate.histories, 10. * once, 1e-6 * once);
+      EXPECT_GT(once, 1000. * 8. * 6. * 2.); // the two monitors alone
+      EXPECT_GT(estimate.built, 1e6);        // this process
+      EXPECT_EQ(estimate.continuum + estimate.blocks, 0.);
+    }
+
+
+
+    TEST(MemoryEstimate, WarnsBeyondWhatThereIs)
+    {
+      MemoryEstimate estimate;
+      estimate.built     = 100. * 1048576.;
+      estimate.continuum = 50. * 1048576.;
+      EXPECT_EQ(memory_warning(estimate, 151. * 1048576.), "");
+      const std::string text = memory_warning(estimate, 149. * 1048576.);
+      EXPECT_NE(text.find("needs about 150 MB"), std::string::npos) << text;
+      EXPECT_NE(text.find("has 149 MB"), std::string::npos) << text;
+      EXPECT_NE(describe(estimate).find("about 150 MB"), std::string::npos);
+      EXPECT_GT(available_memory(), 1e7);
+    }
+  } // namespace
+} // namespace hybrid::output

@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The memory that --check announces is that of the run, within a factor of 1.5.
+
+Usage: memory_test.py HYBRID_BINARY WORK_DIR
+"""
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+FACTOR = 1.5
+BADONG = ROOT / "parameters/majiagou/badong.prm"
+
+# What dominates: blocks and condensed bedrock; slip of bedding planes; blocks alone; histories.
+SCENES = {
+    "badong": (BADONG, ["Time/End time=0.005"]),
+    "slipping planes": (BADONG, ["Mesh/Numbers=Resolution/h = 8", "Time/End time=0.005",
+                                 "Bedding planes/Strength=Mohr-Coulomb", "Bedding planes/Friction angle=30"]),
+    "triangles": (BADONG, ["Mesh/Numbers=Resolution/h = 6", "Time/End time=0.003", "Model/Bedrock=triangles"]),
+    "long run": (ROOT / "parameters/verification/coupled_column.prm",
+                 ["Model/Blocks=none", "Monitors/Points=base: 5, 0; " + "; ".join(f"p{k}: 5, {0.1 * k}" for k in range(99)),
+                  "Time/Time step=0.0001", "Time/End time=1.2"]),
+}
+
+
+def main():
+    binary, work = sys.argv[1], pathlib.Path(sys.argv[2])
+    shutil.rmtree(work, ignore_errors=True)
+    failed = 0
+    for name, (scene, settings) in SCENES.items():
+        directory = work / name.replace(" ", "_")
+        options = [word for setting in settings for word in ("-s", setting)]
+        card = subprocess.run([binary, "--check", scene, *options], check=True, capture_output=True, text=True).stdout
+        estimate = float(re.search(r"Memory +about (\d+) MB", card).group(1))
+        subprocess.run([binary, scene, *options, "-s", f"Output/Directory={directory}"], check=True,
+                       stdout=subprocess.DEVNULL)
+        measured = json.loads((directory / "summary.json").read_text(encoding="utf-8"))["peak_memory_mb"]
+        good = measured / FACTOR <= estimate <= measured * FACTOR
+        failed += not good
+        print(f"{'ok' if good else 'FAIL'}  {name}: announced {estimate:.0f} MB, measured {measured:.0f} MB, "
+              f"{estimate / measured:.2f}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
