@@ -347,8 +347,14 @@ namespace hybrid
     summary.cuts                 = run.clock.cuts();
     summary.timings["continuum"] = run.step.timings().continuum;
     summary.timings["blocks"]    = run.step.timings().blocks;
-    summary.wall_time            = run.wall_time();
-    summary.peak_memory          = peak_memory();
+    if (run.solver != nullptr)
+      {
+        const dda::BlockSolver::SearchSummary &search = run.solver->search();
+        summary.contact_search            = {search.steps, search.searches, search.lists};
+        summary.timings["contact_search"] = search.time;
+      }
+    summary.wall_time   = run.wall_time();
+    summary.peak_memory = peak_memory();
     output::write_summary(summary, scene.output.directory + "/summary.json");
 
     char text[300];

@@ -2,6 +2,7 @@
 #include <hybrid/dda/block_solver.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 
 namespace hybrid::dda
@@ -104,8 +105,14 @@ namespace hybrid::dda
 
   StepResult BlockSolver::solve(DdaState &state, const BaseResponse &base, const double dt)
   {
+    const auto start = std::chrono::steady_clock::now();
     update_skipped_pairs(state);
     detection.update(state.geometry, state.contacts);
+    ++search_summary.steps;
+    search_summary.searches = detection.report().searches;
+    search_summary.lists    = detection.report().builds;
+    search_summary.time +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return iteration.solve(model, state, base, dt);
   }
 } // namespace hybrid::dda

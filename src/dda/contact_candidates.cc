@@ -4,6 +4,8 @@
 #include <hybrid/dda/polygon.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace hybrid::dda
 {
@@ -26,16 +28,37 @@ namespace hybrid::dda
       return it != sorted.end() && it->first == first;
     }
 
-    /// True if every point is within @p limit of where it was; false for NaN.
-    bool all_near(const std::vector<Vec2> &now, const std::vector<Vec2> &then, const double limit)
+    /// Box around the displacements of points. NaN spoils it for good.
+    struct Spread
     {
-      if (now.size() != then.size())
-        return false;
-      for (std::size_t i = 0; i < now.size(); ++i)
-        if (!((now[i] - then[i]).squaredNorm() <= limit * limit))
-          return false;
-      return true;
-    }
+      double lower_x = 0., upper_x = 0., lower_y = 0., upper_y = 0., sum = 0.;
+      bool   is_empty = true;
+
+      void add(const std::vector<Vec2> &now, const std::vector<Vec2> &then)
+      {
+        for (std::size_t i = 0; i < now.size(); ++i)
+          {
+            const double x = now[i].x() - then[i].x(), y = now[i].y() - then[i].y();
+            if (is_empty)
+              {
+                lower_x = upper_x = x;
+                lower_y = upper_y = y;
+                is_empty          = false;
+              }
+            lower_x = std::min(lower_x, x);
+            upper_x = std::max(upper_x, x);
+            lower_y = std::min(lower_y, y);
+            upper_y = std::max(upper_y, y);
+            sum += x + y;
+          }
+      }
+
+      /// No displacement is farther from the box's middle [m].
+      double half_diagonal() const
+      {
+        return 0.5 * std::hypot(upper_x - lower_x, upper_y - lower_y) + 0. * sum;
+      }
+    };
 
     Box box_around(const Vec2 *points, const int n, const double skin)
     {
@@ -89,18 +112,38 @@ namespace hybrid::dda
 
   bool ContactCandidates::update(const Geometry &geometry)
   {
-    if (is_good(geometry))
-      return false;
-    build(geometry);
-    return true;
+    const double moved   = movement(geometry);
+    const bool   is_good = moved <= 0.5 * margin; // false for NaN
+    if (!is_good)
+      build(geometry);
+    wake(is_good ? moved : 0.);
+    return !is_good;
   }
 
 
 
-  bool ContactCandidates::is_good(const Geometry &geometry) const
+  double ContactCandidates::movement(const Geometry &geometry) const
   {
-    return !is_outdated && all_near(geometry.vertices, built_vertices, 0.5 * margin) &&
-           all_near(geometry.base_nodes, built_nodes, 0.5 * margin);
+    if (is_outdated || geometry.vertices.size() != built_vertices.size() ||
+        geometry.base_nodes.size() != built_nodes.size())
+      return std::numeric_limits<double>::infinity();
+    Spread spread;
+    spread.add(geometry.vertices, built_vertices);
+    spread.add(geometry.base_nodes, built_nodes);
+    return spread.half_diagonal();
+  }
+
+
+
+  void ContactCandidates::wake(const double moved)
+  {
+    if (moved == awake_for)
+      return;
+    awake_for = moved;
+    awake_pairs.clear();
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (apart_when_built[i] - 2. * moved <= distance)
+        awake_pairs.push_back(candidates[i]);
   }
 
 
@@ -110,6 +153,7 @@ namespace hybrid::dda
     built_vertices.assign(geometry.vertices.begin(), geometry.vertices.end());
     built_nodes.assign(geometry.base_nodes.begin(), geometry.base_nodes.end());
     is_outdated    = false;
+    awake_for      = -1.;
     distance_tests = 0;
 
     const int n_nodes = static_cast<int>(geometry.base_nodes.size());
@@ -123,6 +167,7 @@ namespace hybrid::dda
     grid.build(boxes);
 
     candidates.clear();
+    apart_when_built.clear();
     for (int i = 1; i + 1 < n_nodes; ++i) // the two ends of the base are no vertices
       add_candidates(geometry, base_body, i);
     for (int v = 0; v < static_cast<int>(geometry.vertices.size()); ++v)
@@ -146,8 +191,7 @@ namespace hybrid::dda
             continue;
           ++distance_tests;
           const Vec2 *ends = &geometry.base_nodes[box];
-          if (distance_to_segment(ends[0], ends[1], point) <= distance + margin)
-            candidates.push_back({body, vertex, base_body, box});
+          add({body, vertex, base_body, box}, distance_to_segment(ends[0], ends[1], point));
         }
       else
         {
@@ -161,9 +205,9 @@ namespace hybrid::dda
           const int   n       = geometry.offset[block + 1] - geometry.offset[block];
           if (n > many_edges)
             add_near_edges(geometry, {body, vertex, block, -1}, point);
-          else if (distance_to_outline(outline, n, point) <= distance + margin ||
-                   contains(outline, n, point))
-            candidates.push_back({body, vertex, block, -1});
+          else
+            add({body, vertex, block, -1},
+                contains(outline, n, point) ? 0. : distance_to_outline(outline, n, point));
         }
   }
 
@@ -177,11 +221,20 @@ namespace hybrid::dda
               n       = geometry.offset[any_edge.edge_body + 1] - first;
     const auto before = candidates.size();
     for (int e = first; e < first + n; ++e)
-      if (distance_to_segment(geometry.vertices[e], geometry.vertices[geometry.next(e)], point) <=
-          distance + margin)
-        candidates.push_back({any_edge.vertex_body, any_edge.vertex, any_edge.edge_body, e});
+      add({any_edge.vertex_body, any_edge.vertex, any_edge.edge_body, e},
+          distance_to_segment(geometry.vertices[e], geometry.vertices[geometry.next(e)], point));
     if (candidates.size() == before && contains(&geometry.vertices[first], n, point))
-      candidates.push_back(any_edge);
+      add(any_edge, 0.);
+  }
+
+
+
+  void ContactCandidates::add(const ContactCandidate &pair, const double apart)
+  {
+    if (!(apart <= distance + margin))
+      return;
+    candidates.push_back(pair);
+    apart_when_built.push_back(apart);
   }
 
 

@@ -55,12 +55,14 @@ namespace hybrid::dda
     last.builds += candidates.update(geometry) ? 1 : 0;
     last.lost       = 0;
     last.edge_tests = 0;
-    if (candidates.list().empty()) // an intact mass: the search sleeps
+    if (candidates.awake().empty()) // the search sleeps
       {
         contacts.clear();
         return;
       }
-    frames.update(geometry, smooth_angle);
+    ++last.searches;
+    find_near_blocks(geometry, contacts);
+    frames.update(geometry, smooth_angle, near_blocks);
 
     previous.assign(contacts.begin(), contacts.end());
     select(geometry);
@@ -75,9 +77,34 @@ namespace hybrid::dda
 
 
 
+  void ContactDetection::find_near_blocks(const Geometry             &geometry,
+                                          const std::vector<Contact> &contacts)
+  {
+    is_near.assign(geometry.n_blocks(), 0);
+    near_blocks.clear();
+    const auto add = [this](const int body) {
+      if (body == base_body || is_near[body])
+        return;
+      is_near[body] = 1;
+      near_blocks.push_back(body);
+    };
+    for (const ContactCandidate &pair : candidates.awake())
+      {
+        add(pair.vertex_body);
+        add(pair.edge_body);
+      }
+    for (const Contact &contact : contacts)
+      {
+        add(contact.vertex_body);
+        add(contact.edge_body);
+      }
+  }
+
+
+
   void ContactDetection::select(const Geometry &geometry)
   {
-    const std::vector<ContactCandidate> &list = candidates.list();
+    const std::vector<ContactCandidate> &list = candidates.awake();
 
     trials.clear();
     first_of_vertex.assign(geometry.vertices.size(), -1);

@@ -35,23 +35,58 @@ namespace hybrid::dda
   void OutlineFrames::update(const Geometry &geometry, const double smooth_angle)
   {
     const double sine = std::sin(smooth_angle);
+    resize(geometry);
+    for (int b = 0; b < geometry.n_blocks(); ++b)
+      update_block(geometry, b, sine);
+    update_base(geometry, sine);
+  }
 
-    const int n_vertices = static_cast<int>(geometry.vertices.size());
-    block_edges.resize(n_vertices);
-    block_corners.resize(n_vertices);
-    convex_blocks.assign(geometry.n_blocks(), 1);
-    for (int v = 0; v < n_vertices; ++v)
-      block_edges[v] = make_frame(geometry.vertices[v], geometry.vertices[geometry.next(v)], 1.);
-    for (int v = 0; v < n_vertices; ++v)
-      {
-        block_corners[v] = make_corner(block_edges[geometry.previous(v)], block_edges[v], 1., sine);
-        if (block_corners[v] == Corner::reflex)
-          convex_blocks[geometry.block_of[v]] = 0;
-      }
 
+
+  void OutlineFrames::update(const Geometry         &geometry,
+                             const double            smooth_angle,
+                             const std::vector<int> &blocks)
+  {
+    const double sine = std::sin(smooth_angle);
+    resize(geometry);
+    for (const int b : blocks)
+      update_block(geometry, b, sine);
+    update_base(geometry, sine);
+  }
+
+
+
+  void OutlineFrames::resize(const Geometry &geometry)
+  {
+    block_edges.resize(geometry.vertices.size());
+    block_corners.resize(geometry.vertices.size());
+    convex_blocks.resize(geometry.n_blocks());
     const int n_nodes = static_cast<int>(geometry.base_nodes.size());
     base_edges.resize(n_nodes > 0 ? n_nodes - 1 : 0);
     base_corners.assign(n_nodes, Corner::straight);
+  }
+
+
+
+  void OutlineFrames::update_block(const Geometry &geometry, const int block, const double sine)
+  {
+    const int first = geometry.offset[block], end = geometry.offset[block + 1];
+    for (int v = first; v < end; ++v)
+      block_edges[v] = make_frame(geometry.vertices[v], geometry.vertices[geometry.next(v)], 1.);
+    convex_blocks[block] = 1;
+    for (int v = first; v < end; ++v)
+      {
+        block_corners[v] = make_corner(block_edges[geometry.previous(v)], block_edges[v], 1., sine);
+        if (block_corners[v] == Corner::reflex)
+          convex_blocks[block] = 0;
+      }
+  }
+
+
+
+  void OutlineFrames::update_base(const Geometry &geometry, const double sine)
+  {
+    const int n_nodes = static_cast<int>(geometry.base_nodes.size());
     for (int i = 0; i + 1 < n_nodes; ++i)
       base_edges[i] = make_frame(geometry.base_nodes[i], geometry.base_nodes[i + 1], -1.);
     for (int i = 1; i + 1 < n_nodes; ++i)

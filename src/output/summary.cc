@@ -117,6 +117,16 @@ namespace hybrid::output
     }
 
 
+    Object contact_search(const Summary &summary)
+    {
+      Object object(1);
+      object.add("steps", summary.contact_search.steps);
+      object.add("searches", summary.contact_search.searches);
+      object.add("lists", summary.contact_search.lists);
+      return object;
+    }
+
+
     Object monitor(const MonitorSummary &monitor)
     {
       Object object(2);
@@ -150,6 +160,7 @@ namespace hybrid::output
     object.add("interface_unknowns", summary.interface_unknowns);
     object.add("cuts", summary.cuts);
     object.add("iterations", summary.iterations);
+    object.add("contact_search", contact_search(summary));
     object.add("energy_residual", summary.energy_residual);
     object.add("energy_J_per_m", numbers(summary.energy, 1));
     object.add("joints", joints(summary));

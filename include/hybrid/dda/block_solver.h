@@ -37,6 +37,20 @@ namespace hybrid::dda
       return iteration;
     }
 
+    /// What contact search has done and cost since construction.
+    struct SearchSummary
+    {
+      long   steps    = 0;  ///< steps tried
+      long   searches = 0;  ///< of them, those in which the search did not sleep
+      long   lists    = 0;  ///< lists of near pairs built
+      double time     = 0.; ///< wall time [s]
+    };
+
+    const SearchSummary &search() const
+    {
+      return search_summary;
+    }
+
     /// Vertices found deeper inside another block than any contact explains, at the last step.
     int lost_vertices() const
     {
@@ -50,6 +64,8 @@ namespace hybrid::dda
     std::vector<std::pair<int, int>>
         touching_base; ///< (block, segment) that share a node at the start
     int changes = -1;  ///< failed plus released joints when the skip lists were made
+
+    SearchSummary search_summary;
 
     void update_skipped_pairs(const DdaState &state);
   };

@@ -36,8 +36,11 @@ namespace hybrid::dda
    * All (vertex, body) pairs closer than a distance, kept in a Verlet list.
    *
    * The list holds pairs closer than distance + margin and is good until some
-   * point has moved by margin / 2. Pairs of one block with itself are left
-   * out, and
+   * point has moved by margin / 2, less what all points have moved together (an
+   * earthquake carries the whole mass along). With each pair goes its distance d
+   * when the list was built: while no point has moved by more than m, it is at
+   * least d - 2 m, so a pair with d - 2 m above the distance is asleep: no
+   * contact can arise there. Pairs of one block with itself are left out, and
    *   - bonded pairs of blocks: their joint carries the load;
    *   - pairs of blocks of the bedrock;
    *   - blocks that share a vertex of the original mesh, unless one of them is
@@ -65,9 +68,17 @@ namespace hybrid::dda
     /// Build the list if it is no longer good. Returns true if it was built.
     bool update(const Geometry &geometry);
 
-    const std::vector<ContactCandidate> &list() const
+    /// Pairs of the list that are not asleep, sorted: all that are within the distance, and some
+    /// more.
+    const std::vector<ContactCandidate> &awake() const
     {
-      return candidates;
+      return awake_pairs;
+    }
+
+    /// Pairs of the list, awake or asleep.
+    std::size_t size() const
+    {
+      return candidates.size();
     }
 
     /// Distances computed by the last build.
@@ -77,7 +88,8 @@ namespace hybrid::dda
     }
 
   private:
-    bool is_good(const Geometry &geometry) const;
+    /// Largest movement of a point since the list was built, less the movement of all [m].
+    double movement(const Geometry &geometry) const;
 
     void build(const Geometry &geometry);
 
@@ -86,6 +98,10 @@ namespace hybrid::dda
     /// The edges of a large outline near @p point, or @p any_edge if it is deep inside.
     void
     add_near_edges(const Geometry &geometry, const ContactCandidate &any_edge, const Vec2 &point);
+
+    void add(const ContactCandidate &pair, double apart);
+
+    void wake(double moved);
 
     bool is_skipped_pair(int block, int other) const;
 
@@ -99,11 +115,13 @@ namespace hybrid::dda
     SkippedPairs     lookup;                       ///< pairs sorted, blocks in both orders
     bool             is_outdated = true;
 
-    std::vector<ContactCandidate> candidates;
-    std::vector<Vec2>             built_vertices, built_nodes; ///< positions at the last build [m]
-    CellGrid                      grid;
-    std::vector<Box>              boxes; ///< base segments, then blocks
-    std::vector<int>              found;
-    long                          distance_tests = 0;
+    std::vector<ContactCandidate> candidates, awake_pairs;
+    std::vector<double>           apart_when_built; ///< per candidate [m]; 0 inside the body
+    double            awake_for = -1.; ///< movement for which the awake pairs were chosen [m]
+    std::vector<Vec2> built_vertices, built_nodes; ///< positions at the last build [m]
+    CellGrid          grid;
+    std::vector<Box>  boxes; ///< base segments, then blocks
+    std::vector<int>  found;
+    long              distance_tests = 0;
   };
 } // namespace hybrid::dda

@@ -14,7 +14,10 @@ namespace hybrid::dda
    *
    * Called once at the start of every step with the accepted geometry. A
    * Verlet list over a cell grid makes it O(N); the contacts depend on geometry
-   * and old contacts only, never on when the list was built.
+   * and old contacts only, never on when the list was built. Pairs of the list
+   * sleep until they can have come near enough (ContactCandidates); while all
+   * sleep, so does the search, and blocks without an awake pair cost nothing
+   * but the look at how far they have moved.
    *
    * Rules, in the order in which they are applied:
    *
@@ -92,6 +95,7 @@ namespace hybrid::dda
       int  lost       = 0; ///< vertices deeper than max_depth inside a block, ignored
       long edge_tests = 0; ///< edges looked at
       long builds     = 0; ///< Verlet lists built since construction
+      long searches   = 0; ///< updates since construction in which the search did not sleep
     };
 
     const Report &report() const
@@ -106,6 +110,9 @@ namespace hybrid::dda
     }
 
   private:
+    /// Blocks that are in awake pairs or in contacts: only their outlines are looked at.
+    void find_near_blocks(const Geometry &geometry, const std::vector<Contact> &contacts);
+
     void select(const Geometry &geometry);
 
     void add_body(const Geometry &geometry, const ContactCandidate &candidate);
@@ -133,6 +140,8 @@ namespace hybrid::dda
     std::vector<ContactTrial> trials;                         ///< sorted
     std::vector<int>          first_of_vertex, first_of_node; ///< first trial of a vertex, or -1
     std::vector<char>         dropped;                        ///< per trial
+    std::vector<int>          near_blocks;
+    std::vector<char>         is_near; ///< per block
     Report                    last;
   };
 } // namespace hybrid::dda

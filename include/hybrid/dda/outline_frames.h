@@ -39,6 +39,9 @@ namespace hybrid::dda
   public:
     void update(const Geometry &geometry, double smooth_angle);
 
+    /// Only the outlines of the given blocks (all others keep what they had), and the base.
+    void update(const Geometry &geometry, double smooth_angle, const std::vector<int> &blocks);
+
     const EdgeFrame &edge(const int body, const int first_end) const
     {
       return body == base_body ? base_edges[first_end] : block_edges[first_end];
@@ -56,6 +59,12 @@ namespace hybrid::dda
     }
 
   private:
+    void resize(const Geometry &geometry);
+
+    void update_block(const Geometry &geometry, int block, double sine);
+
+    void update_base(const Geometry &geometry, double sine);
+
     std::vector<EdgeFrame> block_edges, base_edges;
     std::vector<Corner>    block_corners, base_corners;
     std::vector<char>      convex_blocks;

@@ -38,22 +38,31 @@ namespace hybrid::output
       long shear   = 0;
     };
 
-    std::string  title;
-    bool         finished           = false;
-    long         steps              = 0;  ///< accepted
-    double       simulated_time     = 0.; ///< [s]
-    double       wall_time          = 0.; ///< [s]
-    double       peak_memory        = 0.; ///< resident, of this process [MB]
-    long         blocks             = 0;
-    long         continuum_unknowns = 0;
-    long         interface_unknowns = 0;
-    double       energy_residual    = 0.; ///< |sum of all terms| / largest exchanged energy [-]
-    FailedJoints joints;                  ///< in the dynamic stage: earthquake damage
-    FailedJoints static_joints;           ///< while the body settled under gravity
-    double       first_failure_time = MonitorSummary::unknown; ///< of the dynamic stage [s]
-    long         cuts               = 0;                       ///< steps rolled back and halved
-    long         iterations         = 0;                       ///< open-close iterations, all steps
-    double       filter_frequency   = 0.; ///< low-pass behind peaks and amplification [Hz]; 0: none
+    /// What contact search did in the dynamic stage.
+    struct ContactSearch
+    {
+      long steps    = 0; ///< steps tried
+      long searches = 0; ///< of them, those in which the search did not sleep
+      long lists    = 0; ///< lists of near pairs built
+    };
+
+    std::string   title;
+    bool          finished           = false;
+    long          steps              = 0;  ///< accepted
+    double        simulated_time     = 0.; ///< [s]
+    double        wall_time          = 0.; ///< [s]
+    double        peak_memory        = 0.; ///< resident, of this process [MB]
+    long          blocks             = 0;
+    long          continuum_unknowns = 0;
+    long          interface_unknowns = 0;
+    double        energy_residual    = 0.; ///< |sum of all terms| / largest exchanged energy [-]
+    FailedJoints  joints;                  ///< in the dynamic stage: earthquake damage
+    FailedJoints  static_joints;           ///< while the body settled under gravity
+    double        first_failure_time = MonitorSummary::unknown; ///< of the dynamic stage [s]
+    long          cuts               = 0;                       ///< steps rolled back and halved
+    long          iterations         = 0; ///< open-close iterations, all steps
+    ContactSearch contact_search;
+    double        filter_frequency = 0.; ///< low-pass behind peaks and amplification [Hz]; 0: none
     std::array<double, 2> outcrop_peak_acceleration = {
       {MonitorSummary::unknown,
        MonitorSummary::unknown}}; ///< amplification refers to it [m/s2], filtered

@@ -159,6 +159,41 @@ namespace
     expect_equal(a, c);
   }
 
+  /// Two clouds that an earthquake carries along while one falls on the other: the search sleeps
+  /// until they come near, and what it finds is what a search finds that looks at every pair anew.
+  TEST(ContactDetection, SleepingSearchEqualsAnAwakeOneToTheBit)
+  {
+    constexpr double reach = 0.02, margin = 0.5, fall = 0.005;
+    Geometry         g = blocks({square(0., 0.), square(1.5, 0.), square(3., 0.)});
+    const int        n = g.n_blocks();
+    for (const double x : {0.3, 1.7, 2.9})
+      add_block(g, square(x, 1.2));
+    ContactDetection detection({reach, margin, parameters.smooth_angle});
+    Contacts         contacts, contacts_awake;
+    int              slept = 0, touched = 0;
+    for (int step = 0; step < 60; ++step)
+      {
+        ContactDetection awake({reach, 0., parameters.smooth_angle});
+        const long       searches = detection.report().searches;
+        detection.update(g, contacts);
+        awake.update(g, contacts_awake);
+        expect_equal(contacts, contacts_awake);
+        EXPECT_EQ(detection.report().lost, awake.report().lost);
+        const bool sleeps = detection.report().searches == searches;
+        EXPECT_TRUE(!sleeps || contacts.empty());
+        slept += sleeps ? 1 : 0;
+        touched += contacts.empty() ? 0 : 1;
+        for (Contacts *list : {&contacts, &contacts_awake})
+          for (Contact &c : *list)
+            c.slip += 1e-3 * c.edge_position;
+        for (int b = 0; b < g.n_blocks(); ++b)
+          move_block(g, b, Vec2(0.3 * std::sin(0.4 * step), b < n ? 0. : -fall));
+      }
+    EXPECT_EQ(detection.report().builds, 1) << "carried along together: no new list";
+    EXPECT_GE(slept, 30);
+    EXPECT_GE(touched, 5);
+  }
+
   TEST(ContactDetection, PermutedBlocksGiveTheSameContacts)
   {
     const Geometry   g = cloud(200, 9);
