@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block_solver.h>
+#include <hybrid/restart/archive.h>
 
 #include <algorithm>
 #include <chrono>
@@ -56,6 +57,17 @@ namespace hybrid::dda
 
 
 
+  void BlockSolver::serialize(restart::Archive &archive)
+  {
+    iteration.serialize(archive);
+    archive(search_summary.steps,
+            search_summary.searches,
+            search_summary.lists,
+            search_summary.time);
+  }
+
+
+
   void BlockSolver::update_skipped_pairs(const DdaState &state)
   {
     int now = 0;
@@ -105,12 +117,13 @@ namespace hybrid::dda
 
   StepResult BlockSolver::solve(DdaState &state, const BaseResponse &base, const double dt)
   {
-    const auto start = std::chrono::steady_clock::now();
+    const auto                     start  = std::chrono::steady_clock::now();
+    const ContactDetection::Report before = detection.report();
     update_skipped_pairs(state);
     detection.update(state.geometry, state.contacts);
     ++search_summary.steps;
-    search_summary.searches = detection.report().searches;
-    search_summary.lists    = detection.report().builds;
+    search_summary.searches += detection.report().searches - before.searches;
+    search_summary.lists += detection.report().builds - before.builds;
     search_summary.time +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return iteration.solve(model, state, base, dt);

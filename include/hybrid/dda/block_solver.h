@@ -26,10 +26,7 @@ namespace hybrid::dda
     }
 
     /// What is kept from one step to the next, for the checkpoint.
-    void serialize(restart::Archive &archive)
-    {
-      iteration.serialize(archive);
-    }
+    void serialize(restart::Archive &archive);
 
     /// The solved step: displacement of the base nodes [m] and force increments on them [N/m].
     const OpenCloseIteration &solved_step() const
@@ -37,7 +34,8 @@ namespace hybrid::dda
       return iteration;
     }
 
-    /// What contact search has done and cost since construction.
+    /// What contact search has done and cost since the run began (a run that is resumed builds one
+    /// list more).
     struct SearchSummary
     {
       long   steps    = 0;  ///< steps tried
