@@ -14,6 +14,7 @@
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <omp.h>
 
 extern "C" void
@@ -108,12 +109,17 @@ namespace
                 int                          &argc,
                 char                       **&argv)
   {
+    const bool force = command.force || command.action == Action::resume;
+    if (command.action == Action::run && !force)
+      refuse_earlier_run(scene.output.directory);
     prepare_process(scene);
     const MpiSession session(argc, argv);
     output::Log      log(std::cout, output::standard_output_is_terminal());
-    const auto       simulation = make_simulation(command.target, scene, log);
+    if (command.action == Action::resume)
+      log.info("Resumed before the first checkpoint: the run begins anew");
+    const auto simulation = make_simulation(command.target, scene, log);
     if (command.action != Action::check)
-      prepare_directory(scene, command.force || command.action == Action::resume, log);
+      prepare_directory(scene, force, log);
     simulation->print_card();
     simulation->print_memory(command.action != Action::check);
     if (command.action == Action::check)
@@ -176,6 +182,12 @@ main(int argc, char **argv)
     {
       std::cerr << "error: " << error.what() << std::endl;
       return 2;
+    }
+  catch (const std::bad_alloc &)
+    {
+      std::cerr << "error: there is not enough memory; hybrid --check tells what a run takes"
+                << std::endl;
+      return 3;
     }
   catch (const std::exception &error)
     {

@@ -87,14 +87,22 @@ namespace hybrid
 
 
 
-  void prepare_directory(const scene::SceneParameters &scene, const bool force, output::Log &log)
+  void refuse_earlier_run(const std::string &directory)
   {
-    const std::string &directory = scene.output.directory;
-    if (holds_run(directory) && !force)
+    if (holds_run(directory))
       throw InputError("Output/Directory: '" + directory +
                        "' holds an earlier run; continue that with 'hybrid --resume " + directory +
                        "', replace it with the option --force, or name another directory with -s "
                        "Output/Directory=...");
+  }
+
+
+
+  void prepare_directory(const scene::SceneParameters &scene, const bool force, output::Log &log)
+  {
+    const std::string &directory = scene.output.directory;
+    if (!force)
+      refuse_earlier_run(directory);
     make_directory(directory);
     remove_run(directory);
     make_directory(directory + "/checkpoint");

@@ -103,12 +103,16 @@ namespace hybrid
     Run run(*this, output::HistoryFile::Mode::resume);
     load(checkpoint, run);
     write_parameters(scene);
+    std::remove((scene.output.directory + "/summary.json").c_str()); // of the part before
     char text[200];
     std::snprintf(text,
                   sizeof(text),
-                  "Resumed from the checkpoint at t = %.6g s, after %ld steps",
+                  "Resumed from the checkpoint at t = %.6g s, after %ld steps%s",
                   run.clock.time(),
-                  run.summary.steps);
+                  run.summary.steps,
+                  run.clock.at_end()
+                    ? ", the end of the run (a later one: -s \"Time/End time=...\")"
+                    : "");
     log.info(text);
     const RunStatus status = advance(run, interruption);
     finish(run, status);

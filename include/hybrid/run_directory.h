@@ -9,6 +9,9 @@
 
 namespace hybrid
 {
+  /// @throws InputError if an earlier run is there; says what can be done.
+  void refuse_earlier_run(const std::string &directory);
+
   /**
    * Make the output directory of a new run, with log.txt and params.used.prm.
    *

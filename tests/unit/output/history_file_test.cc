@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/history_file.h>
+#include <hybrid/restart/archive.h>
+#include <hybrid/restart/write_error.h>
 #include <hybrid/scene/input_error.h>
 
 #include <csignal>
@@ -172,6 +174,60 @@ import h5py
 a, b = h5py.File('run.h5', 'r'), h5py.File('whole.h5', 'r')
 for name in ('time', 'v'):
     assert a[name][:].tobytes() == b[name][:].tobytes()
+)"));
+    }
+
+
+    TEST(HistoryFile, ACheckpointCutsTheSeriesWhereTheyWere)
+    {
+      const std::string directory  = make_directory("checkpoint");
+      restart::Archive  checkpoint = restart::Archive::writer();
+      {
+        HistoryFile file(directory + "/run.h5");
+        const int   time   = file.add_series("time", "s", 1, ""),
+                  velocity = file.add_series("v", "m/s", 2, "");
+        write_rows(file, time, velocity, 0, 700);
+        file.flush();
+        checkpoint(file);
+        write_rows(file, time, velocity, 700, 1500);
+      }
+      HistoryFile file(directory + "/run.h5", HistoryFile::Mode::resume);
+      const int   time        = file.add_series("time", "s", 1, ""),
+                velocity      = file.add_series("v", "m/s", 2, "");
+      restart::Archive stored = restart::Archive::reader(checkpoint.content());
+      stored(file);
+      EXPECT_EQ(file.rows(time), 700u);
+      write_rows(file, time, velocity, 700, 702);
+      const std::vector<double> values = file.read(velocity);
+      ASSERT_EQ(values.size(), 2 * 702u);
+      for (int k = 0; k < 702; ++k)
+        EXPECT_EQ(values[2 * k + 1], -1. * k);
+
+      HistoryFile      shorter(directory + "/shorter.h5");
+      restart::Archive again = restart::Archive::reader(checkpoint.content());
+      shorter.add_series("time", "s", 1, "");
+      shorter.add_series("v", "m/s", 2, "");
+      EXPECT_THROW(again(shorter), InputError);
+    }
+
+
+    TEST(HistoryFile, AFailedFlushLeavesTheOneBefore)
+    {
+      const std::string directory = make_directory("failed");
+      {
+        HistoryFile file(directory + "/run.h5");
+        const int   time     = file.add_series("time", "s", 1, "");
+        const int   velocity = file.add_series("velocity", "m/s", 2, "");
+        write_rows(file, time, velocity, 0, 10);
+        file.flush();
+        std::filesystem::create_directories(directory + "/run.h5.tmp/in_the_way");
+        write_rows(file, time, velocity, 10, 5000);
+        EXPECT_THROW(file.flush(), WriteError);
+      }
+      EXPECT_TRUE(python_passes(directory, R"(
+import h5py
+f = h5py.File('run.h5', 'r')
+assert f['time'].shape == (10,) and f['velocity'][9, 1] == -9
 )"));
     }
 
