@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What each effect costs: the table of doc/effects.md.
+
+    effects_cost.py HYBRID WORK_DIR [--write]     prints the table; --write puts it into doc/effects.md
+
+The Majiagou section with h = 8 m and a sine burst runs without an effect and with it, 400 steps of 1 ms and none, each
+three times in turn. Processor time (not wall time: other work on the machine counts little) per step is the difference of the least
+of each over the steps; preparation is that of the run without steps; memory is the largest resident.
+"""
+import json
+import os
+import pathlib
+import resource
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCENE = ROOT / "parameters/majiagou/badong.prm"
+PAGE = ROOT / "doc/effects.md"
+STEPS, REPETITIONS = 400, 3
+BEGIN, END = "<!-- table by tests/benchmarks/effects_cost.py -->", "<!-- end of the table -->"
+
+PLANES = "Bedding planes/Names=bedding_1, bedding_2, bedding_3, bedding_4"
+BARE = ["Mesh/Numbers=Resolution/h = 8", "Continuum/Sides=viscous", "Bedding planes/Names=", "Blocks/Damping ratio=0",
+        "Water/Level=none", "Motion/Type=sine", "Motion/Frequency=4", "Motion/Taper=1", "Motion/Peak=0.24",
+        "Output/Picture interval=0"]
+SITE = BARE + ["Model/Blocks=none", "Monitors/Names=D1, B1", "Boreholes/Lines=", "Boreholes/Measured=", "Gravity/Acceleration=0"]
+STRONG = BARE + ["Motion/Peak=30"]
+WATER = ["Water/Level=175", "Materials/body_saturated/Density=2320"]
+SURFACE = "Edge loads/Tractions=fill: 500, 600, 0, 1000, 0, -20e3"
+
+# (title, base or None, overrides). A base stands before the effects that are compared with it.
+ROWS = [
+    ("**bedrock alone**, viscous sides", None, SITE),
+    ("free-field sides", SITE, ["Continuum/Sides=free field"]),
+    ("boundary springs", SITE, ["Continuum/Boundary springs=true"]),
+    ("elastic bedding planes", SITE, [PLANES]),
+    ("bedding planes that slip", SITE, [PLANES, "Bedding planes/Strength=Mohr-Coulomb", "Bedding planes/Friction angle=20",
+                                        "Bedding planes/Initial normal stress=1e5"]),
+    ("Rayleigh damping", SITE, ["Continuum/Rayleigh mass=0.1", "Continuum/Rayleigh stiffness=1e-4"]),
+    ("point load", SITE, ["Point loads/Forces=a: 700, 0, 0, 1e6"]),
+    ("gravity", SITE, ["Gravity/Acceleration=9.81"]),
+    ("**bedrock and blocks**, gravity", None, BARE),
+    ("water, `paper`", BARE, ["Water/Level=175"]),
+    ("water, `submerged`", BARE, WATER + ["Water/Method=submerged"]),
+    ("water, `pressures`", BARE, WATER + ["Water/Method=pressures"]),
+    ("heterogeneity", BARE, ["Heterogeneity/Modulus shape=8", "Heterogeneity/Strength shape=8"]),
+    ("block damping", BARE, ["Blocks/Damping ratio=0.05"]),
+    ("dynamic coefficient", BARE, ["Time/Dynamic coefficient=0.999"]),
+    ("edge load", BARE, [SURFACE]),
+    ("**the same**, shaken with 30 m/s2", None, STRONG),
+    ("strengths that nothing reaches", STRONG, ["Materials/%s/%s=1e9" % (m, s) for m in ("body", "body_saturated", "belt", "belt_saturated")
+                                                   for s in ("Cohesion", "Tensile strength")]),
+    ("**blocks on a rigid base** (pure DDA)", None, BARE + ["Model/Bedrock=rigid", "Monitors/Names=S1, S2, S3, B1"]),
+    ("**bedrock of layers**", None, BARE + [PLANES, "Model/Bedrock=layers"]),
+    ("**bedrock of triangles**", None, BARE + [PLANES, "Model/Bedrock=triangles"]),
+]
+
+
+def measure(binary, work, overrides, steps):
+    """Processor time [s] and the summary of one run."""
+    words = [binary, str(SCENE), "--force", "-s", "Output/Directory=%s" % work, "-s", "Time/End time=%g" % (1e-3 * steps)]
+    for override in overrides:
+        words += ["-s", override]
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run(words, capture_output=True, text=True, env=dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1"))
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if done.returncode != 0:
+        sys.exit("error: %s ended with code %d\n%s" % (" ".join(words), done.returncode, done.stderr[-1000:]))
+    summary = json.loads((pathlib.Path(work) / "summary.json").read_text(encoding="utf-8"))
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, summary
+
+
+def main():
+    binary, work = sys.argv[1], sys.argv[2]
+    best = [[float("inf"), float("inf")] for _ in ROWS]
+    summaries = [None] * len(ROWS)
+    for _ in range(REPETITIONS):
+        for i, (_, base, overrides) in enumerate(ROWS):
+            for k, steps in enumerate((0, STEPS)):
+                seconds, summaries[i] = measure(binary, work, (base or []) + overrides, steps)
+                best[i][k] = min(best[i][k], seconds)
+    lines = ["| scene or effect | ms per step | more by | iterations per step | preparation [s] | memory [MB] | more by |",
+             "|---|---|---|---|---|---|---|"]
+    for i, (title, base, _) in enumerate(ROWS):
+        step = (best[i][1] - best[i][0]) / STEPS * 1e3
+        memory = summaries[i]["peak_memory_mb"]
+        if base is None:
+            base_step, base_memory = step, memory
+        failed = sum(summaries[i]["joints"][kind] for kind in ("tensile", "shear"))
+        title += ": %d joints fail" % failed if failed else ""
+        lines.append("| %s | %.2f | %s | %.1f | %.1f | %.0f | %s |" % (
+            title, step, "" if base is None else "%+.0f %%" % (100 * (step / base_step - 1)),
+            summaries[i]["iterations"] / summaries[i]["steps"], best[i][0], memory,
+            "" if base is None else "%+.0f" % (memory - base_memory)))
+    print("\n".join(lines))
+    if "--write" in sys.argv:
+        text = PAGE.read_text(encoding="utf-8")
+        head, tail = text[: text.index(BEGIN) + len(BEGIN)], text[text.index(END):]
+        PAGE.write_text(head + "\n" + "\n".join(lines) + "\n" + tail, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
