@@ -15,8 +15,8 @@ packages=(build-essential cmake ninja-build git libdeal.ii-dev libgmsh-dev libei
 
 # Modules whose unit tests run under the sanitizers, and whether a leak is an error:
 # where MPI is linked, the leak checker reports MPI's own.
-sanitized_modules=(dda scene)
-declare -A detect_leaks=([dda]=1 [scene]=0)
+sanitized_modules=(dda restart scene)
+declare -A detect_leaks=([dda]=1 [restart]=1 [scene]=0)
 
 # BLAS results depend on its number of threads; Open MPI refuses root (containers) unless told.
 export OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1

@@ -304,7 +304,8 @@ namespace hybrid
               continue;
             progress.finish();
             say_why(result, run.clock.time());
-            return RunStatus::no_convergence;
+            status = RunStatus::no_convergence;
+            break;
           }
         run.clock.accept();
         state.time = state.blocks.time = state.continuum.time = run.clock.time();
@@ -324,7 +325,8 @@ namespace hybrid
         else if (run.schedule.is_due(summary.steps))
           save(run);
       }
-    progress.finish();
+    if (status != RunStatus::no_convergence)
+      progress.finish();
     if (status == RunStatus::interrupted || scene.checkpoint.is_on())
       save(run);
     return status;

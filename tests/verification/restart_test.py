@@ -263,6 +263,20 @@ def check_vanished_files():
     run(resume)
 
 
+def check_no_convergence():
+    """A run that stops at its smallest step has a checkpoint, and stops there again."""
+    directory = WORK / "stopped"
+    run(words_of(COUPLED, directory, ["Time/Maximum halvings=0", "Time/Maximum displacement ratio=1e-3"]), expect=1)
+    before = results(directory)
+    steps = json.loads((directory / "summary.json").read_text(encoding="utf-8"))["steps"]
+    require(steps > 10, f"the run stops on its way, not after {steps} steps")
+    run([BINARY, "--resume", str(directory)], expect=1)
+    after = results(directory)
+    twice = ("summary cuts", "summary iterations", "log")  # the last step is tried and told of again
+    names = [name for name in before if name not in twice and before[name] != after[name]]
+    require(not names, f"stops again with the same results, but for {names}")
+
+
 def check_full_disk(whole):
     """No file may grow beyond a limit: what there is stays, and the run goes on when there is space."""
     size = (whole / "run.h5").stat().st_size
@@ -288,6 +302,7 @@ def check_faults():
     check_existing_directory()
     check_checkpoints(whole)
     check_vanished_files()
+    check_no_convergence()
     check_full_disk(whole)
 
 
