@@ -46,7 +46,9 @@ namespace
   {
     try
       {
-        return std::make_unique<Simulation>(scene, log, MPI_COMM_WORLD);
+        auto simulation = std::make_unique<Simulation>(scene, log, MPI_COMM_WORLD);
+        omp_set_num_threads(scene.threads); // only now: gmsh sets it to one while it reads the mesh
+        return simulation;
       }
     catch (const InputError &error)
       {
@@ -93,13 +95,11 @@ namespace
 
 
 
-  /// One process, as the scene asks for it.
-  void prepare_process(const scene::SceneParameters &scene)
+  void prepare_process()
   {
     std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is an error of writing
     std::signal(SIGPIPE, SIG_IGN); // a run outlives its screen
-    omp_set_num_threads(scene.threads);
-    openblas_set_num_threads(1); // its bits change with the number of threads
+    openblas_set_num_threads(1);   // its bits change with the number of threads
   }
 
 
@@ -112,7 +112,7 @@ namespace
     const bool force = command.force || command.action == Action::resume;
     if (command.action == Action::run && !force)
       refuse_earlier_run(scene.output.directory);
-    prepare_process(scene);
+    prepare_process();
     const MpiSession session(argc, argv);
     output::Log      log(std::cout, output::standard_output_is_terminal());
     if (command.action == Action::resume)
@@ -140,7 +140,7 @@ namespace
       return run_scene(command, scene, argc, argv);
     const restart::CheckpointContent checkpoint =
       restart::read_checkpoint(checkpoint_file(command.target));
-    prepare_process(scene);
+    prepare_process();
     const MpiSession   session(argc, argv);
     output::Log        log(std::cout, output::standard_output_is_terminal());
     const auto         simulation = make_simulation(command.target, scene, log);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 extern "C"
 {
@@ -24,20 +25,22 @@ namespace hybrid::dda
 {
   namespace
   {
-    /// Entries below this part of the diagonal are lost in round-off anyway.
-    constexpr double round_off = 1e-16;
+    /// Entries below this part of the diagonal are left out: the tangent may be as much off, as the
+    /// residual is not.
+    constexpr double small_part = 1e-8;
 
     /// Joints and contacts softer than this part of the base are left out of its factor.
     constexpr double soft_part = 0.1;
 
 
 
-    int half_band_width(const Eigen::MatrixXd &s)
+    /// Distance from the diagonal beyond which no entry exceeds this @p part of the diagonal.
+    int half_band_width(const Eigen::MatrixXd &s, const double part)
     {
       const int n = static_cast<int>(s.rows());
       for (int band = n - 1; band > 0; --band)
         for (int j = 0; j + band < n; ++j)
-          if (std::abs(s(j + band, j)) > round_off * std::sqrt(s(j, j) * s(j + band, j + band)))
+          if (std::abs(s(j + band, j)) > part * std::sqrt(s(j, j) * s(j + band, j + band)))
             return band;
       return 0;
     }
@@ -61,7 +64,9 @@ namespace hybrid::dda
       return;
 
     size  = static_cast<int>(stiffness->rows());
-    width = std::min(size - 1, std::max(3, half_band_width(*stiffness)));
+    width = std::min(size - 1, std::max(3, half_band_width(*stiffness, small_part)));
+    // All entries beyond together are lost in the round-off of a row's product.
+    reach = half_band_width(*stiffness, std::numeric_limits<double>::epsilon() / size);
     band  = Eigen::MatrixXd::Zero(width + 1, size);
     for (int j = 0; j < size; ++j)
       for (int below = 0; below <= width && j + below < size; ++below)
@@ -140,6 +145,15 @@ namespace hybrid::dda
           }
         y[j] += sum;
       }
+  }
+
+
+
+  double BaseBand::row_product(const int row, const Eigen::VectorXd &x) const
+  {
+    // S is symmetric: its columns are read, in their order in memory.
+    const int first = std::max(0, row - reach), n = std::min(size, row + reach + 1) - first;
+    return source->col(row).segment(first, n).dot(x.segment(first, n));
   }
 
 

@@ -128,25 +128,13 @@ namespace hybrid::dda
 
 
 
-  Vec6 BlockMatrix::row_above(const int i, const Eigen::VectorXd &x) const
+  Vec6 BlockMatrix::row_of_nodes(const int i, const Eigen::VectorXd &x) const
   {
     const double *nodes = x.data() + 6 * n_blocks();
     Vec6          sum   = Vec6::Zero();
-    for (int s = pair_begin[i]; s < pair_begin[i + 1]; ++s)
-      sum.noalias() += off_diagonal[s] * Eigen::Map<const Vec6>(x.data() + 6 * pairs[s][1]);
     for (int s = coupling_begin[i]; s < coupling_begin[i + 1]; ++s)
       sum.noalias() +=
         block_node[s] * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * couplings[s][1]);
-    return sum;
-  }
-
-
-
-  Vec6 BlockMatrix::row_below(const int i, const Eigen::VectorXd &x) const
-  {
-    Vec6 sum = Vec6::Zero();
-    for (int k = row_begin[i]; k < row_begin[i + 1] && row_other[k] < i; ++k)
-      sum.noalias() += lower[~row_slot[k]] * Eigen::Map<const Vec6>(x.data() + 6 * row_other[k]);
     return sum;
   }
 
@@ -175,6 +163,7 @@ namespace hybrid::dda
                                         const double           sign) const
   {
     double *nodes = y.data() + 6 * n_blocks();
+#pragma omp parallel for schedule(static)
     for (int k = 0; k < n_nodes(); ++k)
       for (int e = node_begin[k]; e < node_begin[k + 1]; ++e)
         {
@@ -193,8 +182,14 @@ namespace hybrid::dda
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < n; ++i)
       {
-        const Vec6 own                     = diagonal[i] * Eigen::Map<const Vec6>(x.data() + 6 * i);
-        Eigen::Map<Vec6>(y.data() + 6 * i) = own + row_below(i, x) + row_above(i, x);
+        Vec6 sum = diagonal[i] * Eigen::Map<const Vec6>(x.data() + 6 * i) + row_of_nodes(i, x);
+        for (int k = row_begin[i]; k < row_begin[i + 1]; ++k)
+          {
+            const int   slot  = row_slot[k];
+            const Mat6 &entry = slot >= 0 ? off_diagonal[slot] : lower[~slot];
+            sum.noalias() += entry * Eigen::Map<const Vec6>(x.data() + 6 * row_other[k]);
+          }
+        Eigen::Map<Vec6>(y.data() + 6 * i) = sum;
       }
 
     multiply_nodes(x, y);

@@ -103,16 +103,23 @@ namespace hybrid::dda
 
 
 
-  double
-  JointLaw::shear_strength(const double normal, const double softening, const double damage) const
+  double JointLaw::cohesion_reach(const double damage) const
   {
-    const double w = softened_part(softening);
-    const double c =
-      strength.residual_cohesion +
-      (strength.cohesion == strength.residual_cohesion
-         ? 0.
-         : (strength.cohesion - strength.residual_cohesion) * (1. - w) * (1. - damage));
-    return std::max(0., c + normal * friction_at(softening));
+    if (!std::isfinite(strength.residual_cohesion))
+      return 0.;
+    const double contact = strength.residual_cohesion / k_n;
+    return damage < 1. ? std::max(contact, critical_opening()) : contact;
+  }
+
+
+
+  double JointLaw::shear_strength(const Strain &at, const double softening) const
+  {
+    const double bond = strength.cohesion == strength.residual_cohesion
+                          ? 0.
+                          : (strength.cohesion - strength.residual_cohesion) *
+                              (1. - softened_part(softening)) * (1. - at.damage);
+    return std::max(0., bond + at.residual_cohesion + at.normal * friction_at(softening));
   }
 
 
@@ -124,7 +131,8 @@ namespace hybrid::dda
     JointResponse r;
     r.history = history;
     normal_response(kinematics.gap, r);
-    if (kinematics.gap > 0. && r.history.damage >= 1.)
+    const double reach = cohesion_reach(history.damage);
+    if (kinematics.gap > 0. && kinematics.gap >= reach && r.history.damage >= 1.)
       {
         // Open for good: no shear; the friction spring starts anew on closing.
         r.history.plastic_slip = kinematics.slip;
@@ -133,12 +141,17 @@ namespace hybrid::dda
       }
 
     // Spring and dashpot of the step together: a stiffer spring from a shifted origin.
-    const double spring = (1. + damping.ratio) * k_s;
-    const double shift  = damping.ratio / (1. + damping.ratio) * damping.elastic_slip;
-    const double trial  = -spring * (kinematics.slip - history.plastic_slip - shift);
-    if (std::abs(trial) > shear_strength(r.elastic_normal, history.softening, r.history.damage))
+    const double spring  = (1. + damping.ratio) * k_s;
+    const double shift   = damping.ratio / (1. + damping.ratio) * damping.elastic_slip;
+    const double trial   = -spring * (kinematics.slip - history.plastic_slip - shift);
+    const bool   opening = kinematics.gap > 0. && reach > 0.;
+    const double near    = opening ? std::max(0., 1. - kinematics.gap / reach) : 1.;
+    Strain       at{r.elastic_normal, r.history.damage, near * strength.residual_cohesion, 0.};
+    if (opening && near > 0.)
+      at.cohesion_by_gap = strength.residual_cohesion / reach;
+    if (std::abs(trial) > shear_strength(at, history.softening))
       {
-        slide(trial, spring, r);
+        slide(trial, spring, at, r);
         r.history.plastic_slip = kinematics.slip + r.shear / spring - shift;
       }
     else
@@ -181,14 +194,14 @@ namespace hybrid::dda
 
 
 
-  void JointLaw::slide(const double trial, const double spring, JointResponse &r) const
+  void
+  JointLaw::slide(const double trial, const double spring, const Strain &at, JointResponse &r) const
   {
     // Strength and spring both fall linearly with the slip increment x,
     //   |trial| - spring x = strength(kappa + x), strength piecewise linear in x.
-    const double kappa = r.history.softening, damage = r.history.damage;
-    const double now = shear_strength(r.elastic_normal, kappa, damage);
-    const double end =
-      shear_strength(r.elastic_normal, kappa + strength.softening_slip + 1., damage);
+    const double kappa = r.history.softening;
+    const double now   = shear_strength(at, kappa);
+    const double end   = shear_strength(at, kappa + strength.softening_slip + 1.);
     double       x     = (std::abs(trial) - end) / spring; // residual strength reached
     double       slope = 0.;
     const double left  = std::max(0., strength.softening_slip - kappa);
@@ -204,9 +217,10 @@ namespace hybrid::dda
     r.history.softening = kappa + x;
     r.state             = ContactState::sliding;
 
-    r.shear_by_slip       = -slope * spring / (spring - slope);
-    const double friction = r.shear == 0. ? 0. : friction_at(r.history.softening);
-    r.shear_by_gap = std::copysign(friction * spring / (spring - slope) * r.normal_by_gap, trial);
+    r.shear_by_slip = -slope * spring / (spring - slope);
+    const double by_gap =
+      r.shear == 0. ? 0. : friction_at(r.history.softening) * r.normal_by_gap + at.cohesion_by_gap;
+    r.shear_by_gap = std::copysign(spring / (spring - slope) * by_gap, trial);
   }
 
 

@@ -5,6 +5,7 @@
 #include <hybrid/dda/model_builder.h>
 #include <hybrid/dda/polygon.h>
 #include <hybrid/dda/start_accelerations.h>
+#include <hybrid/dda/sweep_order.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,7 @@ namespace hybrid::dda
         correct_stiffness();
         add_contact_laws();
         add_neighbours();
+        add_slices();
         if (model.n_bedrock > 0)
           model.boundary =
             boundary_edges(mesh, scene, model.initial, {outlines, materials, n_mass});
@@ -75,6 +77,7 @@ namespace hybrid::dda
       void add_joints();
       void correct_stiffness();
       void add_contact_laws();
+      void add_slices();
       void add_neighbours();
       void set_water();
 
@@ -247,6 +250,22 @@ namespace hybrid::dda
             }
           model.base_contact.push_back({JointLaw(base, k_n, k_s), 0.5 * p.size});
         }
+    }
+
+
+
+    void Builder::add_slices()
+    {
+      const Geometry   &g = model.initial;
+      std::vector<Vec2> centres;
+      for (int b = 0; b < g.n_blocks(); ++b)
+        {
+          Vec2 sum = Vec2::Zero();
+          for (int v = g.offset[b]; v < g.offset[b + 1]; ++v)
+            sum += g.vertices[v];
+          centres.push_back(sum / (g.offset[b + 1] - g.offset[b]));
+        }
+      model.slice = slices(centres);
     }
 
 

@@ -41,6 +41,7 @@ namespace hybrid::dda
     acceleration.resize(n);
     contact_acceleration.resize(n);
     scale.setOnes(6 * n + 2 * m);
+#pragma omp parallel for schedule(static)
     for (int b = 0; b < n; ++b)
       {
         const BlockState &block = state.blocks[b];
@@ -54,6 +55,22 @@ namespace hybrid::dda
       }
     assert(base.displacement.size() == 2 * m);
     trial.base = base.displacement;
+    if (base.prescribed)
+      return;
+    base_start = base.load;
+    subtract_base_product(base.displacement, base_start);
+  }
+
+
+
+  void OpenCloseIteration::subtract_base_product(const Eigen::VectorXd      &displacement,
+                                                 Eigen::Ref<Eigen::VectorXd> force) const
+  {
+    const BaseBand    &stiffness = solver.base_stiffness();
+    const Eigen::Index n         = displacement.size();
+#pragma omp parallel for schedule(static)
+    for (Eigen::Index k = 0; k < n; ++k)
+      force[k] -= stiffness.row_product(static_cast<int>(k), displacement);
   }
 
 
@@ -105,7 +122,8 @@ namespace hybrid::dda
     residual.setZero(6 * n + 2 * m);
     contact_force.setZero(6 * n + 2 * m);
     absolute.setZero(n);
-    springs.add_forces(trial, residual, contact_force, absolute);
+    springs.add_forces(residual, contact_force, absolute);
+#pragma omp parallel for schedule(static)
     for (int b = 0; b < n; ++b)
       {
         const BlockProperties &p = model.blocks[b];
@@ -142,7 +160,12 @@ namespace hybrid::dda
     if (base.prescribed)
       residual.tail(2 * m).setZero();
     else
-      residual.tail(2 * m) = base.load + force_increment - *base.stiffness * trial.base;
+      {
+        base_moved           = trial.base - base.displacement;
+        residual.tail(2 * m) = base_start + force_increment;
+        if (!base_moved.isZero(0.))
+          subtract_base_product(base_moved, residual.tail(2 * m));
+      }
     reference = absolute.norm();
     // A quiet mass on moving ground: the round-off of the base's balance.
     if (!base.prescribed)
@@ -192,6 +215,7 @@ namespace hybrid::dda
     const double dt = trial.dt, beta = model.newmark.beta, gamma = model.newmark.gamma;
     springs.connect(model, matrix);
     matrix.set_zero();
+#pragma omp parallel for schedule(static)
     for (int b = 0; b < model.n_blocks(); ++b)
       {
         const BlockProperties &p = model.blocks[b];
@@ -300,11 +324,12 @@ namespace hybrid::dda
     StepResult result;
     springs.collect(model, state);
     incoming = base.boundary_force;
-    predict(model, state, base, dt);
+    solver.set_slices(model.slice);
     solver.set_base_stiffness(base.prescribed ? nullptr : base.stiffness);
     if (is_restored)
       solver.matrix_restored(matrix);
     is_restored = false;
+    predict(model, state, base, dt);
 
     constexpr int    stall_window = 10;
     constexpr double stalled_part = 0.3;
@@ -354,6 +379,7 @@ namespace hybrid::dda
   void OpenCloseIteration::finish(const Model &model)
   {
     const double inertia = 1. / (model.newmark.beta * trial.dt * trial.dt);
+#pragma omp parallel for schedule(static)
     for (int b = 0; b < model.n_blocks(); ++b)
       {
         const Vec6 c            = acceleration_by_contacts(b);
@@ -378,7 +404,7 @@ namespace hybrid::dda
           continue;
         if (torn.size() == 0)
           torn = Eigen::VectorXd::Zero(contact_force.size());
-        springs.add_force(s, trial, torn);
+        springs.add_force(s, torn);
       }
     state.base_contact_force = contact_force.tail(2 * model.n_base_nodes());
     if (torn.size() > 0)
@@ -451,6 +477,7 @@ namespace hybrid::dda
                                 .dot(trial.base - state.base_displacement);
     state.time += dt;
 
+#pragma omp parallel for schedule(static)
     for (int b = 0; b < n; ++b)
       {
         BlockState        &block = state.blocks[b];

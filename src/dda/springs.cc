@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/contact_frame.h>
 #include <hybrid/dda/springs.h>
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace hybrid::dda
 {
@@ -11,70 +13,6 @@ namespace hybrid::dda
     Vec2 base_displacement(const Eigen::VectorXd &w, const int node)
     {
       return {w[2 * node], w[2 * node + 1]};
-    }
-
-
-
-    /**
-     * Gap and slip of a vertex in front of an edge. Everything is measured from the point q of the
-     * edge where the vertex projected when last accepted: differences of places far from the
-     * origin, or along a long edge, would cost the digits that the residual needs.
-     */
-    struct ContactFrame
-    {
-      Vec2   outward;       ///< unit normal out of the edge's body
-      Vec2   along;         ///< unit vector along the edge
-      double edge_position; ///< projection of the vertex on the edge [-]
-      double gap;           ///< [m]
-      double slip;          ///< [m]
-
-      /// @param from_q vertex less q.  @param edge second end less first end of the edge [m].
-      ContactFrame(const Contact &contact, const Vec2 &from_q, const Vec2 &edge)
-      {
-        const double length = edge.norm();
-        along               = edge / length;
-        // Blocks run counter-clockwise, so their outside is on the right; the base's is on the
-        // left.
-        outward           = contact.edge_body == base_body ? Vec2(-along.y(), along.x())
-                                                           : Vec2(along.y(), -along.x());
-        const double slid = along.dot(from_q);
-        edge_position     = contact.edge_position + slid / length;
-        gap               = outward.dot(from_q);
-        slip              = contact.slip + slid;
-      }
-    };
-
-
-
-    /// Places of a contact's vertex and of both ends of its edge.
-    struct ContactPlaces
-    {
-      Vec2 vertex, first, second;
-
-      Vec2 from_q(const Contact &contact) const
-      {
-        return vertex - first - contact.edge_position * (second - first);
-      }
-    };
-
-
-
-    ContactPlaces places(const Contact &contact, const Geometry &geometry)
-    {
-      ContactPlaces p;
-      p.vertex = contact.vertex_body == base_body ? geometry.base_nodes[contact.vertex]
-                                                  : geometry.vertices[contact.vertex];
-      if (contact.edge_body == base_body)
-        {
-          p.first  = geometry.base_nodes[contact.edge];
-          p.second = geometry.base_nodes[contact.edge + 1];
-        }
-      else
-        {
-          p.first  = geometry.vertices[contact.edge];
-          p.second = geometry.vertices[geometry.next(contact.edge)];
-        }
-      return p;
     }
 
 
@@ -121,6 +59,27 @@ namespace hybrid::dda
     collect_joints(model, state);
     collect_contacts(model, state);
     responses.resize(springs.size());
+    sort_by_block(model.n_blocks());
+  }
+
+
+
+  void Springs::sort_by_block(const int n_blocks)
+  {
+    block_begin.assign(n_blocks + 2, 0); // one place later while counting and filling
+    const auto for_each = [&](const auto &act) {
+      for (std::size_t s = 0; s < springs.size(); ++s)
+        {
+          act(springs[s].block, 2 * static_cast<int>(s));
+          if (springs[s].other != base_body)
+            act(springs[s].other, 2 * static_cast<int>(s) + 1);
+        }
+    };
+    for_each([&](const int block, int) { ++block_begin[block + 2]; });
+    std::partial_sum(block_begin.begin(), block_begin.end(), block_begin.begin());
+    block_springs.resize(block_begin.back());
+    for_each(
+      [&](const int block, const int entry) { block_springs[block_begin[block + 1]++] = entry; });
   }
 
 
@@ -229,10 +188,13 @@ namespace hybrid::dda
   {
 #pragma omp parallel for schedule(static)
     for (std::size_t s = 0; s < springs.size(); ++s)
-      if (springs[s].joint >= 0)
-        evaluate_joint(model, state, trial, s);
-      else
-        evaluate_contact(state, trial, s);
+      {
+        if (springs[s].joint >= 0)
+          evaluate_joint(model, state, trial, s);
+        else
+          evaluate_contact(state, trial, s);
+        set_forces(trial, s);
+      }
   }
 
 
@@ -324,45 +286,74 @@ namespace hybrid::dda
 
 
 
-  double
-  Springs::add_force(const std::size_t number, const Trial &trial, Eigen::VectorXd &forces) const
+  void Springs::set_forces(const Trial &trial, const std::size_t s)
   {
-    const Spring   &spring   = springs[number];
-    const Response &response = responses[number];
-    const int       nodes    = 6 * static_cast<int>(trial.motion.size());
-    const Vec2      force    = spring.length * (response.now.normal * response.normal +
+    const Spring &spring   = springs[s];
+    Response     &response = responses[s];
+    if (response.now.normal == 0. && response.now.shear == 0.)
+      return;
+    const Vec2 force  = spring.length * (response.now.normal * response.normal +
                                         response.now.shear * response.tangent);
-    Eigen::Map<Vec6>(forces.data() + 6 * spring.block) -=
-      trial.motion[spring.block].gradient(response.place, force);
+    response.on_block = -trial.motion[spring.block].gradient(response.place, force);
     if (spring.other != base_body)
-      Eigen::Map<Vec6>(forces.data() + 6 * spring.other) +=
-        trial.motion[spring.other].gradient(response.place, force);
-    else
-      for (int k = 0; k < 2; ++k)
-        {
-          forces[nodes + 2 * spring.node[k]] += response.weight[k] * force.x();
-          forces[nodes + 2 * spring.node[k] + 1] += response.weight[k] * force.y();
-        }
-    return force.norm();
+      response.on_other = trial.motion[spring.other].gradient(response.place, force);
   }
 
 
 
-  void Springs::add_forces(const Trial     &trial,
-                           Eigen::VectorXd &bonds,
+  void Springs::add_force(const std::size_t s, Eigen::VectorXd &forces) const
+  {
+    const Spring   &spring   = springs[s];
+    const Response &response = responses[s];
+    if (response.now.normal == 0. && response.now.shear == 0.)
+      return;
+    Eigen::Map<Vec6>(forces.data() + 6 * spring.block) += response.on_block;
+    if (spring.other != base_body)
+      Eigen::Map<Vec6>(forces.data() + 6 * spring.other) += response.on_other;
+    else
+      add_force_on_base(s, forces);
+  }
+
+
+
+  void Springs::add_force_on_base(const std::size_t s, Eigen::VectorXd &forces) const
+  {
+    const Spring   &spring   = springs[s];
+    const Response &response = responses[s];
+    double         *nodes    = forces.data() + 6 * n_blocks();
+    for (int k = 0; k < 2; ++k)
+      Eigen::Map<Vec2>(nodes + 2 * spring.node[k]) -=
+        response.weight[k] * response.on_block.head<2>();
+  }
+
+
+
+  void Springs::add_forces(Eigen::VectorXd &bonds,
                            Eigen::VectorXd &contacts,
                            Eigen::VectorXd &absolute) const
   {
-    for (std::size_t s = 0; s < springs.size(); ++s)
+    const int n = n_blocks();
+#pragma omp parallel for schedule(static)
+    for (int b = 0; b < n; ++b)
       {
-        const Spring &spring = springs[s];
-        if (responses[s].now.normal == 0. && responses[s].now.shear == 0.)
-          continue;
-        const double size = add_force(s, trial, spring.unilateral ? contacts : bonds);
-        absolute[spring.block] += size;
-        if (spring.other != base_body)
-          absolute[spring.other] += size;
+        Vec6 bond = Vec6::Zero(), contact = Vec6::Zero();
+        for (int k = block_begin[b]; k < block_begin[b + 1]; ++k)
+          {
+            const int       s        = block_springs[k] / 2;
+            const Response &response = responses[s];
+            if (response.now.normal == 0. && response.now.shear == 0.)
+              continue;
+            const Vec6 &force = block_springs[k] % 2 == 0 ? response.on_block : response.on_other;
+            (springs[s].unilateral ? contact : bond) += force;
+            absolute[b] += force.head<2>().norm();
+          }
+        Eigen::Map<Vec6>(bonds.data() + 6 * b) += bond;
+        Eigen::Map<Vec6>(contacts.data() + 6 * b) += contact;
       }
+    for (std::size_t s = 0; s < springs.size(); ++s)
+      if (springs[s].other == base_body &&
+          (responses[s].now.normal != 0. || responses[s].now.shear != 0.))
+        add_force_on_base(s, springs[s].unilateral ? contacts : bonds);
   }
 
 
@@ -378,68 +369,90 @@ namespace hybrid::dda
 
 
 
-  void Springs::add_stiffness(const Trial &trial, const Tangent &tangent, BlockMatrix &matrix) const
+  Springs::Stiffness
+  Springs::stiffness_of(const std::size_t s, const Tangent &tangent, const Trial &trial) const
   {
-    const double floor = tangent.follow_softening ? -std::numeric_limits<double>::infinity() : 0.;
+    const double    none     = -std::numeric_limits<double>::infinity();
+    const double    floor    = tangent.follow_softening ? none : 0.;
+    const Spring   &spring   = springs[s];
+    const Response &response = responses[s];
+    const double    weight   = spring.unilateral ? tangent.contact_weight : 1.;
+    const double    length   = weight * spring.length;
+    const bool      coupled  = tangent.follow_softening || response.normal_by_gap >= 0.;
+    Stiffness       k;
+    k.nn     = length * std::max(floor, response.normal_by_gap);
+    k.tt     = length * std::max(floor, response.shear_by_slip);
+    k.tn     = coupled ? length * response.shear_by_gap : 0.;
+    k.weight = weight;
+    if (k.none())
+      return k;
+    const auto gradients = [&](const int block, Rows &rows) {
+      rows.row(0) = trial.motion[block].gradient(response.place, response.normal);
+      rows.row(1) = trial.motion[block].gradient(response.place, response.tangent);
+    };
+    gradients(spring.block, k.block);
+    if (spring.other != base_body)
+      gradients(spring.other, k.other);
+    return k;
+  }
+
+
+
+  void Springs::add_stiffness(const Trial &trial, const Tangent &tangent, BlockMatrix &matrix)
+  {
+    stiffness.resize(springs.size());
+#pragma omp parallel for schedule(static)
+    for (std::size_t s = 0; s < springs.size(); ++s)
+      stiffness[s] = stiffness_of(s, tangent, trial);
+    const int n = n_blocks();
+#pragma omp parallel for schedule(static)
+    for (int b = 0; b < n; ++b)
+      for (int k = block_begin[b]; k < block_begin[b + 1]; ++k)
+        if (!stiffness[block_springs[k] / 2].none())
+          add_rows(block_springs[k] / 2, block_springs[k] % 2, matrix);
     for (std::size_t s = 0; s < springs.size(); ++s)
       {
-        const Spring   &spring   = springs[s];
-        const Response &response = responses[s];
-        const double    weight   = spring.unilateral ? tangent.contact_weight : 1.;
-        const double    length   = weight * spring.length;
-        const double    nn       = length * std::max(floor, response.normal_by_gap);
-        const double    tt       = length * std::max(floor, response.shear_by_slip);
-        const double    tn       = tangent.follow_softening || response.normal_by_gap >= 0.
-                                     ? length * response.shear_by_gap
-                                     : 0.;
-        if (nn == 0. && tt == 0. && tn == 0.)
-          continue;
-        if (tn != 0. || nn < 0. || tt < 0.)
+        if (stiffness[s].tn != 0. || stiffness[s].nn < 0. || stiffness[s].tt < 0.)
           matrix.symmetric = false;
-
-        // K = G^T D G with rows of G along normal and tangent; the force has the rows D G.
-        Eigen::Matrix<double, 2, 6> p, dp;
-        p.row(0)  = trial.motion[spring.block].gradient(response.place, response.normal);
-        p.row(1)  = trial.motion[spring.block].gradient(response.place, response.tangent);
-        dp.row(0) = nn * p.row(0);
-        dp.row(1) = tn * p.row(0) + tt * p.row(1);
-        matrix.diagonal[spring.block].noalias() += p.transpose() * dp;
-        if (spring.other == base_body)
-          {
-            Eigen::Matrix2d d;
-            d << nn / weight, 0., tn / weight, tt / weight;
-            add_base_stiffness(spring, response, p, d, weight, matrix);
-            continue;
-          }
-        Eigen::Matrix<double, 2, 6> q, dq;
-        q.row(0)  = trial.motion[spring.other].gradient(response.place, response.normal);
-        q.row(1)  = trial.motion[spring.other].gradient(response.place, response.tangent);
-        dq.row(0) = nn * q.row(0);
-        dq.row(1) = tn * q.row(0) + tt * q.row(1);
-        matrix.diagonal[spring.other].noalias() += q.transpose() * dq;
-        const bool ordered = spring.block < spring.other;
-        (ordered ? matrix.off_diagonal : matrix.lower)[spring.slot[0]].noalias() -=
-          p.transpose() * dq;
-        (ordered ? matrix.lower : matrix.off_diagonal)[spring.slot[0]].noalias() -=
-          q.transpose() * dp;
+        if (springs[s].other == base_body && !stiffness[s].none())
+          add_base_stiffness(s, matrix);
       }
   }
 
 
 
-  void Springs::add_base_stiffness(const Spring                      &spring,
-                                   const Response                    &response,
-                                   const Eigen::Matrix<double, 2, 6> &gradient,
-                                   const Eigen::Matrix2d             &stiffness,
-                                   const double                       weight,
-                                   BlockMatrix                       &matrix)
+  void Springs::add_rows(const std::size_t s, const int side, BlockMatrix &matrix) const
   {
+    // K = G^T D G with rows of G along normal and tangent; the force has the rows D G.
+    const Spring    &spring = springs[s];
+    const Stiffness &k      = stiffness[s];
+    const int        here   = side == 0 ? spring.block : spring.other;
+    const int        there  = side == 0 ? spring.other : spring.block;
+    const Rows      &g      = side == 0 ? k.block : k.other;
+    matrix.diagonal[here].noalias() += g.transpose() * k.times(g);
+    if (there == base_body)
+      return;
+    const Rows dg = k.times(side == 0 ? k.other : k.block);
+    (here < there ? matrix.off_diagonal : matrix.lower)[spring.slot[0]].noalias() -=
+      g.transpose() * dg;
+  }
+
+
+
+  void Springs::add_base_stiffness(const std::size_t s, BlockMatrix &matrix) const
+  {
+    const Spring    &spring   = springs[s];
+    const Response  &response = responses[s];
+    const Stiffness &k        = stiffness[s];
+    Eigen::Matrix2d  d;
+    d << k.nn, 0., k.tn, k.tt;
+    d /= k.weight;
     Eigen::Matrix2d axes; // rows: normal, tangent
     axes.row(0)                             = response.normal;
     axes.row(1)                             = response.tangent;
-    const Eigen::Matrix2d             nodal = axes.transpose() * stiffness * axes;
-    const Eigen::Matrix<double, 6, 2> right = weight * gradient.transpose() * stiffness * axes;
-    const Eigen::Matrix<double, 2, 6> left  = axes.transpose() * stiffness * gradient;
+    const Eigen::Matrix2d             nodal = axes.transpose() * d * axes;
+    const Eigen::Matrix<double, 6, 2> right = k.weight * k.block.transpose() * d * axes;
+    const Rows                        left  = axes.transpose() * d * k.block;
     for (int i = 0; i < 2; ++i)
       {
         const double w = response.weight[i];

@@ -27,7 +27,7 @@ namespace hybrid::dda
         springs.collect(model, state);
         springs.evaluate(model, state, trial);
         Eigen::VectorXd absolute = Eigen::VectorXd::Zero(model.n_blocks());
-        springs.add_forces(trial, bonds, contacts, absolute);
+        springs.add_forces(bonds, contacts, absolute);
       }
     };
   } // namespace

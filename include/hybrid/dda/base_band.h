@@ -10,7 +10,7 @@
 namespace hybrid::dda
 {
   /**
-   * The base's own stiffness S, kept as a band, and a factor that preconditions
+   * The base's own stiffness S in the tangent, as a band, and a factor that preconditions
    * the base nodes: of S + P, where P is the symmetric part of what joints and
    * contacts add (BlockMatrix's K_nn) if that matters beside S, else zero.
    */
@@ -18,7 +18,8 @@ namespace hybrid::dda
   {
   public:
     /// @p stiffness (n x n, symmetric positive definite) for the next steps; nullptr: none. Entries
-    /// below round-off are dropped. Nothing is done if it is the same as before.
+    /// far from the diagonal that would not change the tangent by 1e-8 are dropped. Nothing is done
+    /// if it is the same as before.
     void set(const Eigen::MatrixXd *stiffness);
 
     /// Choose and factor P anew.
@@ -29,7 +30,10 @@ namespace hybrid::dda
       return source != nullptr;
     }
 
-    /// y += S x for n entries.
+    /// Row of S times x (n entries) to round-off, for residuals.
+    double row_product(int row, const Eigen::VectorXd &x) const;
+
+    /// y += S x for n entries, as the tangent knows S.
     void add_product(const double *x, double *y) const;
 
     /// y += sign P x for n entries.
@@ -42,7 +46,8 @@ namespace hybrid::dda
     const Eigen::MatrixXd *source = nullptr;
     std::vector<double> key; ///< a few entries of S, to notice another matrix at the same address
     int                 size  = 0;
-    int                 width = 0;      ///< half band width of S, at least that of P
+    int                 width = 0;      ///< half band width of the tangent's S, at least that of P
+    int                 reach = 0;      ///< half band width of S to round-off
     Eigen::MatrixXd     band;           ///< rows 0..width: S(j + r, j), LAPACK lower band storage
     Eigen::MatrixXd     base_factor;    ///< Cholesky factor of S, same storage
     Eigen::MatrixXd     joined_factor;  ///< of S + P

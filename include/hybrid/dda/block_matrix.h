@@ -44,11 +44,8 @@ namespace hybrid::dda
     /// y = K x (without the base's own stiffness). Same bits for any number of threads.
     void multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 
-    /// Row i times x without the diagonal: columns of later blocks and of nodes.
-    Vec6 row_above(int i, const Eigen::VectorXd &x) const;
-
-    /// Row i times x: columns of earlier blocks.
-    Vec6 row_below(int i, const Eigen::VectorXd &x) const;
+    /// Row i times x: columns of nodes.
+    Vec6 row_of_nodes(int i, const Eigen::VectorXd &x) const;
 
     /// y_n = K_nn x_n for the entries of the nodes.
     void multiply_nodes(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;

@@ -93,7 +93,10 @@ namespace hybrid::dda
    * never below zero), then plastic slip; with kappa, the sum of plastic slip,
    * cohesion and friction fall linearly to their residual over the softening
    * slip. Tensile damage takes the part (1 - D) of the cohesion that is above
-   * its residual.
+   * its residual. The residual cohesion fades while the joint opens, from the
+   * whole at gap 0 to none at c_res / k_n (or at g_c, if that is larger and the
+   * bond is not torn yet): if it vanished at once, a joint that is about to open
+   * might have no equilibrium.
    *
    * A law is a pure function: history is an argument and a result, so the
    * open-close iteration may ask as often as it likes. The tangent is
@@ -160,12 +163,24 @@ namespace hybrid::dda
 
     double damage_at(double gap) const;
 
-    double shear_strength(double normal, double softening, double damage) const;
+    /// Opening over which the residual cohesion fades, after the @p damage of earlier steps [m].
+    double cohesion_reach(double damage) const;
+
+    /// What the shear strength of a joint depends on beside its plastic slip.
+    struct Strain
+    {
+      double normal;            ///< elastic normal traction [Pa]
+      double damage;            ///< [-]
+      double residual_cohesion; ///< at this gap [Pa]
+      double cohesion_by_gap;   ///< its fall with the gap [Pa/m]
+    };
+
+    double shear_strength(const Strain &at, double softening) const;
 
     /// Normal traction, damage and normal tangent without damping.
     void normal_response(double gap, JointResponse &response) const;
 
     /// Shear of a joint whose trial traction exceeds its strength. @p spring with damping [Pa/m].
-    void slide(double trial, double spring, JointResponse &response) const;
+    void slide(double trial, double spring, const Strain &at, JointResponse &response) const;
   };
 } // namespace hybrid::dda

@@ -40,6 +40,18 @@ namespace hybrid::dda
       base.set(stiffness);
     }
 
+    /// The base's own stiffness.
+    const BaseBand &base_stiffness() const
+    {
+      return base;
+    }
+
+    /// Slices of the blocks that threads share out, see SweptSystem.
+    void set_slices(const std::vector<int> &slice_of_block)
+    {
+      swept.set_slices(slice_of_block);
+    }
+
     /// The matrix has changed: a sparse factor may be kept.
     void matrix_changed(const BlockMatrix &matrix);
 

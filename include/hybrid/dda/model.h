@@ -85,6 +85,7 @@ namespace hybrid::dda
     std::vector<ContactLaw>       base_contact;  ///< per block: against the base
     std::vector<std::vector<int>> neighbours;    ///< per block: blocks that share a mesh vertex
     std::vector<bool>             bonded;        ///< per block: has at least one joint
+    std::vector<int>              slice;         ///< per block: for sweeps by several threads
     Newmark                       newmark;
     double                        gravity             = 9.81; ///< [m/s2]
     double                        dynamic_coefficient = 1.;   ///< k01 [-]

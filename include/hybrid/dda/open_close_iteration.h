@@ -76,14 +76,22 @@ namespace hybrid::dda
     std::vector<Vec6> acceleration; ///< of all but contacts, end of the solved step, not yet turned
     std::vector<Vec6> contact_acceleration; ///< of contacts, likewise
     Eigen::VectorXd   residual, absolute, scale, update, force_increment;
-    Eigen::VectorXd   contact_force;         ///< of unilateral springs on blocks and base nodes
-    Eigen::VectorXd   incoming;              ///< at artificial boundaries, end of the step [N/m]
-    double            tangent_dt      = -1.; ///< step of the tangent in matrix
-    int               tangent_pattern = -1;
-    bool              is_restored     = false; ///< the tangent is that of a checkpoint
-    double            reference       = 0.;    ///< norm of absolute forces [N]
+    // The base's balance is taken from where the trial starts: at S w the round-off of a stiff base
+    // that moves as a whole would hide the forces of soft blocks.
+    Eigen::VectorXd base_start;    ///< load less S times the displacement at the start [N/m]
+    Eigen::VectorXd base_moved;    ///< displacement since then [m]
+    Eigen::VectorXd contact_force; ///< of unilateral springs on blocks and base nodes
+    Eigen::VectorXd incoming;      ///< at artificial boundaries, end of the step [N/m]
+    double          tangent_dt      = -1.; ///< step of the tangent in matrix
+    int             tangent_pattern = -1;
+    bool            is_restored     = false; ///< the tangent is that of a checkpoint
+    double          reference       = 0.;    ///< norm of absolute forces [N]
 
     void predict(const Model &model, const DdaState &state, const BaseResponse &base, double dt);
+
+    /// force -= S displacement
+    void subtract_base_product(const Eigen::VectorXd      &displacement,
+                               Eigen::Ref<Eigen::VectorXd> force) const;
 
     void move(const DdaState &state);
 

@@ -67,6 +67,7 @@ namespace hybrid::dda
       double      weight[2]     = {1., 0.}; ///< of the base nodes
       double      edge_position = 0.;       ///< projection on the contact's edge [-]
       SpringState now;                      ///< if the step is accepted
+      Vec6        on_block, on_other;       ///< generalised forces; without sense if both are zero
       double      normal_by_gap = 0., shear_by_slip = 0., shear_by_gap = 0.; ///< tangents [Pa/m]
     };
 
@@ -82,13 +83,11 @@ namespace hybrid::dda
 
     /// Add forces on blocks and base nodes, of bonds and of unilateral springs apart, and their
     /// absolute values to @p absolute.
-    void add_forces(const Trial     &trial,
-                    Eigen::VectorXd &bonds,
-                    Eigen::VectorXd &contacts,
-                    Eigen::VectorXd &absolute) const;
+    void
+    add_forces(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts, Eigen::VectorXd &absolute) const;
 
-    /// Add the force of one spring on its blocks or base nodes. Returns its size [N/m].
-    double add_force(std::size_t number, const Trial &trial, Eigen::VectorXd &forces) const;
+    /// Add the force of one spring on its blocks or base nodes.
+    void add_force(std::size_t number, Eigen::VectorXd &forces) const;
 
     /// How add_stiffness() works.
     struct Tangent
@@ -99,7 +98,7 @@ namespace hybrid::dda
       double contact_weight = 1.;
     };
 
-    void add_stiffness(const Trial &trial, const Tangent &tangent, BlockMatrix &matrix) const;
+    void add_stiffness(const Trial &trial, const Tangent &tangent, BlockMatrix &matrix);
 
     /// True if a unilateral spring presses on the base.
     bool pushes_base() const;
@@ -112,14 +111,50 @@ namespace hybrid::dda
 
     void collect_contacts(const Model &model, const DdaState &state);
 
-    /// Base nodes' part of one spring; @p stiffness is (normal, shear, shear by gap) [N/m], @p
-    /// weight is for the rows of the block.
-    static void add_base_stiffness(const Spring                      &spring,
-                                   const Response                    &response,
-                                   const Eigen::Matrix<double, 2, 6> &gradient,
-                                   const Eigen::Matrix2d             &stiffness,
-                                   double                             weight,
-                                   BlockMatrix                       &matrix);
+    /// List the springs of each block.
+    void sort_by_block(int n_blocks);
+
+    /// Generalised forces of one spring on its bodies.
+    void set_forces(const Trial &trial, std::size_t s);
+
+    using Rows = Eigen::Matrix<double, 2, 6>; ///< along normal and tangent
+
+    /// Stiffness of one spring in a trial.
+    struct Stiffness
+    {
+      double nn, tt, tn;   ///< normal, shear, shear by gap, times the contact's weight [N/m]
+      double weight;       ///< in the rows of blocks [-]
+      Rows   block, other; ///< derivatives of the displacements of both sides
+
+      bool none() const
+      {
+        return nn == 0. && tt == 0. && tn == 0.;
+      }
+
+      /// D G of gradients G.
+      Rows times(const Rows &gradient) const
+      {
+        Rows product;
+        product.row(0) = nn * gradient.row(0);
+        product.row(1) = tn * gradient.row(0) + tt * gradient.row(1);
+        return product;
+      }
+    };
+
+    Stiffness stiffness_of(std::size_t s, const Tangent &tangent, const Trial &trial) const;
+
+    /// Rows of one side of a spring: its first block (@p side 0) or the other.
+    void add_rows(std::size_t s, int side, BlockMatrix &matrix) const;
+
+    /// Rows and columns of base nodes of one spring.
+    void add_base_stiffness(std::size_t s, BlockMatrix &matrix) const;
+
+    void add_force_on_base(std::size_t s, Eigen::VectorXd &forces) const;
+
+    int n_blocks() const
+    {
+      return static_cast<int>(block_begin.size()) - 2;
+    }
 
     void
     evaluate_joint(const Model &model, const DdaState &state, const Trial &trial, std::size_t s);
@@ -127,5 +162,8 @@ namespace hybrid::dda
     void evaluate_contact(const DdaState &state, const Trial &trial, std::size_t s);
 
     std::vector<BlockMatrix::Pair> block_pairs, node_pairs; ///< of these springs
+    std::vector<Stiffness>         stiffness;               ///< of all springs, while it is added
+    std::vector<int>               block_begin;             ///< CSR over blocks of block_springs
+    std::vector<int> block_springs; ///< twice the spring's number, plus 1 if the block is its other
   };
 } // namespace hybrid::dda

@@ -3,6 +3,7 @@
 
 #include <hybrid/dda/base_band.h>
 #include <hybrid/dda/block_matrix.h>
+#include <hybrid/dda/sweep_order.h>
 
 #include <Eigen/Core>
 
@@ -21,13 +22,18 @@ namespace hybrid::dda
    * In Eisenstat's (1981) form a product with \hat A is one backward and one
    * forward sweep, so it costs no more than a product with A, and takes about
    * half as many iterations as diagonal blocks alone. \hat A is symmetric in the
-   * scalar product of D if A is symmetric. Sweeps are sequential: the same bits
-   * for any number of threads.
+   * scalar product of D if A is symmetric. "Below" means visited earlier by a
+   * sweep (SweepOrder): the same bits for any number of threads.
    */
   class SweptSystem
   {
   public:
-    /// The matrix has changed: invert the diagonal blocks. Both arguments must outlive the use.
+    /// Slice of each block, which threads share out (SweepOrder); without, or of another number of
+    /// blocks: one.
+    void set_slices(const std::vector<int> &slice_of_block);
+
+    /// The matrix has changed: copy it in the order of the sweeps and invert the diagonal blocks.
+    /// Both arguments must outlive the use.
     void set(const BlockMatrix &block_matrix, const BaseBand &base_band);
 
     /// y = \hat A x.
@@ -48,8 +54,21 @@ namespace hybrid::dda
   private:
     const BlockMatrix *matrix = nullptr;
     const BaseBand    *base   = nullptr;
-    std::vector<Mat6>  inverse_diagonal;
-    Eigen::VectorXd    above; ///< product with U [6 blocks], of the last backward sweep
-    Eigen::VectorXd    place; ///< (D + U)^-1 D x
+    std::vector<int>   slice;
+    int                version = -1; ///< of the pattern that the rows were ordered for
+    SweepOrder         order;
+    std::vector<int>   row_begin;  ///< CSR over places of the sweep
+    std::vector<int>   row_middle; ///< first entry of each row that a sweep visits later
+    std::vector<int>   column;     ///< block of each entry
+    std::vector<int>   slot;       ///< of each entry in the matrix; complement: in its lower part
+    std::vector<Mat6>  entry;      ///< of L and U, as a sweep reads them
+    std::vector<Mat6>  inverse_diagonal; ///< in the order of the sweep
+    Eigen::VectorXd    above;            ///< product with U [6 blocks], of the last backward sweep
+    Eigen::VectorXd    place;            ///< (D + U)^-1 D x
+
+    void order_rows();
+
+    /// Entries @p first to @p last of a row times x.
+    Vec6 product(int first, int last, const Eigen::VectorXd &x) const;
   };
 } // namespace hybrid::dda

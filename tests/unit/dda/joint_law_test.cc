@@ -234,9 +234,25 @@ TEST(JointLaw, tensile_damage_takes_its_part_of_the_cohesion)
 TEST(JointLaw, broken_contact_carries_neither_tension_nor_cohesion_above_residual)
 {
   const JointLaw law(JointStrength::broken(rock()), k_n, k_s);
-  EXPECT_EQ(law.respond({1e-9, 1e-3}, {}).state, ContactState::open);
+  EXPECT_EQ(law.respond({1e-5, 1e-3}, {}).state, ContactState::open);
   const JointResponse r = law.respond({-1e-5, 1e-2}, {});
   EXPECT_NEAR(-r.shear, 5e3 + 2e4 * tan_deg(20.), 1e-6);
+}
+
+
+
+TEST(JointLaw, residual_cohesion_fades_while_a_broken_contact_opens)
+{
+  const JointLaw law(JointStrength::broken(rock()), k_n, k_s);
+  const double   reach = 5e3 / k_n, h = 1e-4 * reach;
+  EXPECT_NEAR(-law.respond({-1e-9 * reach, 1e-2}, {}).shear, 5e3, 1e-3);
+  EXPECT_NEAR(-law.respond({1e-9 * reach, 1e-2}, {}).shear, 5e3, 1e-3);
+  const JointResponse half = law.respond({0.5 * reach, 1e-2}, {});
+  EXPECT_NEAR(-half.shear, 2.5e3, 1e-6);
+  EXPECT_EQ(half.normal, 0.);
+  const double ahead = law.respond({0.5 * reach + h, 1e-2}, {}).shear;
+  EXPECT_NEAR(half.shear_by_gap, -(ahead - half.shear) / h, 1e-6 * k_n);
+  EXPECT_EQ(law.respond({reach, 1e-2}, {}).shear, 0.);
 }
 
 

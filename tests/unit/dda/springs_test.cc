@@ -69,7 +69,7 @@ namespace
     {
       move(d);
       Eigen::VectorXd f = Eigen::VectorXd::Zero(20), absolute = Eigen::VectorXd::Zero(2);
-      springs.add_forces(trial, f, f, absolute);
+      springs.add_forces(f, f, absolute);
       return f;
     }
 

@@ -4,6 +4,7 @@
 #include <hybrid/dda/swept_system.h>
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <Eigen/LU>
 
@@ -16,13 +17,23 @@ namespace
 
   constexpr int n_blocks = 15, n_nodes = 8;
 
+  /// Two slices: blocks 0 to 7 and the others.
+  std::vector<int> two_slices()
+  {
+    std::vector<int> slice(n_blocks, 0);
+    std::fill(slice.begin() + 8, slice.end(), 1);
+    return slice;
+  }
+
+
+
   /// A, and its parts below, on and above the diagonal as the class defines them.
   struct Parts
   {
     Eigen::MatrixXd a, lower, diagonal, upper;
 
-    /// @p base: S, or nothing.
-    Parts(const BlockMatrix &m, const Eigen::MatrixXd *base)
+    /// @p base: S, or nothing.  @p slice of each block.
+    Parts(const BlockMatrix &m, const Eigen::MatrixXd *base, const std::vector<int> &slice)
       : a(dense(m))
       , lower(Eigen::MatrixXd::Zero(m.size(), m.size()))
       , diagonal(Eigen::MatrixXd::Zero(m.size(), m.size()))
@@ -31,10 +42,15 @@ namespace
       const int nodes = 2 * m.n_nodes(), first = 6 * m.n_blocks();
       for (int i = 0; i < first; i += 6)
         {
-          diagonal.block(i, i, 6, 6)                 = a.block(i, i, 6, 6);
-          lower.block(i, 0, 6, i)                    = a.block(i, 0, 6, i);
-          upper.block(i, i + 6, 6, m.size() - i - 6) = a.block(i, i + 6, 6, m.size() - i - 6);
+          diagonal.block(i, i, 6, 6) = a.block(i, i, 6, 6);
         }
+      const SweepOrder order(m.n_blocks(), slice, m.pairs);
+      for (int i = 0; i < m.n_blocks(); ++i)
+        for (int j = 0; j < m.n_blocks(); ++j)
+          if (i != j)
+            (order.place[j] < order.place[i] ? lower : upper).block(6 * i, 6 * j, 6, 6) =
+              a.block(6 * i, 6 * j, 6, 6);
+      upper.topRightCorner(first, nodes)   = a.topRightCorner(first, nodes);
       lower.bottomLeftCorner(nodes, first) = a.bottomLeftCorner(nodes, first);
       auto own                             = diagonal.bottomRightCorner(nodes, nodes);
       own.setIdentity();
@@ -46,14 +62,16 @@ namespace
     }
   };
 
-  void check(const BlockMatrix &m, const Eigen::MatrixXd *stiffness)
+  void
+  check(const BlockMatrix &m, const Eigen::MatrixXd *stiffness, const std::vector<int> &slice = {})
   {
     BaseBand base;
     base.set(stiffness);
     base.matrix_changed(m);
     SweptSystem swept;
+    swept.set_slices(slice);
     swept.set(m, base);
-    const Parts           parts(m, stiffness);
+    const Parts           parts(m, stiffness, slice);
     const Eigen::MatrixXd forward = parts.diagonal + parts.lower;
     const Eigen::MatrixXd back    = (parts.diagonal + parts.upper).lu().solve(parts.diagonal);
     const Eigen::VectorXd x       = Eigen::VectorXd::Random(m.size());
@@ -109,4 +127,34 @@ TEST(SweptSystem, nodes_without_a_base)
 TEST(SweptSystem, blocks_alone)
 {
   check(random_block_matrix(n_blocks, 0), nullptr);
+}
+
+
+
+TEST(SweptSystem, slices_are_swept_before_the_blocks_between_them)
+{
+  const Eigen::MatrixXd s = stiff_base();
+  check(unsymmetric_block_matrix(n_blocks, n_nodes, 0.05), &s, two_slices());
+}
+
+
+
+TEST(SweptSystem, any_number_of_threads_gives_the_same_bits)
+{
+  const BlockMatrix m = random_block_matrix(n_blocks, 0);
+  BaseBand          base;
+  base.set(nullptr);
+  base.matrix_changed(m);
+  SweptSystem swept;
+  swept.set_slices(two_slices());
+  swept.set(m, base);
+  const Eigen::VectorXd x = Eigen::VectorXd::Random(m.size());
+  Eigen::VectorXd       one(m.size()), two(m.size());
+  const int             threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  swept.multiply(x, one);
+  omp_set_num_threads(2);
+  swept.multiply(x, two);
+  omp_set_num_threads(threads);
+  EXPECT_TRUE(one == two);
 }
