@@ -103,12 +103,15 @@ namespace hybrid::dda
 
 
 
-  double JointLaw::cohesion_reach(const double damage) const
+  JointLaw::Fading JointLaw::fading(const double damage) const
   {
     if (!std::isfinite(strength.residual_cohesion))
-      return 0.;
+      return {0., 0.};
     const double contact = strength.residual_cohesion / k_n;
-    return damage < 1. ? std::max(contact, critical_opening()) : contact;
+    if (damage >= 1.)
+      return {0., contact};
+    const double elastic = strength.tensile / k_n;
+    return {elastic, std::max(critical_opening(), elastic + contact)};
   }
 
 
@@ -131,8 +134,8 @@ namespace hybrid::dda
     JointResponse r;
     r.history = history;
     normal_response(kinematics.gap, r);
-    const double reach = cohesion_reach(history.damage);
-    if (kinematics.gap > 0. && kinematics.gap >= reach && r.history.damage >= 1.)
+    const Fading fade = fading(r.history.damage);
+    if (kinematics.gap > 0. && kinematics.gap >= fade.end && r.history.damage >= 1.)
       {
         // Open for good: no shear; the friction spring starts anew on closing.
         r.history.plastic_slip = kinematics.slip;
@@ -141,14 +144,16 @@ namespace hybrid::dda
       }
 
     // Spring and dashpot of the step together: a stiffer spring from a shifted origin.
-    const double spring  = (1. + damping.ratio) * k_s;
-    const double shift   = damping.ratio / (1. + damping.ratio) * damping.elastic_slip;
-    const double trial   = -spring * (kinematics.slip - history.plastic_slip - shift);
-    const bool   opening = kinematics.gap > 0. && reach > 0.;
-    const double near    = opening ? std::max(0., 1. - kinematics.gap / reach) : 1.;
-    Strain       at{r.elastic_normal, r.history.damage, near * strength.residual_cohesion, 0.};
-    if (opening && near > 0.)
-      at.cohesion_by_gap = strength.residual_cohesion / reach;
+    const double spring = (1. + damping.ratio) * k_s;
+    const double shift  = damping.ratio / (1. + damping.ratio) * damping.elastic_slip;
+    const double trial  = -spring * (kinematics.slip - history.plastic_slip - shift);
+    Strain       at{r.elastic_normal, r.history.damage, strength.residual_cohesion, 0.};
+    if (kinematics.gap > fade.begin && fade.end > 0.)
+      {
+        const double left = std::max(0., (fade.end - kinematics.gap) / (fade.end - fade.begin));
+        at.residual_cohesion *= left;
+        at.cohesion_by_gap = left > 0. ? strength.residual_cohesion / (fade.end - fade.begin) : 0.;
+      }
     if (std::abs(trial) > shear_strength(at, history.softening))
       {
         slide(trial, spring, at, r);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/bedrock_forces.h>
 #include <hybrid/dda/block_energy.h>
+#include <hybrid/dda/joint_failure.h>
 #include <hybrid/dda/open_close_iteration.h>
 #include <hybrid/restart/archive.h>
 
@@ -421,34 +422,6 @@ namespace hybrid::dda
 
 
 
-  namespace
-  {
-    /// Bond of a joint after the step: failure is complete when both ends are broken.
-    void update_failure(const Joint &joint, JointState &state, const double time)
-    {
-      const auto broken = [&](const SpringState &point) {
-        return joint.law.broken_in_tension(point.history) ||
-               joint.law.broken_in_shear(point.history);
-      };
-      if (state.failure == FailureKind::none && broken(state.points[0]) && broken(state.points[1]))
-        {
-          const bool tensile = joint.law.broken_in_tension(state.points[0].history) ||
-                               joint.law.broken_in_tension(state.points[1].history);
-          state.failure      = tensile ? FailureKind::tensile : FailureKind::shear;
-          state.failure_time = time;
-        }
-      // Far apart, the ends of the edge no longer stand for the contact: vertices and edges take
-      // over.
-      constexpr double released_part = 0.1;
-      const double     reach         = released_part * joint.length;
-      if (state.failure != FailureKind::none && !joint.within_bedrock() &&
-          (std::max(state.points[0].jump.norm(), state.points[1].jump.norm()) > reach))
-        state.released = true;
-    }
-  } // namespace
-
-
-
   void OpenCloseIteration::serialize(restart::Archive &archive)
   {
     bool is_current = tangent_pattern == matrix.pattern_version();
@@ -508,7 +481,7 @@ namespace hybrid::dda
             JointState &joint        = state.joints[spring.joint];
             joint.points[spring.end] = response.now;
             if (spring.end == 1)
-              update_failure(model.joints[spring.joint], joint, state.time);
+              update_failure(model.joints[spring.joint], state.time, joint);
             continue;
           }
         Contact &contact      = state.contacts[spring.contact];

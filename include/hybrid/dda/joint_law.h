@@ -93,10 +93,10 @@ namespace hybrid::dda
    * never below zero), then plastic slip; with kappa, the sum of plastic slip,
    * cohesion and friction fall linearly to their residual over the softening
    * slip. Tensile damage takes the part (1 - D) of the cohesion that is above
-   * its residual. The residual cohesion fades while the joint opens, from the
-   * whole at gap 0 to none at c_res / k_n (or at g_c, if that is larger and the
-   * bond is not torn yet): if it vanished at once, a joint that is about to open
-   * might have no equilibrium.
+   * its residual. The residual cohesion of a contact fades while it opens,
+   * over c_res / k_n; that of a bond from F_t / k_n on, to g_c if that is later:
+   * if it vanished at once, a joint that is about to open might have no
+   * equilibrium.
    *
    * A law is a pure function: history is an argument and a result, so the
    * open-close iteration may ask as often as it likes. The tangent is
@@ -163,8 +163,13 @@ namespace hybrid::dda
 
     double damage_at(double gap) const;
 
-    /// Opening over which the residual cohesion fades, after the @p damage of earlier steps [m].
-    double cohesion_reach(double damage) const;
+    /// Openings between which the residual cohesion fades [m].
+    struct Fading
+    {
+      double begin, end;
+    };
+
+    Fading fading(double damage) const;
 
     /// What the shear strength of a joint depends on beside its plastic slip.
     struct Strain

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/model.h>
+#include <hybrid/dda/state.h>
+
+namespace hybrid::dda
+{
+  /**
+   * Bond of a joint after a step: failure is complete when both ends are broken,
+   * and counts as tensile if one of them is torn. A failed joint that has slid or
+   * opened by a tenth of its length is released: vertex contacts take over.
+   *
+   * @param time at the end of the step [s]
+   */
+  void update_failure(const Joint &joint, double time, JointState &state);
+} // namespace hybrid::dda
