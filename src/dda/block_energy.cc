@@ -46,9 +46,8 @@ namespace hybrid::dda
           energy.integration_loss += excess * p.area * stiff.dot(e);
           energy.gravity += p.weight * step.model.gravity * d[1];
           if (p.damping_time > 0.)
-            energy.damping_loss +=
-              p.area * p.damping_time *
-              stiff.dot((1. - nm.gamma) * s.velocity.tail<3>() + nm.gamma * v.tail<3>());
+            energy.damping_loss += p.area * p.damping_time *
+                                   stiff.dot((1. - nm.gamma) * s.strain_rate + nm.gamma / dt * e);
         }
       energy.damping_loss += (1. - k01 * k01) * kinetic_before;
       // The scheme's acceleration term changes with the step size, and when a joint becomes a

@@ -128,11 +128,10 @@ namespace hybrid::dda
     for (int b = 0; b < n; ++b)
       {
         const BlockProperties &p = model.blocks[b];
-        const Vec6 inertia     = mass[b] * ((trial.increment[b] - predicted[b]) / (beta * dt * dt));
-        Eigen::Vector3d strain = trial.increment[b].tail<3>();
-        if (p.damping_time > 0.)
-          strain +=
-            p.damping_time * end_rate(model.newmark, b, acceleration_by_contacts(b)).tail<3>();
+        const Vec6 inertia = mass[b] * ((trial.increment[b] - predicted[b]) / (beta * dt * dt));
+        // The damping follows the mean strain rate of the step: with the rate at its end it would
+        // feed what it damps while a contact holds (doc/theory.md).
+        const Eigen::Vector3d strain = (1. + p.damping_time / dt) * trial.increment[b].tail<3>();
         const Eigen::Vector3d stress = state.blocks[b].stress + p.elasticity * strain;
         Eigen::Map<Vec6>      r(residual.data() + 6 * b);
         r += weight * contact_force.segment<6>(6 * b) - inertia;
@@ -213,7 +212,7 @@ namespace hybrid::dda
                                     const BaseResponse &base,
                                     const bool          follow_softening)
   {
-    const double dt = trial.dt, beta = model.newmark.beta, gamma = model.newmark.gamma;
+    const double dt = trial.dt, beta = model.newmark.beta;
     springs.connect(model, matrix);
     matrix.set_zero();
 #pragma omp parallel for schedule(static)
@@ -222,7 +221,7 @@ namespace hybrid::dda
         const BlockProperties &p = model.blocks[b];
         matrix.diagonal[b]       = mass[b] / (beta * dt * dt);
         matrix.diagonal[b].bottomRightCorner<3, 3>() +=
-          p.area * (1. + p.damping_time * gamma / (beta * dt)) * p.elasticity;
+          p.area * (1. + p.damping_time / dt) * p.elasticity;
       }
     const double weight = contact_weight(model.newmark);
     springs.add_stiffness(trial, {follow_softening, weight}, matrix);
@@ -355,8 +354,9 @@ namespace hybrid::dda
               return result; // a shorter step is cheaper than more of the same
             window_start = result.residual;
           }
-        // A kept tangent that no longer takes most of the residual away is made anew.
-        if (stale || (result.iterations > 0 && result.residual > 1e-3 * previous))
+        // A tangent costs as much as an iteration: it is made anew when it no longer halves the
+        // residual.
+        if (stale || (result.iterations > 0 && result.residual > 0.5 * previous))
           assemble(model, state, base, result.residual <= previous);
         stale = false;
 
@@ -458,6 +458,8 @@ namespace hybrid::dda
         block.centroid           = move.centroid;
         block.rotation += trial.increment[b][2];
         block.velocity = rotated_rates(trial.rate[b], move.cosine, move.sine);
+        block.strain_rate =
+          rotated_rates(trial.increment[b] / dt, move.cosine, move.sine).tail<3>();
         block.acceleration =
           rotated_rates(acceleration[b] + contact_acceleration[b], move.cosine, move.sine);
         block.stress =

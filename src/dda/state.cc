@@ -41,8 +41,9 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, BlockState &block)
   {
-    auto &[centroid, rotation, velocity, acceleration, contact_acceleration, stress] = block;
-    archive(centroid, rotation, velocity, acceleration, contact_acceleration, stress);
+    auto &[centroid, rotation, velocity, acceleration, contact_acceleration, stress, strain_rate] =
+      block;
+    archive(centroid, rotation, velocity, acceleration, contact_acceleration, stress, strain_rate);
   }
 
 

@@ -26,6 +26,7 @@ namespace hybrid::dda
           block.velocity.setZero();
           block.acceleration.setZero();
           block.contact_acceleration.setZero();
+          block.strain_rate.setZero();
         }
     }
 

@@ -42,6 +42,7 @@ namespace hybrid::dda
     Vec6            contact_acceleration = Vec6::Zero(); ///< contacts' part of it, see Springs
     Eigen::Vector3d stress =
       Eigen::Vector3d::Zero(); ///< elastic (xx, yy, xy) [Pa], tension positive
+    Eigen::Vector3d strain_rate = Eigen::Vector3d::Zero(); ///< mean of the last step [1/s]
   };
 
 

@@ -30,7 +30,7 @@ namespace hybrid::dda
    * Finds the increments d of all blocks and the displacement w of the base
    * nodes so that at the end of the step inertia, stresses, joints, contacts
    * and weight balance,
-   *   M (a(d) - (1/(2 beta)) c) + A_0 (s + D e(d) + b_K D e'(d)) = W + sum of bonds G^T f(d, w),
+   *   M (a(d) - (1/(2 beta)) c) + A_0 (s + D e(d) + b_K D e(d)/dt) = W + sum of bonds G^T f(d, w),
    *   M c = sum of contacts G^T f(d, w),
    *   S w = g + f_base - f_static,
    * where c acts through the whole step (see Springs: (d - d*) / (beta dt^2) =
