@@ -354,9 +354,8 @@ namespace hybrid::dda
               return result; // a shorter step is cheaper than more of the same
             window_start = result.residual;
           }
-        // A tangent costs as much as an iteration: it is made anew when it no longer halves the
-        // residual.
-        if (stale || (result.iterations > 0 && result.residual > 0.5 * previous))
+        // A kept tangent that no longer takes most of the residual away is made anew.
+        if (stale || (result.iterations > 0 && result.residual > 1e-3 * previous))
           assemble(model, state, base, result.residual <= previous);
         stale = false;
 
