@@ -2,8 +2,15 @@
 """The hard cases: their runs, limits, and what is asked of one besides that of all."""
 
 import dataclasses
+import pathlib
+import re
 import typing
 
+import numpy as np
+
+
+
+HARD = pathlib.Path(__file__).resolve().parents[2] / "parameters/hard"
 
 
 @dataclasses.dataclass
@@ -36,13 +43,73 @@ def rebound_is_slower(case, variant, run):
               kinetic[-1] < 0.9 * kinetic.max())
 
 
+def most_joints_fail(case, variant, run):
+    log = (run.directory_path / "log.txt").read_text(encoding="utf-8")
+    joints = int(re.search(r"(\d+) joints,", log)[1])
+    time = run.get("joints/failure_time")
+    case.true("%s: %d of %d joints failed, %d of them within 1 ms" % (variant, len(time), joints, (time < 1.1e-3).sum()),
+              len(time) > 0.5 * joints)
+
+
+def says(words):
+    def look(case, variant, run):
+        log = (run.directory_path / "log.txt").read_text(encoding="utf-8")
+        case.true("%s: the log says '%s'" % (variant, words), words in log)
+
+    return look
+
+
+def ends_at_rest(case, variant, run):
+    """The record's offset is taken off, and its end before that of the run is reported."""
+    case.below("%s: velocity of the ground at the end" % variant, np.abs(run.get("input/velocity")[-1]).max(), 1e-6, "m/s")
+    says("the motion ends at")(case, variant, run)
+
+
+def falls_freely(case, variant, run):
+    lowest = run.get("section/blocks_points_final")[:, 1].min()
+    case.true("%s: a block is %.1f m below the end of the slope" % (variant, -1.5 - lowest), lowest < -3)
+
+
+def same_as_alone(case, variant, run):
+    if variant == "scene":
+        case.together = run
+        return
+    a, b = (r.get("section/blocks_points_final")[:4] for r in (case.together, run))
+    case.below("%s: difference of the first block's corners" % variant, np.abs(a - b).max(), 1e-9, "m")
+    case.true("%s: it moved" % variant, np.abs(b - run.get("section/blocks_points")[:4]).max() > 0.1)
+
+
+def slides_as_one(case, variant, run):
+    """Closed form of a rigid block on the slope, within 0.5 %."""
+    slope, friction, t = np.radians(20), np.radians(15), run.time[-1]
+    expected = 0.5 * 9.81 * (np.sin(slope) - np.cos(slope) * np.tan(friction)) * t**2
+    mean = np.linalg.norm(run.get("section/blocks_displacement").mean(axis=0))
+    case.below("%s: mean slide %.5f m, closed form %.5f, error" % (variant, mean, expected), abs(mean / expected - 1), 5e-3)
+
+
 CASES = {
     "stiffness_ratio": Wanted({"scene": [], "soft_below": ["Continuum/Materials=mud", "Blocks/Material=granite",
                                                            "Blocks/Belt material=mud"]}, residual=0.001),
-    "slivers": Wanted(),
     "penalty": Wanted({"40": [], "1.04": ["Blocks/Penalty ratio=1.04"], "40000": ["Blocks/Penalty ratio=40000"]},
                       refusals=[("0.04", ["Blocks/Penalty ratio=0.04"], "Penalty ratio")]),
     "impact_50": Wanted({"scene": [], "shi": ["Time/Scheme=shi"], "0.1 ms": ["Time/Time step=0.0001"]},
                         more=rebound_is_slower),
+    "all_joints_fail": Wanted(more=most_joints_fail),
+    "wedge": Wanted(),
+    "poisson_0499": Wanted(residual=0.001, refusals=[("40", ["Blocks/Penalty ratio=40"], "increase the penalty ratio")]),
+    "quiet": Wanted(residual=0.001, full_size={"scene": ["Time/End time=1000"]}, more=rests(1e-6)),
+    "leaves_model": Wanted(more=falls_freely),
+    "coincident": Wanted(),
+    "record_offset": Wanted(more=ends_at_rest),
+    "unit_squares": Wanted({"%s, %g ms" % (name, dt): ["Mesh/Numbers=" + numbers, "Time/Time step=%g" % (dt * 1e-3)]
+                            for name, numbers in (("1", "Angle = 20"), ("1x2", "Angle = 20; Rows = 2"))
+                            for dt in (0.1, 1, 2)}, residual=0.001, more=rests(1e-6)),
+    "second_block": Wanted({"scene": [], "alone": ["Mesh/Polygons file=" + str(HARD / "sliding_alone.csv")]}, more=same_as_alone),
+    "soft_base": Wanted(residual=0.001),
+    "friction_10": Wanted(),
+    "slope_blocks": Wanted(full_size={"600": ["Mesh/Numbers=Angle = 20; Columns = 120; Rows = 5; Base above = 150"]},
+                           more=slides_as_one),
+    "wall": Wanted(residual=0.001, more=rests(1e-6), full_size={
+        "50x40": ["Mesh/Numbers=Columns = 50; Rows = 40; Block width = 2; Base above = 150", "Time/End time=5"]}),
     "column_50": Wanted(residual=0.001, more=rests(1e-6)),
 }
