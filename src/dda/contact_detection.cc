@@ -250,7 +250,8 @@ namespace hybrid::dda
         for (auto it = opposite.first; it != opposite.second; ++it)
           {
             const int edge = it->contact.edge;
-            if (it->gap >= 0. ||
+            // segments of the base have numbers of their own
+            if (it->gap >= 0. || it->contact.edge_body != c.vertex_body ||
                 (edge != c.vertex && second_end(geometry, c.vertex_body, edge) != c.vertex) ||
                 -n.dot(frames.edge(c.vertex_body, edge).normal) >= tolerances.continuing_cosine)
               continue;

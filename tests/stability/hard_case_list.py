@@ -94,6 +94,7 @@ CASES = {
                       refusals=[("0.04", ["Blocks/Penalty ratio=0.04"], "Penalty ratio")]),
     "impact_50": Wanted({"scene": [], "shi": ["Time/Scheme=shi"], "0.1 ms": ["Time/Time step=0.0001"]},
                         more=rebound_is_slower),
+    "large_step": Wanted({"20 ms": [], "2 ms": ["Time/Time step=0.002", "Time/End time=1"]}),
     "all_joints_fail": Wanted(more=most_joints_fail),
     "wedge": Wanted(),
     "poisson_0499": Wanted(residual=0.001, refusals=[("40", ["Blocks/Penalty ratio=40"], "increase the penalty ratio")]),
