@@ -95,6 +95,17 @@ namespace
 
 
 
+  /// What a message quotes from a file may have control characters, which a screen would obey.
+  std::string printable(std::string text)
+  {
+    for (char &c : text)
+      if (static_cast<unsigned char>(c) < 32 || c == 127)
+        c = '?';
+    return text;
+  }
+
+
+
   void prepare_process()
   {
     std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is an error of writing
@@ -180,7 +191,7 @@ main(int argc, char **argv)
     }
   catch (const InputError &error)
     {
-      std::cerr << "error: " << error.what() << std::endl;
+      std::cerr << "error: " << printable(error.what()) << std::endl;
       return 2;
     }
   catch (const std::bad_alloc &)

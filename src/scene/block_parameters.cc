@@ -48,7 +48,7 @@ namespace hybrid::scene
     section.number("Penalty ratio",
                    blocks.penalty_ratio,
                    "",
-                   ParameterRange::above(1.),
+                   {1., 1e9, false, true},
                    "alpha of the normal stiffness alpha E / h of joints and contacts.");
     section.number("Shear ratio",
                    blocks.shear_ratio,

@@ -9,7 +9,7 @@ namespace hybrid::scene
     gravity.number("Acceleration",
                    environment.gravity,
                    "m/s2",
-                   ParameterRange::at_least(0.),
+                   ParameterRange::closed(0., 1e4),
                    "Downward acceleration; 0 switches gravity off.");
     gravity.choice<StaticStage>(
       "Static stage",

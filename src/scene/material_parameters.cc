@@ -14,16 +14,16 @@ namespace hybrid::scene
     section.number("Density",
                    material.density,
                    "kg/m3",
-                   ParameterRange::above(0.),
+                   {0., 1e10, false, true},
                    "Mass per volume that has inertia.");
     section.number_or(
       "Weight density",
       {"same", material.weight_density},
       "kg/m3",
-      ParameterRange::at_least(0.),
+      ParameterRange::closed(0., 1e10),
       "Mass per volume that gravity acts on (buoyant below water); same: as Density.");
     section.number(
-      "Young modulus", material.young_modulus, "Pa", ParameterRange::above(0.), "Modulus E.");
+      "Young modulus", material.young_modulus, "Pa", {0., 1e15, false, true}, "Modulus E.");
     section.number("Poisson ratio",
                    material.poisson_ratio,
                    "",

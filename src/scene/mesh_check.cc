@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/geometry_check.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/mesh_check.h>
 
@@ -204,5 +205,6 @@ namespace hybrid::scene
         if (scene.mesh.polygons_file.empty())
           check_shared_nodes(mesh);
       }
+    check_geometry(mesh, scene);
   }
 } // namespace hybrid::scene

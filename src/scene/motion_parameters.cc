@@ -31,7 +31,7 @@ namespace hybrid::scene
         "Peak",
         {"as recorded", motion.peak},
         "m/s2",
-        ParameterRange::at_least(0.),
+        ParameterRange::closed(0., 1e4),
         "Scale the motion to this peak acceleration; as recorded: leave a record as it is "
         "and a spectrum as given; ricker, sine and synthetic have 1 m/s2.");
     }

@@ -13,7 +13,8 @@ namespace hybrid::scene
 {
   namespace
   {
-    constexpr double standard_gravity = 9.80665; // [m/s2]
+    constexpr double standard_gravity     = 9.80665; // [m/s2]
+    constexpr double largest_acceleration = 1e4;     // [m/s2]: a thousand g
 
 
     std::string in_words(const double value)
@@ -122,6 +123,22 @@ namespace hybrid::scene
     }
 
 
+    /// The acceleration [m/s2] in @p text, given in @p unit [m/s2].
+    double to_acceleration(const std::string &text,
+                           const double       unit,
+                           const std::string &file,
+                           const int          line)
+    {
+      const double a = unit * to_number(text, "an acceleration", file, line);
+      if (!(std::abs(a) <= largest_acceleration))
+        throw InputError(file,
+                         line,
+                         "the acceleration " + text + " is " + in_words(a) + " m/s2; at most " +
+                           in_words(largest_acceleration) + " m/s2 are allowed.");
+      return a;
+    }
+
+
     void check_spacing(const std::string           &file,
                        const std::vector<TableRow> &rows,
                        const std::vector<double>   &t)
@@ -175,7 +192,7 @@ namespace hybrid::scene
                            "found " + std::to_string(row.fields.size()) +
                              " columns; expected time [s] and acceleration.");
         t.push_back(to_number(row.fields[0], "a time [s]", file, row.line));
-        a.push_back(unit * to_number(row.fields[1], "an acceleration", file, row.line));
+        a.push_back(to_acceleration(row.fields[1], unit, file, row.line));
       }
     check_spacing(file, rows, t);
     return Motion((t.back() - t.front()) / (t.size() - 1), a);
@@ -193,7 +210,7 @@ namespace hybrid::scene
     std::string         text;
     for (int line = header.lines + 1; std::getline(stream, text); ++line)
       for (const std::string &field : split_fields(text))
-        a.push_back(header.unit * to_number(field, "an acceleration", file, line));
+        a.push_back(to_acceleration(field, header.unit, file, line));
     if (a.size() != header.points)
       throw InputError(file,
                        header.lines,

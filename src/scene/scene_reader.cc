@@ -139,6 +139,7 @@ namespace hybrid::scene
     if (scene.continuum_model == ContinuumModel::none && !scene.has_blocks())
       throw table.error("Model/Blocks",
                         "together with Model/Continuum = none there is nothing to simulate");
+    check(scene.time, table);
     for (const auto &entry : scene.materials)
       check(entry.second, table);
     check_mesh(scene, table);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/parameter_declarations.h>
+#include <hybrid/scene/parameter_values.h>
 
 namespace hybrid::scene
 {
@@ -42,5 +43,19 @@ namespace hybrid::scene
       {0., 1., false, true},
       "Factor k01 on the velocity of the blocks at the start of each step; 1 is dynamic, a "
       "smaller one damps with the rate (1 - k01) / dt.");
+  }
+
+  void check(const TimeParameters &time, const ParameterTable &table)
+  {
+    const double most_steps = 1e9;
+    if (time.end_time == 0.)
+      return; // the static state only
+    if (time.time_step > time.end_time)
+      throw table.error("Time/Time step",
+                        "must not exceed Time/End time = " + number_text(time.end_time) + " [s]");
+    if (time.end_time / time.time_step > most_steps)
+      throw table.error("Time/End time",
+                        "is more than 1e9 steps of Time/Time step = " +
+                          number_text(time.time_step) + " [s]");
   }
 } // namespace hybrid::scene

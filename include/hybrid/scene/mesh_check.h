@@ -13,7 +13,8 @@ namespace hybrid::scene
    *   - cells and blocks that are neither inverted nor of zero area;
    *   - every boundary edge of the bedrock on one of the lines base, left, right, ground,
    *     sliding_surface, and those lines on the boundary; bedding planes inside;
-   *   - blocks of the mesh sharing their nodes with the bedrock along the sliding surface.
+   *   - blocks of the mesh sharing their nodes with the bedrock along the sliding surface;
+   *   - what check_geometry() looks at.
    *
    * @throws InputError for the first of them that fails, with coordinates [m].
    */

@@ -47,6 +47,9 @@ namespace hybrid::scene
   void declare(ParameterTable &table, SceneParameters &scene);
 
 
+  /// Time step against end time.
+  void check(const TimeParameters &time, const ParameterTable &table);
+
   void check(const Material &material, const ParameterTable &table);
 
   void check(const MotionParameters &motion, const ParameterTable &table);

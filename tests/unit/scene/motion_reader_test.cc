@@ -287,6 +287,14 @@ namespace hybrid::scene::test
   }
 
 
+  TEST_F(MotionReader, AccelerationsOfAnotherWorldAreRefused)
+  {
+    const std::string file = write("record.txt", "0 0\n0.1 1e308\n0.2 0\n");
+    expect_part(message_of([&]() { read_text_motion(file, 9.80665); }),
+                "record.txt:2: the acceleration 1e308 is inf m/s2; at most 10000 m/s2 are allowed");
+  }
+
+
   TEST_F(MotionReader, ContradictionsAreRefused)
   {
     MotionParameters parameters  = synthetic(1);

@@ -58,10 +58,22 @@ TEST_F(SceneErrors, NumbersMustLieInTheirRanges)
   expect_option_error("Time/Dynamic coefficient=1.5", {"must be a number > 0 and <= 1"});
   expect_option_error("Materials/rock/Poisson ratio=0.5", {"must be a number > -1 and < 0.5"});
   expect_option_error("Materials/rock/Friction angle=90", {"must be a number >= 0 and < 90 [deg]"});
-  expect_option_error("Materials/rock/Weight density=-1", {"'same' or a number >= 0 [kg/m3]"});
+  expect_option_error("Materials/rock/Weight density=-1",
+                      {"'same' or a number >= 0 and <= 1e+10 [kg/m3]"});
+  expect_option_error("Materials/rock/Density=1e300", {"must be a number > 0 and <= 1e+10"});
   expect_option_error("Water/Level=high", {"Water/Level = 'high'", "'none' or a number [m]"});
   expect_option_error("Continuum/Degree=9", {"an integer from 1 to 8"});
   expect_option_error("Parallel/Threads=2.5", {"Parallel/Threads = '2.5'", "an integer from 1 to"});
+}
+
+TEST_F(SceneErrors, TimeStepMustFitTheEndTime)
+{
+  expect_error(write_scene(),
+               {"Time/Time step = '2'", "must not exceed Time/End time = 1 [s]"},
+               {"Time/End time=1", "Time/Time step=2"});
+  expect_error(write_scene(),
+               {"Time/End time = '1e9'", "is more than 1e9 steps of Time/Time step = 0.001 [s]"},
+               {"Time/End time=1e9", "Time/Time step=1e-3"});
 }
 
 TEST_F(SceneErrors, WordsMustBeAmongTheChoices)

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/scene/scene_parameters.h>
+#include <hybrid/scene/section_mesh.h>
+
+namespace hybrid::scene
+{
+  /**
+   * Check what a section drawn by hand gets wrong, of a mesh whose cells and blocks are sound:
+   *   - its extent is at most 100 km (a mesh in millimetres);
+   *   - the bedrock is one piece, bedding planes do not cross;
+   *   - a meshed mass has a block at every edge of the sliding surface;
+   *   - blocks overlap neither each other nor the bedrock (by 0.001 of their size: coordinates are
+   *     rounded), and none is below a rigid base.
+   *
+   * @throws InputError for the first of them that fails, with coordinates [m].
+   */
+  void check_geometry(const SectionMesh &mesh, const SceneParameters &scene);
+} // namespace hybrid::scene

@@ -1,0 +1,259 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Mutated scenes for the whole program: hybrid --check, then a run of three steps of what was accepted.
+
+    fuzz_scenes.py HYBRID SOURCE WORK [--count 40] [--seed 1] [--long] [--seconds 15]
+
+A scene is refused with exit code 2 and one line "error: ..." and leaves nothing behind, or it is accepted (0) and runs
+to exit code 0, 1 (no convergence) or 2 without a number in run.h5 that is not finite. Nonsense (NONSENSE below) must be refused.
+Each mutation depends on its number alone: `--seed N --count 1` repeats what is reported as N; its folder is kept.
+"""
+import argparse
+import os
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+VALUES = ["nan", "-nan", "inf", "-inf", "1e308", "-1e308", "1e-308", "1e400", "-1", "0", "-0.0", "", "1e20", "1e-20",
+          "2147483648", "1000000000", "1,5", "12 m", "5e3 kPa", "thing", "rock soil", "../x", "\xff\xfe", "true", "10", "0.5"]
+STEPS = 3
+
+# (parameter, value, or more settings): each must be refused, whatever the scene
+NONSENSE = [
+    ("Time/Time step", "nan"), ("Time/Time step", "0"), ("Time/Time step", "-1e-3"), ("Time/Time step", "inf"),
+    ("Time/Time step", "1e6"), ("Time/End time", "-1"), ("Time/End time", "nan"), ("Time/End time", "1e300"),
+    ("Gravity/Acceleration", "nan"), ("Gravity/Acceleration", "-9.81"), ("Gravity/Acceleration", "1e300"),
+    ("Motion/Peak", "nan"), ("Motion/Peak", "-1"), ("Motion/Peak", "1e300"),
+    ("Blocks/Penalty ratio", "0"), ("Blocks/Penalty ratio", "nan"), ("Blocks/Penalty ratio", "1e300"),
+    ("Blocks/Shear ratio", "-1"), ("Blocks/Damping ratio", "-0.1"), ("Blocks/Tolerance", "0"),
+    ("Blocks/Maximum iterations", "0"), ("Blocks/Maximum iterations", "1e3"), ("Parallel/Threads", "0"),
+    ("Materials/*/Density", "-2000"), ("Materials/*/Density", "0"), ("Materials/*/Density", "nan"),
+    ("Materials/*/Density", "1e300"), ("Materials/*/Young modulus", "0"), ("Materials/*/Young modulus", "-1e9"),
+    ("Materials/*/Young modulus", "1e300"), ("Materials/*/Poisson ratio", "0.5"), ("Materials/*/Poisson ratio", "-1"),
+    ("Materials/*/Cohesion", "-1"), ("Materials/*/Friction angle", "90"), ("Materials/*/Friction angle", "-5"),
+    ("Materials/*/Tensile strength", "-1"), ("Output/Picture interval", "nan"), ("Nothing/At all", "1"),
+]
+
+
+class Failure(Exception):
+    """What a mutated scene did that it must not."""
+
+
+def run(command, folder, seconds):
+    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
+                   "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    environment.setdefault("ASAN_OPTIONS", "detect_leaks=0")
+    try:
+        return subprocess.run(command, cwd=folder, env=environment, timeout=seconds, stdin=subprocess.DEVNULL,
+                              capture_output=True, encoding="utf-8", errors="replace")
+    except subprocess.TimeoutExpired as expired:
+        raise Failure(f"no end after {seconds} s: {' '.join(map(str, command))}") from expired
+
+
+def judge(result, allowed):
+    """One line `error:` where the code says that the input is at fault."""
+    if result.returncode not in allowed:
+        raise Failure(f"exit code {result.returncode}: {(result.stderr or result.stdout).strip()[-600:]}")
+    errors = [line for line in result.stderr.splitlines() if line.startswith("error:")]
+    others = [line for line in result.stderr.splitlines() if line.strip() and not line.startswith(("error:", "warning"))]
+    if result.returncode == 2 and (len(errors) != 1 or others):
+        raise Failure(f"not one line 'error: ...': {result.stderr.strip()[-600:]}")
+    if result.returncode == 0 and errors:
+        raise Failure(f"an error, but exit code 0: {errors[0]}")
+    if re.search(r"(?<![\w-])-?(nan|inf)\b", result.stdout):
+        raise Failure("nan or inf on the scene card: "
+                      + next(line for line in result.stdout.splitlines() if re.search(r"\b(nan|inf)\b", line)))
+
+
+def check_numbers(directory):
+    import h5py
+    import numpy
+
+    def look(name, item):
+        if name == "joints/failure_time":
+            return  # NaN: has not failed
+        if isinstance(item, h5py.Dataset) and item.dtype.kind == "f" and not numpy.isfinite(item[()]).all():
+            raise Failure(f"run.h5: {name} has numbers that are not finite")
+
+    with h5py.File(directory / "run.h5", "r") as file:
+        file.visititems(look)
+
+
+def try_scene(hybrid, folder, scene, limits):
+    """Check a scene, then run three steps of it. @return 'refused' or 'accepted'."""
+    before = sorted(folder.rglob("*"))
+    result = run([hybrid, "--check", scene], folder, limits["seconds"])
+    judge(result, (0, 2))
+    if sorted(folder.rglob("*")) != before:
+        raise Failure("--check wrote files")
+    if result.returncode == 2:
+        return "refused"
+    step = re.search(r"in steps of (\S+) s", result.stdout)
+    end = re.search(r"Time +(\S+) s in steps", result.stdout)
+    duration = min(STEPS * float(step.group(1)), float(end.group(1)))
+    options = ["-s", f"Time/End time={duration:.17g}", "-s", "Output/Directory=out"]
+    if not limits["run"]:
+        return "accepted"
+    result = run([hybrid, scene, *options], folder, limits["seconds"])
+    judge(result, (0, 1, 2))
+    if result.returncode == 2 and (folder / "out" / "run.h5").exists():
+        raise Failure(f"refused after results were begun: {result.stderr.strip()}")
+    if (folder / "out" / "run.h5").exists():
+        check_numbers(folder / "out")
+    return "accepted"
+
+
+def change_setting(lines, random_):
+    at = [i for i, line in enumerate(lines) if re.match(r"\s*set ", line)]
+    i = random_.choice(at)
+    head, _, value = lines[i].partition("=")
+    words = re.findall(r"[^\s,;:]+", value.split("#")[0])
+    if words and random_.random() < 0.5:
+        word = random_.choice(words)
+        value = value.replace(word, random_.choice(VALUES), 1)
+    elif words and random_.random() < 0.3:
+        number = random_.choice(words)
+        value = value.replace(number, number + random_.choice(["e3", "e-3", "e6", "0", "000"]), 1)
+    else:
+        value = " " + random_.choice(VALUES)
+    lines[i] = f"{head}={value}"
+
+
+def change_lines(lines, random_):
+    i, j = random_.randrange(len(lines)), random_.randrange(len(lines))
+    kind = random_.randrange(6)
+    if kind == 0:
+        del lines[i]
+    elif kind == 1:
+        lines.insert(j, lines[i])
+    elif kind == 2:
+        lines[i], lines[j] = lines[j], lines[i]
+    elif kind == 3:
+        del lines[i + 1:]
+    elif kind == 4:
+        lines[i] = lines[i][:random_.randrange(len(lines[i]) + 1)] + "".join(chr(random_.randrange(256)) for _ in range(9))
+    else:
+        words = lines[i].split(" ")
+        a, b = random_.randrange(len(words)), random_.randrange(len(words))
+        words[a], words[b] = words[b], words[a]
+        lines[i] = " ".join(words)
+
+
+def change_table(text, random_):
+    """A mesh, record or CSV file: a number, a line or the end of it is wrong."""
+    lines = text.split("\n")
+    if random_.random() < 0.4:
+        change_lines(lines, random_)
+        return "\n".join(lines)
+    numbers = list(re.finditer(r"(?<![\w.])-?\d+\.?\d*(e-?\d+)?", text))
+    if not numbers:
+        return text
+    number = random_.choice(numbers)
+    new = random_.choice(VALUES + [number.group() + "000", "-" + number.group()])
+    return text[:number.start()] + new + text[number.end():]
+
+
+def seeds(source):
+    result = []
+    for folder in ("verification", "hard"):
+        for path in sorted((source / "parameters" / folder).glob("*.prm")):
+            if "lamb" not in path.stem:  # a hundred thousand unknowns
+                result.append(path)
+    return result
+
+
+def make_folder(source, work, seed, scene):
+    """A copy of what the scene needs: meshes and tables beside it, at the paths that it names."""
+    folder = work / f"scene_{seed}"
+    shutil.rmtree(folder, ignore_errors=True)
+    home = folder / "parameters" / scene.parent.name
+    home.mkdir(parents=True)
+    shutil.copytree(source / "meshes", folder / "meshes")
+    for path in scene.parent.iterdir():
+        if path.suffix != ".prm":
+            shutil.copy(path, home)
+    return folder, home / "mutated.prm"
+
+
+def mutate(source, work, seed, scenes):
+    random_ = random.Random(seed)
+    scene = random_.choice(scenes)
+    folder, target = make_folder(source, work, seed, scene)
+    lines = scene.read_text().split("\n")
+    tables = [path for name in re.findall(r"[\w./-]+\.(?:geo|csv|txt|at2)", scene.read_text())
+              if (path := (target.parent / name).resolve()).is_file()]
+    if tables and random_.random() < 0.35:
+        table = random_.choice(tables)
+        table.write_text(change_table(table.read_text(), random_), encoding="latin-1", errors="replace")
+    else:
+        for _ in range(random_.randint(1, 3)):
+            if not any(re.match(r"\s*set .*=", line) for line in lines):
+                break
+            (change_setting if random_.random() < 0.7 else change_lines)(lines, random_)
+    target.write_text("\n".join(lines), encoding="latin-1", errors="replace")
+    return folder, target
+
+
+def try_nonsense(hybrid, source, work, limits):
+    """@return how many settings of NONSENSE were tried; failures are appended to limits['failures']."""
+    scene = source / "parameters/verification/restart_coupled.prm"
+    text = scene.read_text()
+    names = re.search(r"set Names *= *(.*)", text[text.index("subsection Materials"):]).group(1)
+    material = names.split(",")[0].strip()
+    folder, target = make_folder(source, work, "nonsense", scene)
+    target.write_text(text)
+    for name, value in NONSENSE:
+        setting = f"{name.replace('*', material)}={value}"
+        try:
+            result = run([hybrid, "--check", "-s", setting, target], folder, limits["seconds"])
+            judge(result, (2,))
+            if "unknown" in result.stderr and not name.startswith("Nothing"):
+                raise Failure(result.stderr.strip())
+        except Failure as failure:
+            limits["failures"].append(f"nonsense {setting}: {failure}")
+    return len(NONSENSE)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("hybrid", type=lambda name: pathlib.Path(name).resolve())
+    parser.add_argument("source", type=lambda name: pathlib.Path(name).resolve())
+    parser.add_argument("work", type=lambda name: pathlib.Path(name).resolve())
+    parser.add_argument("--count", type=int, default=1000000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--seconds", type=float, default=10., help="wall time after which no new scene is begun")
+    parser.add_argument("--hang", type=float, default=60., help="wall time of one process that counts as a hang")
+    parser.add_argument("--no-run", dest="run", action="store_false", help="only --check")
+    parser.add_argument("--long", action="store_true", help="10,000 scenes, however long they take")
+    arguments = parser.parse_args()
+    limits = {"seconds": arguments.hang, "run": arguments.run, "failures": []}
+    count, seconds = (10000, 1e9) if arguments.long else (arguments.count, arguments.seconds)
+
+    begin = time.monotonic()
+    arguments.work.mkdir(parents=True, exist_ok=True)
+    nonsense = try_nonsense(arguments.hybrid, arguments.source, arguments.work, limits)
+    scenes = seeds(arguments.source)
+    tally = {"refused": 0, "accepted": 0}
+    for seed in range(arguments.seed, arguments.seed + count):
+        if sum(tally.values()) > 0 and time.monotonic() - begin > seconds:
+            break
+        folder, target = mutate(arguments.source, arguments.work, seed, scenes)
+        try:
+            tally[try_scene(arguments.hybrid, folder, target, limits)] += 1
+            shutil.rmtree(folder)
+        except Failure as failure:
+            tally["failed"] = tally.get("failed", 0) + 1
+            limits["failures"].append(f"scene {seed} (kept in {folder}): {failure}")
+            print(limits["failures"][-1], flush=True)
+    print(f"{nonsense} settings that are nonsense; scenes: {tally}, {time.monotonic() - begin:.0f} s")
+    for failure in limits["failures"]:
+        print("FAILED", failure)
+    return 1 if limits["failures"] else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
