@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/crash_guard.h>
 #include <hybrid/scene/edge_chain.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/polygon_reader.h>
@@ -52,6 +53,10 @@ namespace hybrid::scene
           {
             action();
           }
+        catch (const InputError &)
+          {
+            throw;
+          }
         catch (const std::string &message)
           {
             throw InputError(file, 0, "gmsh: " + message + ".");
@@ -93,6 +98,7 @@ namespace hybrid::scene
     /// Refuse numbers that the geometry does not define, or outside the range it states.
     void check_numbers(const std::string &file, const Numbers &numbers)
     {
+      const CrashGuard         guard(file);
       GmshSession              session;
       std::vector<std::string> names;
       session.run(file, [&]() {
@@ -353,7 +359,8 @@ namespace hybrid::scene
       if (!numbers.empty())
         check_numbers(file, numbers);
 
-      GmshSession session;
+      const CrashGuard guard(file);
+      GmshSession      session;
       session.run(file, [&]() {
         for (const auto &[name, value] : numbers)
           gmsh::onelab::setNumber(name, {value});
@@ -361,7 +368,9 @@ namespace hybrid::scene
         if (extension == ".geo")
           gmsh::model::mesh::generate(2);
       });
-      return Converter(file).convert();
+      SectionMesh mesh;
+      session.run(file, [&]() { mesh = Converter(file).convert(); });
+      return mesh;
     }
   } // namespace
 

@@ -97,6 +97,13 @@ def check_mistakes():
     text = replaced("../../meshes/half_blocks.geo", "broken.geo")
     expect_mistake("broken geometry", [scene_file("broken.prm", text)], "broken.geo")
 
+    # A curve loop that does not close.
+    disc = (SOURCE / "meshes/disc.geo").read_text(encoding="utf-8")
+    (WORK / "crashing.geo").write_text(disc.replace("-10, -9}", "-10, 10}"), encoding="utf-8")
+    text = (SOURCE / "parameters/verification/brazilian_disc.prm").read_text(encoding="utf-8")
+    text = text.replace("../../meshes/disc.geo", "crashing.geo")
+    expect_mistake("geometry on which gmsh crashes", [scene_file("crashing.prm", text)], "crashing.geo", "gmsh crashes")
+
     text = replaced("Block height = 10", "Block hight = 10")
     expect_mistake("unknown number of the mesh", [scene_file("number.prm", text)], "number.prm", "Block hight")
 

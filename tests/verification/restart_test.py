@@ -291,7 +291,8 @@ def check_full_disk(whole):
         log = directory / "log.txt"
         before = log.stat().st_mtime_ns
         run(resume, expect=3, full=(lambda: log.exists() and log.stat().st_mtime_ns != before, limit))
-        require(check_readable(directory) >= steps, "a second attempt on the full disk loses nothing")
+        # What came after the last checkpoint, at most its interval, is computed again.
+        require(check_readable(directory) >= steps - 20, "a second attempt on the full disk keeps what the checkpoint has")
         run(resume)
         compare(whole, directory, f"disk full at {limit} bytes, {steps} steps")
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace hybrid::scene
+{
+  /**
+   * While it lives, a crash of the process (segmentation fault, abort, an
+   * exception that leaves a library's thread) ends it with a sentence about a
+   * file and exit code 2, the code of user errors.
+   *
+   * gmsh 4.8 throws strings out of its OpenMP regions for curve loops that do not
+   * close, and reads past the end of malformed element lines; neither can be
+   * caught. Only one guard may live at a time.
+   */
+  class CrashGuard
+  {
+  public:
+    /// @param file that is being read.
+    explicit CrashGuard(const std::string &file);
+
+    ~CrashGuard();
+
+    CrashGuard(const CrashGuard &)            = delete;
+    CrashGuard &operator=(const CrashGuard &) = delete;
+  };
+} // namespace hybrid::scene
