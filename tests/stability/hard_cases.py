@@ -12,21 +12,19 @@ that (a wave that is reflected at a free face doubles there); blocks neither in 
 """
 
 import json
-import os
 import pathlib
 import re
-import shutil
-import subprocess
 import sys
 
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "src/output/plot"), str(ROOT / "tests/verification/cases"), str(ROOT / "tests/stability")]
+sys.path[:0] = [str(ROOT / "src/output/plot"), str(ROOT / "tests"), str(ROOT / "tests/verification/cases"), str(ROOT / "tests/stability")]
 
 import final_picture  # noqa: E402 (needs the path above)
 from hard_case_list import CASES  # noqa: E402
 from run_data import RunData  # noqa: E402
+from run_hybrid import run_hybrid  # noqa: E402
 from vtu_file import Picture  # noqa: E402
 
 HELD = ("blocks_kinetic", "blocks_strain", "blocks_gravity", "joints_and_contacts", "bedrock_kinetic", "bedrock_strain",
@@ -50,14 +48,8 @@ class HardCase:
 
     def start(self, variant, overrides):
         """Exit code and output of a run in WORK_DIR/variant."""
-        directory = self.work / variant
-        shutil.rmtree(directory, ignore_errors=True)
-        command = [self.binary, str(self.scene), "-s", "Output/Directory=%s" % directory]
-        for override in overrides:
-            command += ["-s", override]
-        environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
-        done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
-        return done.returncode, done.stdout + done.stderr
+        code, output, errors, _ = run_hybrid(self.binary, self.scene, self.work / variant, overrides)
+        return code, output + errors
 
     def run(self, variant, overrides):
         """RunData of a run that must finish."""

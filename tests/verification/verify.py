@@ -14,16 +14,14 @@ Numbers at default settings are those of the scene: overrides are for variants (
 """
 
 import importlib
-import os
 import pathlib
-import shutil
-import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "src/output/plot"), str(ROOT / "tests/verification/cases")]
+sys.path[:0] = [str(ROOT / "src/output/plot"), str(ROOT / "tests"), str(ROOT / "tests/verification/cases")]
 
 from run_data import RunData  # noqa: E402 (needs the path above)
+from run_hybrid import run_hybrid  # noqa: E402
 
 
 class Case:
@@ -37,15 +35,9 @@ class Case:
     def run(self, variant="default", *overrides, expect=0):
         """RunData of the scene with overrides ("Section/Name=value"), made in WORK_DIR/variant."""
         directory = self.work / variant
-        shutil.rmtree(directory, ignore_errors=True)
-        command = [self.binary, str(self.scene), "-s", "Output/Directory=%s" % directory]
-        for override in overrides:
-            command += ["-s", override]
-        environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
-        done = subprocess.run(command, capture_output=True, text=True, env=environment)
-        if done.returncode != expect:
-            sys.exit("error: %s ended with code %d\n%s%s" % (" ".join(command), done.returncode, done.stdout[-2000:],
-                                                             done.stderr[-2000:]))
+        code, output, errors, command = run_hybrid(self.binary, self.scene, directory, overrides)
+        if code != expect:
+            sys.exit("error: %s ended with code %d\n%s%s" % (command, code, output[-2000:], errors[-2000:]))
         return RunData(str(directory)) if expect == 0 else None
 
     def _ask(self, fulfilled, sentence):
