@@ -300,8 +300,14 @@ namespace hybrid
         summary.iterations += result.iterations;
         if (!result.converged)
           {
+            const bool too_far = result.displacement_ratio > scene.time.maximum_displacement_ratio;
+            summary.wasted.moved_too_far += too_far ? 1 : 0;
+            summary.wasted.iterations += too_far ? 0 : result.iterations;
             if (run.clock.shorten_step())
-              continue;
+              {
+                ++summary.wasted.retries;
+                continue;
+              }
             progress.finish();
             say_why(result, run.clock.time());
             status = RunStatus::no_convergence;
@@ -346,7 +352,7 @@ namespace hybrid
       continuum != nullptr ? static_cast<long>(continuum->n_unknowns()) : 0;
     summary.interface_unknowns =
       base != nullptr ? 2 * static_cast<long>(base->surface_nodes().size()) : 0;
-    summary.cuts                 = run.clock.cuts();
+    summary.wasted.cuts          = run.clock.cuts();
     summary.timings["continuum"] = run.step.timings().continuum;
     summary.timings["blocks"]    = run.step.timings().blocks;
     if (run.solver != nullptr)
@@ -367,7 +373,7 @@ namespace hybrid
       summary.finished ? "Finished" : "Stopped",
       summary.steps,
       summary.simulated_time,
-      summary.cuts,
+      summary.wasted.cuts,
       summary.joints.tensile,
       summary.joints.shear,
       summary.energy_residual);

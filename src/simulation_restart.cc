@@ -37,7 +37,10 @@ namespace hybrid
     double        wall_time  = run.wall_time();
     std::uint64_t log_length = log.file_length();
     archive(run.step, run.clock, wall_time, log_length);
-    archive(run.summary.steps, run.summary.iterations, run.summary.timings);
+    output::Summary &summary                          = run.summary;
+    auto &[cuts, retries, moved_too_far, unconverged] = summary.wasted;
+    archive(summary.steps, summary.iterations, summary.timings);
+    archive(cuts, retries, moved_too_far, unconverged);
     archive(run.recorder);
     if (!archive.is_reading())
       return;

@@ -158,8 +158,11 @@ namespace hybrid::output
     object.add("blocks", summary.blocks);
     object.add("continuum_unknowns", summary.continuum_unknowns);
     object.add("interface_unknowns", summary.interface_unknowns);
-    object.add("cuts", summary.cuts);
+    object.add("cuts", summary.wasted.cuts);
+    object.add("cuts_moved_too_far", summary.wasted.moved_too_far);
+    object.add("retries", summary.wasted.retries);
     object.add("iterations", summary.iterations);
+    object.add("unconverged_iterations", summary.wasted.iterations);
     object.add("contact_search", contact_search(summary));
     object.add("energy_residual", summary.energy_residual);
     object.add("energy_J_per_m", numbers(summary.energy, 1));

@@ -88,8 +88,10 @@ class HardCase:
         blocks = final_picture.polygons(run.directory, run.time[-1])
         depth = max(final_picture.between_blocks(blocks), final_picture.into_ground(blocks, final_picture.ground_line(run)))
         self.below("%s: overlap at the end, of the block size" % variant, depth, limits["penetration"])
-        self.rows.append("| %s, %s | %d | %d | %.1e | %.3g / %.3g m/s | %.1e |"
-                         % (self.name, variant, summary["steps"], summary["cuts"], residual, speed, self.speed_bound, depth))
+        lost = 100 * summary["unconverged_iterations"] / max(summary["iterations"], 1)
+        self.rows.append("| %s, %s | %d | %d | %d | %.1f %% | %.1e | %.3g / %.3g m/s | %.1e |"
+                         % (self.name, variant, summary["steps"], summary["cuts"], summary["cuts_moved_too_far"], lost,
+                            residual, speed, self.speed_bound, depth))
 
 
 def not_finite(file):

@@ -38,6 +38,15 @@ namespace hybrid::output
       long shear   = 0;
     };
 
+    /// Work of the dynamic stage that came to nothing: steps that were rolled back.
+    struct Wasted
+    {
+      long cuts          = 0; ///< steps rolled back and halved
+      long retries       = 0; ///< steps tried again: the cuts, but for one at the smallest step
+      long moved_too_far = 0; ///< of the cuts: settled, displacement above the allowed ratio
+      long iterations    = 0; ///< open-close iterations of the others, which did not settle
+    };
+
     /// What contact search did in the dynamic stage.
     struct ContactSearch
     {
@@ -59,8 +68,8 @@ namespace hybrid::output
     FailedJoints  joints;                  ///< in the dynamic stage: earthquake damage
     FailedJoints  static_joints;           ///< while the body settled under gravity
     double        first_failure_time = MonitorSummary::unknown; ///< of the dynamic stage [s]
-    long          cuts               = 0;                       ///< steps rolled back and halved
-    long          iterations         = 0; ///< open-close iterations, all steps
+    Wasted        wasted;
+    long          iterations = 0; ///< open-close iterations, all steps
     ContactSearch contact_search;
     double        filter_frequency = 0.; ///< low-pass behind peaks and amplification [Hz]; 0: none
     std::array<double, 2> outcrop_peak_acceleration = {

@@ -25,7 +25,7 @@ namespace hybrid::output
       summary.energy_residual    = 1.25e-4;
       summary.joints             = {7, 9};
       summary.static_joints      = {1, 2};
-      summary.cuts               = 3;
+      summary.wasted             = {3, 2, 1, 80};
       summary.iterations         = 36000;
       summary.contact_search     = {12003, 40, 2};
       summary.timings["blocks"]  = 100.5;
@@ -44,7 +44,8 @@ s = json.load(open('summary.json'), parse_constant=refuse)
 assert s['finished'] is True and s['title'] == 'slope "A"\n\\'
 assert (s['steps'], s['blocks'], s['continuum_unknowns'], s['interface_unknowns']) == (12000, 1326, 24106, 478)
 assert (s['simulated_time_s'], s['wall_time_s'], s['energy_residual']) == (12., 0.1, 1.25e-4)
-assert (s['cuts'], s['iterations']) == (3, 36000)
+assert (s['cuts'], s['retries'], s['cuts_moved_too_far']) == (3, 2, 1)
+assert (s['iterations'], s['unconverged_iterations']) == (36000, 80)
 assert s['contact_search'] == {'steps': 12003, 'searches': 40, 'lists': 2}
 assert s['joints']['tensile'] == 7 and s['joints']['shear'] == 9
 assert s['joints']['static'] == {'tensile': 1, 'shear': 2} and s['joints']['first_failure_time_s'] is None
