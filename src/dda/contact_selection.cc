@@ -251,8 +251,12 @@ namespace hybrid::dda
 
 
 
+  /// Not a seam: two edges that the vertex had at different heights before, and that meet now. It
+  /// is pinched between them or touches both; dropped, a tip between them would pass unseen.
   bool ContactSelection::is_same_seam(const ContactTrial &a, const ContactTrial &b) const
   {
+    if (a.history == History::same_edge && b.history == History::same_edge)
+      return false;
     const Vec2  &na     = frames->edge(a.contact.edge_body, a.contact.edge).normal;
     const Vec2  &nb     = frames->edge(b.contact.edge_body, b.contact.edge).normal;
     const double height = tolerances.hysteresis() + 0.5 * std::max({0., -a.gap, -b.gap});

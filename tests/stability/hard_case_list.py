@@ -7,8 +7,7 @@ import re
 import typing
 
 import numpy as np
-
-
+from vtu_file import pictures
 
 HARD = pathlib.Path(__file__).resolve().parents[2] / "parameters/hard"
 
@@ -49,6 +48,14 @@ def most_joints_fail(case, variant, run):
     time = run.get("joints/failure_time")
     case.true("%s: %d of %d joints failed, %d of them within 1 ms" % (variant, len(time), joints, (time < 1.1e-3).sum()),
               len(time) > 0.5 * joints)
+
+
+def heavy_block_is_not_thrown(case, variant, run):
+    """Speed of the heavy one of two blocks, which falls by 1.2 m at most."""
+    heavy = 0 if variant == "light above" else 1
+    speed = max(np.linalg.norm(p.point_fields["velocity [m/s]"][p.cells[heavy], :2].mean(axis=0))
+                for _, p in pictures(run.directory_path, "blocks"))
+    case.below("%s: velocity of the heavy block" % variant, speed, np.sqrt(2 * 9.81 * 1.2), "m/s")
 
 
 def says(words):
@@ -92,6 +99,10 @@ CASES = {
                                                            "Blocks/Belt material=mud"]}, residual=0.001),
     "penalty": Wanted({"40": [], "1.04": ["Blocks/Penalty ratio=1.04"], "40000": ["Blocks/Penalty ratio=40000"]},
                       refusals=[("0.04", ["Blocks/Penalty ratio=0.04"], "Penalty ratio")]),
+    "mass_ratio": Wanted({"scene": [], "shi": ["Time/Scheme=shi", "Output/Audit interval=1e-6"],
+                          "light above": ["Blocks/Material=light", "Blocks/Saturated material=heavy"]},
+                         more=heavy_block_is_not_thrown),
+    "slivers": Wanted({"scene": [], "2 ms": ["Time/Time step=0.002"]}),
     "impact_50": Wanted({"scene": [], "shi": ["Time/Scheme=shi"], "0.1 ms": ["Time/Time step=0.0001"]},
                         more=rebound_is_slower),
     "large_step": Wanted({"20 ms": [], "2 ms": ["Time/Time step=0.002", "Time/End time=1"]}),

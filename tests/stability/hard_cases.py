@@ -21,11 +21,11 @@ import numpy as np
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "src/output/plot"), str(ROOT / "tests"), str(ROOT / "tests/verification/cases"), str(ROOT / "tests/stability")]
 
-import final_picture  # noqa: E402 (needs the path above)
+import overlaps  # noqa: E402 (needs the path above)
 from hard_case_list import CASES  # noqa: E402
 from run_data import RunData  # noqa: E402
 from run_hybrid import run_hybrid  # noqa: E402
-from vtu_file import Picture  # noqa: E402
+from vtu_file import pictures  # noqa: E402
 
 HELD = ("blocks_kinetic", "blocks_strain", "blocks_gravity", "joints_and_contacts", "bedrock_kinetic", "bedrock_strain",
         "bedrock_static_stress", "boundary_springs", "bedding_static_stress")
@@ -85,9 +85,8 @@ class HardCase:
         speed, corner = fastest(run.directory_path)
         self.below("%s: largest velocity of a block's middle" % variant, speed, self.speed_bound, "m/s")
         self.below("%s: largest velocity of a corner" % variant, corner, 2 * self.speed_bound, "m/s")
-        blocks = final_picture.polygons(run.directory, run.time[-1])
-        depth = max(final_picture.between_blocks(blocks), final_picture.into_ground(blocks, final_picture.ground_line(run)))
-        self.below("%s: overlap at the end, of the block size" % variant, depth, limits["penetration"])
+        depth, when = overlaps.deepest(run)
+        self.below("%s: largest overlap, of the block size, at %.3g s" % (variant, when), depth, limits["penetration"])
         lost = 100 * summary["unconverged_iterations"] / max(summary["iterations"], 1)
         self.rows.append("| %s, %s | %d | %d | %d | %.1f %% | %.1e | %.3g / %.3g m/s | %.1e |"
                          % (self.name, variant, summary["steps"], summary["cuts"], summary["cuts_moved_too_far"], lost,
@@ -127,8 +126,7 @@ def created_energy(run):
 def fastest(directory):
     """Largest speed of the middle of a block, and of a corner, in all pictures of a run [m/s]."""
     middles, corners = [0.0], [0.0]
-    for file in sorted((directory / "vtu").glob("blocks_*.vtu")):
-        picture = Picture(file)
+    for _, picture in pictures(directory, "blocks"):
         velocity = picture.point_fields["velocity [m/s]"][:, :2]
         corners.append(np.linalg.norm(velocity, axis=1).max())
         middles.append(max(np.linalg.norm(velocity[c].mean(axis=0)) for c in picture.cells))

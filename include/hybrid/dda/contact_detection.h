@@ -48,6 +48,8 @@ namespace hybrid::dda
    *    degrees that pass the vertex at the same height only one acts, so
    *    that stiffness and friction are the same on the seam as beside it.
    *    History decides while the vertex is still over its edge.
+   *    Two edges that it had before, at different heights, are no seam: a tip
+   *    between them would be lost.
    * 7. *Corner against corner*: if vertex and target corner are in each other's
    *    blocks through edges that are not parallel, only one of the two
    *    contacts acts (history, then least penetration). A row whose next block

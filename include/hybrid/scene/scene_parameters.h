@@ -24,7 +24,7 @@ namespace hybrid::scene
   {
     double  end_time         = 1.;   ///< duration of the dynamic stage [s], >= 0
     double  time_step        = 1e-3; ///< dt [s], > 0
-    int     maximum_halvings = 8;    ///< smallest step is dt / 2^this [-], 0..20
+    int     maximum_halvings = 16;   ///< smallest step is dt / 2^this [-], 0..20
     Newmark newmark;                 ///< "Scheme": dissipative | trapezoidal | shi
     double  maximum_displacement_ratio =
       0.05; ///< largest block displacement per step over block size [-]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact_scenes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -37,6 +38,32 @@ namespace
     // every shared edge: two vertices each way; every bottom corner once on the base
     const int shared = (columns - 1) * rows + columns * (rows - 1);
     EXPECT_EQ(contacts.size(), static_cast<std::size_t>(4 * shared + 2 * columns));
+  }
+
+  TEST(ContactSelection, CornerThatComesDownOnATipKeepsTipAndGround)
+  {
+    // The halves of a flat rectangle, 1 mm apart, fall on the ground: the tip of the lower one
+    // comes to lie between the corner of the upper one and the ground, within 10 degrees of both.
+    const double height = 2. * std::tan(M_PI / 180.), above = 0.01;
+    Geometry     g =
+      blocks({{{0., above}, {2., above}, {2., above + height}},
+              {{2., above + height + 1e-3}, {0., above + height + 1e-3}, {0., above + 1e-3}}});
+    g.base_nodes = {{-5., 0.}, {5., 0.}};
+    ContactDetection detection(parameters);
+    Contacts         contacts;
+    const int        corner = 5, upper_side = 2;
+    const auto       has = [&](const int body, const int edge) {
+      return std::any_of(contacts.begin(), contacts.end(), [&](const Contact &c) {
+        return c.vertex_body == 1 && c.vertex == corner && c.edge_body == body && c.edge == edge;
+      });
+    };
+    detection.update(g, contacts);
+    EXPECT_TRUE(has(0, upper_side) && has(base_body, 0));
+    move_block(g, 0, {0., -above - 1e-7});
+    move_block(g, 1, {0., -above - 1e-3 - 3e-7});
+    detection.update(g, contacts);
+    EXPECT_TRUE(has(0, upper_side)) << "else the tip rises through the corner";
+    EXPECT_TRUE(has(base_body, 0));
   }
 
   TEST(ContactSelection, RowOfEqualHeightCarriesASlidingSquareWithoutSeam)

@@ -32,9 +32,19 @@ def _array(element):
     return values.reshape(-1, width) if width > 1 else values
 
 
+def picture_files(directory, series):
+    """Time [s] and file of each picture of directory/series.pvd."""
+    root = tree.parse(pathlib.Path(directory) / (series + ".pvd")).getroot()
+    return [(float(e.get("timestep")), pathlib.Path(directory) / e.get("file")) for e in root.iter("DataSet")]
+
+
 def picture_at(directory, series, time):
     """The picture of directory/series.pvd nearest to a time [s], and its own time."""
-    root = tree.parse(pathlib.Path(directory) / (series + ".pvd")).getroot()
-    entries = [(float(e.get("timestep")), e.get("file")) for e in root.iter("DataSet")]
-    found = min(entries, key=lambda e: abs(e[0] - time))
-    return Picture(pathlib.Path(directory) / found[1]), found[0]
+    found = min(picture_files(directory, series), key=lambda e: abs(e[0] - time))
+    return Picture(found[1]), found[0]
+
+
+def pictures(directory, series):
+    """Time [s] and picture, for each picture of directory/series.pvd."""
+    for time, file in picture_files(directory, series):
+        yield time, Picture(file)

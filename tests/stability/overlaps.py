@@ -2,12 +2,22 @@
 """How deep blocks are in each other and in the ground, from the pictures of a run."""
 
 import numpy as np
-from vtu_file import picture_at
+from vtu_file import picture_at, pictures
 
 
-def polygons(run_directory, time):
-    """Corners (n x 2) [m] of each block, counter-clockwise, in the picture nearest to a time."""
-    picture, _ = picture_at(run_directory, "blocks", time)
+def deepest(run):
+    """Largest overlap of blocks with each other or with the ground over block size in all pictures, and its time [s]."""
+    largest, when = 0.0, 0.0
+    for time, picture in pictures(run.directory, "blocks"):
+        blocks = polygons(picture)
+        depth = max(between_blocks(blocks), into_ground(blocks, ground_line(run, time)))
+        if depth > largest:
+            largest, when = depth, time
+    return largest, when
+
+
+def polygons(picture):
+    """Corners (n x 2) [m] of each block, counter-clockwise."""
     return [picture.points[cell, :2] for cell in picture.cells]
 
 
@@ -69,17 +79,20 @@ def distance(point, line):
     return np.linalg.norm(a + part[:, None] * along - point, axis=1).min()
 
 
-def ground_line(run):
-    """Surface of the ground (n x 2) [m] from left to right, where it is at the end of the run."""
+def ground_line(run, time):
+    """Surface of the ground (n x 2) [m] from left to right, where it is in the picture nearest to a time."""
     if (run.directory_path / "continuum.pvd").exists():
-        return bedrock_surface(run)
+        return bedrock_surface(run, time)
     segments = run.get("section/outline").reshape(-1, 2, 2)
-    return np.vstack([segments[:1, 0], segments[:, 1]])
+    line = np.vstack([segments[:1, 0], segments[:, 1]])
+    if "input" in run.file:  # a rigid base moves as prescribed
+        line = line + [np.interp(time, run.time, u) for u in run.get("input/displacement").T]
+    return line
 
 
-def bedrock_surface(run):
-    """Nodes of the contact surface, displaced as in the last picture of the bedrock."""
-    picture, _ = picture_at(run.directory, "continuum", run.time[-1])
+def bedrock_surface(run, time):
+    """Nodes of the contact surface, displaced as in a picture of the bedrock."""
+    picture, _ = picture_at(run.directory, "continuum", time)
     surface = run.get("interface/position")
     at = picture.points[:, :2]
     moved = picture.point_fields["displacement [m]"]
