@@ -58,6 +58,21 @@ def heavy_block_is_not_thrown(case, variant, run):
     case.below("%s: velocity of the heavy block" % variant, speed, np.sqrt(2 * 9.81 * 1.2), "m/s")
 
 
+def lies_in_the_bin(case, variant, run):
+    """All blocks above the bin's bottom and between its walls; nearly all energy is gone."""
+    kinetic, corners = run.get("energy/blocks_kinetic"), run.get("section/blocks_points_final")
+    case.below("%s: kinetic energy at the end, of its peak" % variant, kinetic[-1] / kinetic.max(), 0.02)
+    bin_ends = np.abs(run.get("section/outline")[:, [0, 2]]).max()
+    case.below("%s: corner farthest from the middle" % variant, np.abs(corners[:, 0]).max(), bin_ends, "m")
+
+
+def falls_apart(case, variant, run):
+    joints = run.summary["joints"]
+    failed = joints["tensile"] + joints["shear"]
+    moved_most = run.get("section/blocks_peak_displacement").max()
+    case.true("%s: %d joints failed, largest displacement %.2f m" % (variant, failed, moved_most), failed > 100)
+
+
 def says(words):
     def look(case, variant, run):
         log = (run.directory_path / "log.txt").read_text(encoding="utf-8")
@@ -106,7 +121,14 @@ CASES = {
     "impact_50": Wanted({"scene": [], "shi": ["Time/Scheme=shi"], "0.1 ms": ["Time/Time step=0.0001"]},
                         more=rebound_is_slower),
     "large_step": Wanted({"20 ms": [], "2 ms": ["Time/Time step=0.002", "Time/End time=1"]}),
-    "all_joints_fail": Wanted(more=most_joints_fail),
+    "all_joints_fail": Wanted(more=most_joints_fail, full_size={
+        "10 x 20": ["Mesh/Numbers=Width = 10; Height = 20; Base beyond = 60; Resolution/h = 1", "Time/End time=2"]}),
+    "bin": Wanted(more=lies_in_the_bin, full_size={
+        "1000": ["Mesh/Polygons file=%s" % (HARD / "bin_1000.csv"), "Mesh/Surface file=%s" % (HARD / "bin_1000_surface.csv"),
+                 "Time/End time=8"]}),
+    "majiagou_1g": Wanted(more=falls_apart, full_size={
+        "h = 2": ["Mesh/Numbers=Resolution/h = 2", "Time/End time=10", "Motion/Duration=12"],
+        "2 ms": ["Mesh/Numbers=Resolution/h = 4", "Time/End time=10", "Motion/Duration=12", "Time/Time step=0.002"]}),
     "wedge": Wanted(),
     "poisson_0499": Wanted(residual=0.001, refusals=[("40", ["Blocks/Penalty ratio=40"], "increase the penalty ratio")]),
     "quiet": Wanted(residual=0.001, full_size={"scene": ["Time/End time=1000"]}, more=rests(1e-6)),

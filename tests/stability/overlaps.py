@@ -83,11 +83,20 @@ def ground_line(run, time):
     """Surface of the ground (n x 2) [m] from left to right, where it is in the picture nearest to a time."""
     if (run.directory_path / "continuum.pvd").exists():
         return bedrock_surface(run, time)
-    segments = run.get("section/outline").reshape(-1, 2, 2)
-    line = np.vstack([segments[:1, 0], segments[:, 1]])
+    line = chained(run.get("section/outline").reshape(-1, 2, 2))
     if "input" in run.file:  # a rigid base moves as prescribed
         line = line + [np.interp(time, run.time, u) for u in run.get("input/displacement").T]
     return line
+
+
+def chained(segments):
+    """Points of a polyline (n x 2) from its segments in any order, each from left to right."""
+    end_of = {tuple(a): b for a, b in segments}
+    ends = {tuple(b) for b in end_of.values()}
+    line = [next(a for a in segments[:, 0] if tuple(a) not in ends)]
+    while tuple(line[-1]) in end_of:
+        line.append(end_of[tuple(line[-1])])
+    return np.array(line)
 
 
 def bedrock_surface(run, time):
