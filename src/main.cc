@@ -24,18 +24,25 @@ namespace
 {
   using namespace hybrid;
 
-  /// Reference-counted start and end of MPI.
+  /// Start and end of MPI, unless the caller of main() has started it.
   struct MpiSession
   {
     MpiSession(int &argc, char **&argv)
     {
-      MPI_Init(&argc, &argv);
+      int is_initialized = 0;
+      MPI_Initialized(&is_initialized);
+      is_owner = is_initialized == 0;
+      if (is_owner)
+        MPI_Init(&argc, &argv);
     }
 
     ~MpiSession()
     {
-      MPI_Finalize();
+      if (is_owner)
+        MPI_Finalize();
     }
+
+    bool is_owner;
   };
 
 

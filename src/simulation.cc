@@ -12,6 +12,7 @@
 #include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/mesh_check.h>
 #include <hybrid/scene/section_mesh_reader.h>
+#include <hybrid/scene/unit_check.h>
 #include <hybrid/simulation_run.h>
 
 #include <cmath>
@@ -149,6 +150,8 @@ namespace hybrid
     for (const std::string &note : input.notes)
       log.info("Motion     " + note);
     for (const std::string &warning : input.warnings)
+      log.warning(warning);
+    for (const std::string &warning : scene::unit_warnings(mesh, scene))
       log.warning(warning);
     for (const std::string &warning : card.warnings)
       log.warning(warning);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/geometry_check.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/unit_check.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,7 @@ namespace hybrid::scene
     using Outline = std::vector<Vec2>;
     using Edge    = SectionMesh::Edge;
 
-    constexpr double largest_section = 1e5;  // [m]: ten times the longest mountain flank
-    constexpr double allowed_depth   = 1e-3; // overlap over block size that rounding explains
+    constexpr double allowed_depth = 1e-3; // overlap over block size that rounding explains
 
 
     std::string at(const Vec2 &x)
@@ -190,6 +190,27 @@ namespace hybrid::scene
     }
 
 
+    /// The base must be one polyline: blocks would fall through a gap.
+    void check_base_is_one(const SectionMesh &mesh, const std::vector<Edge> &base)
+    {
+      std::map<int, int> ends; // node -> edges there
+      for (const Edge &edge : base)
+        for (const int node : edge)
+          ++ends[node];
+      std::vector<Vec2> open;
+      for (const auto &[node, edges] : ends)
+        if (edges == 1)
+          open.push_back(mesh.nodes[node]);
+      if (open.size() <= 2)
+        return;
+      std::sort(open.begin(), open.end(), [](const Vec2 &a, const Vec2 &b) {
+        return a.x() < b.x();
+      });
+      throw InputError("The base has a gap between " + at(open[1]) + " and " + at(open[2]) +
+                       ": sliding_surface and ground must be one polyline.");
+    }
+
+
     /// Blocks must not lie under the polyline of a rigid base.
     void check_rigid_base(const SectionMesh &mesh)
     {
@@ -197,6 +218,7 @@ namespace hybrid::scene
       for (const char *const name : {"sliding_surface", "ground"})
         if (mesh.lines.count(name) > 0)
           base.insert(base.end(), mesh.lines.at(name).begin(), mesh.lines.at(name).end());
+      check_base_is_one(mesh, base);
       for (const auto &nodes : mesh.blocks)
         {
           const Shape  block = make_shape(mesh, nodes, false);
@@ -294,34 +316,12 @@ namespace hybrid::scene
                            ": no block has this edge; where the bedrock is bare it belongs to the "
                            "line ground.");
     }
-
-
-    void check_extent(const SectionMesh &mesh)
-    {
-      if (mesh.nodes.empty())
-        return;
-      Vec2 low = mesh.nodes[0], high = mesh.nodes[0];
-      for (const Vec2 &x : mesh.nodes)
-        {
-          low  = low.cwiseMin(x);
-          high = high.cwiseMax(x);
-        }
-      const double extent = (high - low).maxCoeff();
-      if (!(extent <= largest_section))
-        {
-          std::ostringstream text;
-          text << "The section from " << at(low) << " to " << at(high) << " is " << extent / 1000.
-               << " km large; at most " << largest_section / 1000.
-               << " km are allowed: coordinates are in metres, are these millimetres?";
-          throw InputError(text.str());
-        }
-    }
   } // namespace
 
 
   void check_geometry(const SectionMesh &mesh, const SceneParameters &scene)
   {
-    check_extent(mesh);
+    check_unit(mesh, scene);
     const bool has_cells =
       scene.continuum_model == ContinuumModel::elastic || scene.has_bedrock_blocks();
     if (has_cells)

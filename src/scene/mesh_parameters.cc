@@ -41,7 +41,7 @@ namespace hybrid::scene
     section.file("Polygons file",
                  mesh.polygons_file,
                  "a CSV file block,x,y [m]",
-                 "Blocks as polygons instead of those of the mesh.");
+                 "Blocks as polygons, vertices counter-clockwise, instead of those of the mesh.");
     section.file(
       "Surface file",
       mesh.surface_file,

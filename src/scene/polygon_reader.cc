@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace hybrid::scene
 {
@@ -108,6 +109,14 @@ namespace hybrid::scene
     }
 
 
+    std::string at(const Vec2 &x)
+    {
+      std::ostringstream text;
+      text << " at (" << x.x() << ", " << x.y() << ") m";
+      return text.str();
+    }
+
+
     void check_simple(const Polygon &polygon, const std::string &file)
     {
       const auto       &v = polygon.vertices;
@@ -116,7 +125,8 @@ namespace hybrid::scene
         throw InputError(file,
                          v.front().line,
                          "block " + polygon.name + " has " + std::to_string(n) +
-                           " vertices; at least three are needed.");
+                           (n == 1 ? " vertex" : " vertices") + at(v.front().x) +
+                           "; at least three are needed.");
       for (std::size_t i = 0; i < n; ++i)
         {
           const Vertex &a = v[i], &b = v[(i + 1) % n], &c = v[(i + 2) % n];
@@ -124,11 +134,12 @@ namespace hybrid::scene
             throw InputError(file,
                              b.line,
                              "block " + polygon.name + " repeats the vertex of line " +
-                               std::to_string(a.line) + ".");
+                               std::to_string(a.line) + at(b.x) + ".");
           if (side(a.x, b.x, c.x) == 0 && (b.x - a.x).dot(c.x - b.x) < 0.)
             throw InputError(file,
                              b.line,
-                             "block " + polygon.name + " folds back on itself (zero area).");
+                             "block " + polygon.name + " folds back on itself (zero area)" +
+                               at(b.x) + ".");
         }
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = i + 2; j < n; ++j)
@@ -136,9 +147,9 @@ namespace hybrid::scene
             throw InputError(file,
                              v[i].line,
                              "block " + polygon.name +
-                               " is not a simple polygon: the edges that start in lines " +
-                               std::to_string(v[i].line) + " and " + std::to_string(v[j].line) +
-                               " meet.");
+                               " is not a simple polygon: the edges that start in line " +
+                               std::to_string(v[i].line) + at(v[i].x) + " and in line " +
+                               std::to_string(v[j].line) + at(v[j].x) + " meet.");
     }
 
 
@@ -223,7 +234,11 @@ namespace hybrid::scene
         for (const Vertex &vertex : polygon.vertices)
           block.push_back(finder.find_or_add(vertex.x));
         if (signed_area(polygon) < 0.)
-          std::reverse(block.begin() + 1, block.end());
+          throw InputError(file,
+                           polygon.vertices.front().line,
+                           "block " + polygon.name + " runs clockwise from its first vertex" +
+                             at(polygon.vertices.front().x) +
+                             "; vertices must be listed counter-clockwise.");
         mesh.blocks.push_back(block);
 
         auto      &names = mesh.block_region_names;

@@ -2,6 +2,7 @@
 #include <hybrid/scene/crash_guard.h>
 #include <hybrid/scene/edge_chain.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/mesh_size_limit.h>
 #include <hybrid/scene/polygon_reader.h>
 #include <hybrid/scene/section_mesh_reader.h>
 #include <hybrid/scene/text_table.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
@@ -59,22 +61,41 @@ namespace hybrid::scene
           }
         catch (const std::string &message)
           {
-            throw InputError(file, 0, "gmsh: " + message + ".");
+            throw complaint(file, message);
           }
         catch (const std::exception &exception)
           {
-            throw InputError(file, 0, std::string("gmsh: ") + exception.what() + ".");
+            throw complaint(file, exception.what());
           }
         catch (...)
           {
-            std::string message;
-            gmsh::logger::getLastError(message);
-            throw InputError(file, 0, "gmsh: " + message + ".");
+            throw complaint(file, last_error());
           }
+        const std::string message = last_error();
+        if (!message.empty())
+          throw complaint(file, message);
+      }
+
+    private:
+      static std::string last_error()
+      {
         std::string message;
         gmsh::logger::getLastError(message);
-        if (!message.empty())
-          throw InputError(file, 0, "gmsh: " + message + ".");
+        return message;
+      }
+
+      /// gmsh's sentence; where it is "'file', line 7: text" with the line in its place.
+      static InputError complaint(const std::string &file, const std::string &message)
+      {
+        const std::string own = "'" + file + "', line ";
+        if (message.rfind(own, 0) != 0)
+          return InputError(file, 0, "gmsh: " + message + ".");
+        const std::size_t end  = message.find(": ", own.size());
+        const int         line = std::atoi(message.c_str() + own.size());
+        return InputError(file,
+                          line,
+                          "gmsh: " +
+                            (end == std::string::npos ? message : message.substr(end + 2)) + ".");
       }
     };
 
@@ -197,6 +218,12 @@ namespace hybrid::scene
           size = std::max(size, std::abs(value));
         for (const auto &[tag, i] : position)
           {
+            for (int axis = 0; axis < 3; ++axis)
+              if (!std::isfinite(x[3 * i + axis]))
+                throw InputError(file,
+                                 0,
+                                 "the coordinate " + std::string(1, "xyz"[axis]) + " of node " +
+                                   std::to_string(tag) + " is not a finite number.");
             if (std::abs(x[3 * i + 2]) > 1e-9 * size)
               {
                 std::ostringstream sentence;
@@ -366,7 +393,11 @@ namespace hybrid::scene
           gmsh::onelab::setNumber(name, {value});
         gmsh::open(file);
         if (extension == ".geo")
-          gmsh::model::mesh::generate(2);
+          {
+            gmsh::model::mesh::generate(1);
+            check_mesh_size(file);
+            gmsh::model::mesh::generate(2);
+          }
       });
       SectionMesh mesh;
       session.run(file, [&]() { mesh = Converter(file).convert(); });

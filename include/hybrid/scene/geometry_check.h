@@ -8,11 +8,11 @@ namespace hybrid::scene
 {
   /**
    * Check what a section drawn by hand gets wrong, of a mesh whose cells and blocks are sound:
-   *   - its extent is at most 100 km (a mesh in millimetres);
+   *   - its unit (unit_check.h);
    *   - the bedrock is one piece, bedding planes do not cross;
    *   - a meshed mass has a block at every edge of the sliding surface;
    *   - blocks overlap neither each other nor the bedrock (by 0.001 of their size: coordinates are
-   *     rounded), and none is below a rigid base.
+   *     rounded), and none is below a rigid base, which is one polyline.
    *
    * @throws InputError for the first of them that fails, with coordinates [m].
    */

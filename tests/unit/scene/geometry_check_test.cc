@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/geometry_check.h>
-#include <hybrid/scene/polygon_reader.h>
 
 #include "temporary_files.h"
 
@@ -159,24 +158,14 @@ namespace hybrid::scene::test
   }
 
 
-  TEST(GeometryCheck, MillimetresAreNotMetres)
+  TEST(GeometryCheck, ARigidBaseIsOnePolyline)
   {
     SectionMesh mesh = small_section();
-    for (Vec2 &x : mesh.nodes)
-      x *= 150e3; // 300 m in millimetres
-    expect_part(error_of(mesh), "is 450 km large; at most 100 km are allowed");
-  }
-
-
-  using GeometryCheckFiles = TemporaryFiles;
-
-
-  TEST_F(GeometryCheckFiles, ClockwiseBlocksAreTurned)
-  {
-    SectionMesh       mesh;
-    const std::string file = write("blocks.csv", "a,0,2\na,0,3\na,1,3\na,1,2\n");
-    read_polygons(file, mesh);
+    mesh.nodes.emplace_back(3., 2.);
+    mesh.nodes.emplace_back(4., 2.);
+    mesh.lines["ground"].push_back({11, 12});
+    expect_part(error_of(mesh, rigid_scene()), "The base has a gap between (2, 2) m and (3, 2) m");
+    mesh.lines["ground"].push_back({8, 11});
     EXPECT_NO_THROW(check_geometry(mesh, rigid_scene()));
-    EXPECT_EQ(mesh.nodes[mesh.blocks[0][1]], Vec2(1., 2.));
   }
 } // namespace hybrid::scene::test

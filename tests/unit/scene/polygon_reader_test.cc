@@ -32,13 +32,13 @@ namespace hybrid::scene::test
   } // namespace
 
 
-  TEST_F(PolygonReader, BlocksComeOutCounterClockwiseAndShareNodes)
+  TEST_F(PolygonReader, BlocksShareNodes)
   {
     const SectionMesh mesh = polygons(
       "block,x,y,region\n"
-      "# counter-clockwise\n"
+      "# counter-clockwise both\n"
       "a,0,0\na,2,0\na,2,1\na,0,1\n\n"
-      "b,2,0,sliding_mass_top\nb,2,1,sliding_mass_top\nb,4,0,sliding_mass_top # clockwise\n");
+      "b,2,0,sliding_mass_top\nb,4,0,sliding_mass_top\nb,2,1,sliding_mass_top # a triangle\n");
     ASSERT_EQ(mesh.blocks.size(), 2u);
     EXPECT_EQ(mesh.nodes.size(), 5u); // two are shared
     EXPECT_EQ(mesh.blocks[0], (std::vector<int>{0, 1, 2, 3}));
@@ -63,8 +63,11 @@ namespace hybrid::scene::test
                 "blocks.csv:3: block a repeats the vertex of line 2");
     expect_part(polygon_error("a,0,0\na,1,0\na,1,1\na,0,0\n"), "repeats the vertex");
     expect_part(polygon_error("a,0,0\na,1,1\na,1,0\na,0,1\n"),
-                "edges that start in lines 1 and 3 meet"); // bow tie
-    expect_part(polygon_error("a,0,0\na,2,0\na,1,0\n"), "folds back on itself (zero area)");
+                "edges that start in line 1 at (0, 0) m and in line 3 at (1, 0) m meet"); // bow tie
+    expect_part(polygon_error("a,0,0\na,2,0\na,1,0\n"),
+                "folds back on itself (zero area) at (2, 0) m");
+    expect_part(polygon_error("a,0,2\na,0,3\na,1,3\na,1,2\n"),
+                "blocks.csv:1: block a runs clockwise from its first vertex at (0, 2) m");
     expect_part(polygon_error("a,0,0\na,4,0\na,4,4\na,2,0\na,0,4\n"),
                 "not a simple polygon"); // touches itself
     expect_part(polygon_error("a,0,0\na,1,zero\na,0,1\n"),

@@ -334,6 +334,29 @@ namespace hybrid::scene::test
   }
 
 
+  TEST_F(SectionMeshReader, AMeshThatWouldTakeHoursIsRefused)
+  {
+    const std::string message = message_of([&]() {
+      read(mesh_directory + "disc.geo", {{"Diameter", 1000.}, {"Resolution/h", 0.1}});
+    });
+    expect_part(message, "disc.geo: the mesh would have about 1.6e+08 cells");
+    expect_part(message,
+                "are 0.1 m long on average; at most 5e+06 cells are allowed, so coarsen it by 5.6");
+  }
+
+
+  TEST_F(SectionMeshReader, CoordinatesMustBeFinite)
+  {
+    const std::string file = write("nan.msh",
+                                   "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                                   "$PhysicalNames\n1\n2 1 \"sliding_mass\"\n$EndPhysicalNames\n"
+                                   "$Nodes\n3\n1 0 0 0\n2 2 nan 0\n3 0 3 0\n$EndNodes\n"
+                                   "$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n");
+    expect_part(message_of([&]() { read(file); }),
+                "nan.msh: the coordinate y of node 2 is not a finite number.");
+  }
+
+
   TEST_F(SectionMeshReader, MshFilesAreReadAndTakeNoNumbers)
   {
     const std::string file = write("one.msh",
@@ -356,7 +379,7 @@ namespace hybrid::scene::test
     expect_part(message_of([&]() { read(write("mesh.vtk", "")); }), "must end in .geo or .msh");
     expect_part(message_of(
                   [&]() { read(write("broken.geo", "Point(1) = {0, 0, 0};\nfoo = bar;\n")); }),
-                "line 2");
+                "broken.geo:2: gmsh: Unknown variable");
     expect_part(message_of([&]() {
                   read(write("high.msh",
                              "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/scene/scene_parameters.h>
+#include <hybrid/scene/section_mesh.h>
+
+namespace hybrid::scene
+{
+  /**
+   * Refuse a section that is surely not drawn in metres: larger than 30 km (millimetres), or, where
+   * waves run or the ground shakes, smaller than 0.5 m (kilometres). A real slope is between 5 m
+   * and 5 km, so a factor of 1000 takes it out of these limits or to what unit_warnings() doubts.
+   *
+   * @throws InputError with the corners of the section, its size and the size in the likely unit.
+   */
+  void check_unit(const SectionMesh &mesh, const SceneParameters &scene);
+
+  /**
+   * What makes the unit of the coordinates doubtful, one sentence each: a section larger than 5 km,
+   * or smaller than 5 m where there is a bedrock; a block of the mass larger than 100 m.
+   */
+  std::vector<std::string> unit_warnings(const SectionMesh &mesh, const SceneParameters &scene);
+} // namespace hybrid::scene
