@@ -6,6 +6,7 @@
 #include <hybrid/scene/polygon_reader.h>
 #include <hybrid/scene/section_mesh_reader.h>
 #include <hybrid/scene/text_table.h>
+#include <hybrid/scene/unit_check.h>
 
 #include <gmsh.h>
 
@@ -370,6 +371,25 @@ namespace hybrid::scene
     };
 
 
+    /// Before gmsh fills a section of a million kilometres with cells of metres.
+    void check_corners()
+    {
+      gmsh::vectorpair points;
+      gmsh::model::getEntities(points, 0);
+      if (points.empty())
+        return;
+      Vec2 low(1e300, 1e300), high(-1e300, -1e300);
+      for (const auto &[dim, tag] : points)
+        {
+          std::vector<double> x;
+          gmsh::model::getValue(dim, tag, {}, x);
+          low  = low.cwiseMin(Vec2(x[0], x[1]));
+          high = high.cwiseMax(Vec2(x[0], x[1]));
+        }
+      check_extent(low, high);
+    }
+
+
     SectionMesh read_gmsh_file(const std::string &file, const Numbers &numbers)
     {
       if (!std::filesystem::is_regular_file(file))
@@ -394,6 +414,7 @@ namespace hybrid::scene
         gmsh::open(file);
         if (extension == ".geo")
           {
+            check_corners();
             gmsh::model::mesh::generate(1);
             check_mesh_size(file);
             gmsh::model::mesh::generate(2);

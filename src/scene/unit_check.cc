@@ -57,9 +57,11 @@ namespace hybrid::scene
 
     std::string corners(const Box &box)
     {
+      const double smallest = 1e-9 * box.extent(); // less is rounding
+      const auto   rounded = [smallest](const double x) { return std::abs(x) < smallest ? 0. : x; };
       std::ostringstream text;
-      text << "from (" << box.low.x() << ", " << box.low.y() << ") to (" << box.high.x() << ", "
-           << box.high.y() << ") m";
+      text << "from (" << rounded(box.low.x()) << ", " << rounded(box.low.y()) << ") to ("
+           << rounded(box.high.x()) << ", " << rounded(box.high.y()) << ") m";
       return text.str();
     }
 
@@ -110,21 +112,30 @@ namespace hybrid::scene
   } // namespace
 
 
-  void check_unit(const SectionMesh &mesh, const SceneParameters &scene)
+  void check_extent(const Vec2 &low, const Vec2 &high)
   {
-    if (mesh.nodes.empty())
-      return;
-    const Box    box    = box_of(mesh);
+    const Box    box{low, high};
     const double extent = box.extent();
     if (!(extent <= largest_section))
       throw InputError("The section " + corners(box) + " is " + length(extent) +
                        " large; at most " + length(largest_section) +
                        " are allowed; coordinates are read as metres: " +
                        in_unit(extent, "millimetres", 0.001) + ".");
-    if (has_waves(scene) && extent < smallest_section)
+  }
+
+
+  void check_unit(const SectionMesh &mesh, const SceneParameters &scene)
+  {
+    if (mesh.nodes.empty())
+      return;
+    const Box    box    = box_of(mesh);
+    const double extent = box.extent();
+    check_extent(box.low, box.high);
+    const bool is_shaken = scene.motion.type != "none";
+    if ((has_waves(scene) || is_shaken) && extent < smallest_section)
       throw InputError("The section " + corners(box) + " is " + length(extent) +
                        " large; at least " + length(smallest_section) +
-                       " are needed for waves in a bedrock; coordinates are read as metres: " +
+                       " are needed where the ground shakes; coordinates are read as metres: " +
                        in_unit(extent, "kilometres", 1000.) + ".");
   }
 

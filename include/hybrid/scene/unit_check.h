@@ -15,6 +15,9 @@ namespace hybrid::scene
    */
   void check_unit(const SectionMesh &mesh, const SceneParameters &scene);
 
+  /// The first part of check_unit(), for a section whose corners are @p low and @p high [m].
+  void check_extent(const Vec2 &low, const Vec2 &high);
+
   /**
    * What makes the unit of the coordinates doubtful, one sentence each: a section larger than 5 km,
    * or smaller than 5 m where there is a bedrock; a block of the mass larger than 100 m.

@@ -345,6 +345,15 @@ namespace hybrid::scene::test
   }
 
 
+  TEST_F(SectionMeshReader, ASectionOfMillionsOfKilometresIsNotMeshed)
+  {
+    expect_part(message_of([&]() {
+                  read(mesh_directory + "column.geo", {{"Width", 1e8}});
+                }),
+                "The section from (0, 0) to (1e+08, 100) m is 1e+05 km large");
+  }
+
+
   TEST_F(SectionMeshReader, CoordinatesMustBeFinite)
   {
     const std::string file = write("nan.msh",

@@ -65,7 +65,7 @@ namespace hybrid::scene::test
   {
     EXPECT_EQ(error_of(section(0.15)),
               "The section from (0, 0) to (0.3, 0.3) m is 0.3 m large; at least 0.5 m are needed "
-              "for waves in a bedrock; coordinates are read as metres: if they are kilometres, "
+              "where the ground shakes; coordinates are read as metres: if they are kilometres, "
               "multiply them by 1000 (300 m).");
     EXPECT_NO_THROW(check_unit(section(0.15), rigid_scene())); // blocks in a laboratory
     const auto warnings = unit_warnings(section(1.), {});
