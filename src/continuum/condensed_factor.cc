@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cholmod.h>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 
 namespace hybrid::continuum
@@ -111,7 +112,7 @@ namespace hybrid::continuum
     cholmod_sparse   a           = c.matrix(nullptr);
     c.symbolic                   = cholmod_analyze_p(&a, permutation.data(), nullptr, 0, &c.common);
     if (c.symbolic == nullptr)
-      throw std::runtime_error("CHOLMOD: the analysis failed");
+      throw std::bad_alloc(); // the pattern is symmetric and sorted: nothing else can fail
     const int *used = static_cast<const int *>(c.symbolic->Perm);
     for (int k = c.size() - n_surface; k < c.size(); ++k)
       if (used[k] != k)
@@ -157,7 +158,10 @@ namespace hybrid::continuum
     Cholmod       &c = *cholmod;
     cholmod_sparse a = c.matrix(const_cast<double *>(values.data()));
     auto result = std::make_shared<Factor>(cholmod_copy_factor(c.symbolic, &c.common), &c.common);
-    if (!cholmod_factorize(&a, result->factor, &c.common) || c.common.status != CHOLMOD_OK)
+    const bool is_done = cholmod_factorize(&a, result->factor, &c.common) != 0;
+    if (c.common.status == CHOLMOD_OUT_OF_MEMORY || c.common.status == CHOLMOD_TOO_LARGE)
+      throw std::bad_alloc();
+    if (!is_done || c.common.status != CHOLMOD_OK)
       throw std::runtime_error("CHOLMOD: the dynamic stiffness is not positive definite");
 
     // Copy the trailing block out of the supernodes that reach into it.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/advice.h>
 #include <hybrid/output/scene_card.h>
 
 #include <algorithm>
@@ -121,6 +122,14 @@ namespace hybrid::output
 
 
 
+    void warn(const std::string &warning, SceneCard &card)
+    {
+      if (!warning.empty())
+        card.warnings.push_back(warning + "\n");
+    }
+
+
+
     /// Smallest and largest size of the blocks from @p begin to before @p end [m].
     std::pair<double, double> sizes(const dda::Model &model, const int begin, const int end)
     {
@@ -162,12 +171,10 @@ namespace hybrid::output
         largest,
         slowest,
         resolved);
-      if (wanted > resolved)
-        card.warnings.push_back(line(
-          "the bedrock's blocks resolve %.3g Hz at ten per wave length, the motion has energy up to "
-          "%.3g Hz",
-          resolved,
-          wanted));
+      warn(
+        mesh_warning(
+          {"the bedrock", resolved, wanted, "blocks", slowest / (points_per_wavelength * wanted)}),
+        card);
     }
 
 
@@ -199,13 +206,12 @@ namespace hybrid::output
         largest,
         slowest,
         resolved);
-      if (wanted > resolved)
-        card.warnings.push_back(line(
-          "blocks resolve %.3g Hz at ten per wave length, the motion has energy up to %.3g Hz; "
-          "a block size of %.3g m would do",
-          resolved,
-          wanted,
-          slowest / (points_per_wavelength * wanted)));
+      warn(mesh_warning({"the sliding mass",
+                         resolved,
+                         wanted,
+                         "blocks",
+                         slowest / (points_per_wavelength * wanted)}),
+           card);
     }
   } // namespace
 
@@ -264,13 +270,13 @@ namespace hybrid::output
           r.slowest_s_wave,
           r.fastest_p_wave,
           r.highest_frequency);
-        if (wanted > r.highest_frequency)
-          card.warnings.push_back(line(
-            "the continuum resolves %.3g Hz at ten nodes per wave length, the motion has energy up to %.3g Hz; "
-            "refine the mesh by %.2g",
-            r.highest_frequency,
-            wanted,
-            wanted / r.highest_frequency));
+        warn(mesh_warning(
+               {"the continuum",
+                r.highest_frequency,
+                wanted,
+                "cells",
+                r.slowest_s_wave * scene.continuum.degree / (points_per_wavelength * wanted)}),
+             card);
       }
     if (blocks != nullptr)
       describe_blocks(*blocks, scene, wanted, card);
@@ -279,12 +285,8 @@ namespace hybrid::output
                       scene.time.time_step,
                       scene.time.newmark.beta,
                       scene.time.newmark.gamma);
-    if (wanted > 0. && scene.time.time_step > 1. / (20. * wanted))
-      card.warnings.push_back(
-        line("the time step %g s has fewer than 20 points per period of %.3g Hz; %.2g s would do",
-             scene.time.time_step,
-             wanted,
-             1. / (20. * wanted)));
+    warn(step_warning(scene.time.time_step, wanted), card);
+    warn(penalty_warning(scene), card);
     const double k01 = scene.time.dynamic_coefficient;
     if (k01 < 1.)
       card.warnings.push_back(line(

@@ -98,12 +98,12 @@ namespace hybrid::scene
     section.number("Normal stiffness",
                    bedding.normal_stiffness,
                    "Pa/m",
-                   ParameterRange::above(0.),
+                   {0., 1e16, false, true},
                    "Normal stress per opening.");
     section.number("Shear stiffness",
                    bedding.shear_stiffness,
                    "Pa/m",
-                   ParameterRange::above(0.),
+                   {0., 1e16, false, true},
                    "Shear stress per slip.");
     section.choice<bool>("Strength",
                          bedding.slips,

@@ -14,7 +14,7 @@ namespace hybrid::scene
     section.number("Density",
                    material.density,
                    "kg/m3",
-                   {0., 1e10, false, true},
+                   {1e-3, 1e10, true, true},
                    "Mass per volume that has inertia.");
     section.number_or(
       "Weight density",
@@ -23,7 +23,7 @@ namespace hybrid::scene
       ParameterRange::closed(0., 1e10),
       "Mass per volume that gravity acts on (buoyant below water); same: as Density.");
     section.number(
-      "Young modulus", material.young_modulus, "Pa", {0., 1e15, false, true}, "Modulus E.");
+      "Young modulus", material.young_modulus, "Pa", {1., 1e15, true, true}, "Modulus E.");
     section.number("Poisson ratio",
                    material.poisson_ratio,
                    "",

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/scene/scene_parameters.h>
+
+#include <string>
+
+namespace hybrid::output
+{
+  /// Two significant digits, not above @p value: what is recommended must do.
+  double rounded_down(double value);
+
+  /// What a part of the model resolves, at ten points per wave length.
+  struct Resolution
+  {
+    std::string part;     ///< "the continuum"
+    double      resolved; ///< [Hz]
+    double      wanted;   ///< [Hz]
+    std::string pieces;   ///< "cells"
+    double      size;     ///< of the pieces that resolves what is wanted [m]
+  };
+
+  /// The part resolves less than is wanted, with the size that would do; "" if it resolves enough.
+  std::string mesh_warning(const Resolution &resolution);
+
+  /// Fewer than 20 steps per period of the motion's @p highest_frequency [Hz]; "" if there are
+  /// more.
+  std::string step_warning(double time_step, double highest_frequency);
+
+  /**
+   * Penalty ratio alpha outside alpha_0 to 200 alpha_0, alpha_0 = 5 max(1, 2 (lambda + G)/E); "" if
+   * within.
+   *
+   * Joints of stiffness alpha E/h on the edges of blocks of size h add about 2/(alpha E) to the
+   * mass's compliance 1/(lambda + G) in plane compression: below alpha_0 more than a fifth of it.
+   * Far above, contacts take more iterations and smaller steps (doc/hard-cases.md) and gain
+   * nothing.
+   */
+  std::string penalty_warning(const scene::SceneParameters &scene);
+} // namespace hybrid::output

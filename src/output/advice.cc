@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/advice.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    constexpr double steps_per_period   = 20.;
+    constexpr double compliance_share   = 0.2;  ///< of the mass that joints may have [-]
+    constexpr double round_off          = 1e-9; ///< what is recommended does [-]
+    constexpr double range_of_penalties = 200.;
+
+
+    std::string number(const double value)
+    {
+      std::ostringstream text;
+      text.precision(value >= 1000. && value < 1e6 ? 6 : 3);
+      text << value;
+      return text.str();
+    }
+
+
+    /// The stiffest plane bulk modulus over Young's modulus of the blocks' materials [-].
+    double relative_bulk_modulus(const scene::SceneParameters &scene)
+    {
+      double largest = 0.;
+      for (const std::string &name : {scene.blocks.material, scene.blocks.saturated_material})
+        if (!name.empty())
+          {
+            const double nu = scene.material(name, "Blocks/Material").poisson_ratio;
+            largest         = std::max(largest, 0.5 / ((1. + nu) * (1. - 2. * nu)));
+          }
+      return largest;
+    }
+  } // namespace
+
+
+  double rounded_down(const double value)
+  {
+    if (!(value > 0.) || !std::isfinite(value))
+      return value;
+    // a power of ten that is exact: dividing by 100 gives 0.01, multiplying by 0.01 does not
+    const int    digits = 1 - static_cast<int>(std::floor(std::log10(value)));
+    const double power  = std::pow(10., std::abs(digits));
+    const double scaled = std::floor(digits >= 0 ? value * power : value / power);
+    return digits >= 0 ? scaled / power : scaled * power;
+  }
+
+
+  std::string mesh_warning(const Resolution &r)
+  {
+    if (!(r.wanted > (1. + round_off) * r.resolved))
+      return "";
+    return r.part + " resolves " + number(r.resolved) +
+           " Hz at ten points per wave length, the motion has energy up to " + number(r.wanted) +
+           " Hz; " + r.pieces + " of at most " + number(rounded_down(r.size)) + " m would do";
+  }
+
+
+  std::string step_warning(const double time_step, const double highest_frequency)
+  {
+    if (!(highest_frequency > 0. &&
+          time_step * steps_per_period * highest_frequency > 1. + round_off))
+      return "";
+    return "the time step " + number(time_step) + " s has fewer than 20 points per period of " +
+           number(highest_frequency) + " Hz; " +
+           number(rounded_down(1. / (steps_per_period * highest_frequency))) + " s would do";
+  }
+
+
+  std::string penalty_warning(const scene::SceneParameters &scene)
+  {
+    if (!scene.blocks.enabled)
+      return "";
+    const double alpha    = scene.blocks.penalty_ratio;
+    const double largest  = rounded_down(range_of_penalties / compliance_share *
+                                        std::max(1., 2. * relative_bulk_modulus(scene)));
+    const double smallest = largest / range_of_penalties;
+    if (alpha >= smallest && alpha <= largest)
+      return "";
+    return "the penalty ratio " + number(alpha) +
+           (alpha < smallest
+              ? " makes contacts and joints so soft that they take part in every deformation"
+              : " makes contacts and joints so stiff that they cost iterations and cut steps") +
+           "; " + number(smallest) + " to " + number(largest) + " would do";
+  }
+} // namespace hybrid::output

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/advice.h>
+
+#include <gtest/gtest.h>
+
+namespace hybrid::output
+{
+  TEST(Advice, RoundsDownToTwoDigits)
+  {
+    EXPECT_EQ(rounded_down(0.0123), 0.012);
+    EXPECT_EQ(rounded_down(0.00999), 0.0099);
+    EXPECT_EQ(rounded_down(1.99), 1.9);
+    EXPECT_EQ(rounded_down(1672.), 1600.);
+    for (const double value : {3e-7, 0.004, 0.29, 3.3, 17., 123., 9.9e9})
+      {
+        EXPECT_LE(rounded_down(value), value);
+        EXPECT_GT(rounded_down(value), 0.9 * value);
+      }
+  }
+
+
+  TEST(Advice, NamesTheSizeOfCells)
+  {
+    EXPECT_EQ(mesh_warning({"the continuum", 2., 10., "cells", 3.999}),
+              "the continuum resolves 2 Hz at ten points per wave length, the motion has energy up "
+              "to 10 Hz; cells of at most 3.9 m would do");
+    EXPECT_EQ(mesh_warning({"the continuum", 10., 10., "cells", 4.}), "");
+  }
+
+
+  TEST(Advice, NamesTheStep)
+  {
+    EXPECT_EQ(
+      step_warning(0.01, 9.3),
+      "the time step 0.01 s has fewer than 20 points per period of 9.3 Hz; 0.0053 s would do");
+    EXPECT_EQ(step_warning(0.0053, 9.3), "");
+    EXPECT_EQ(step_warning(1., 0.), ""); // no motion
+  }
+
+
+  TEST(Advice, NamesTheRangeOfPenalties)
+  {
+    scene::SceneParameters scene;
+    scene.blocks.material                 = "rock";
+    scene.materials["rock"].poisson_ratio = 0.25;
+    const auto with                       = [&](const double ratio) {
+      scene.blocks.penalty_ratio = ratio;
+      return penalty_warning(scene);
+    };
+    EXPECT_EQ(with(40.), "");
+    EXPECT_NE(with(7.9).find("the penalty ratio 7.9 makes contacts and joints so soft"),
+              std::string::npos);
+    EXPECT_NE(with(1601.).find("; 8 to 1600 would do"), std::string::npos);
+    EXPECT_EQ(with(8.), "");
+    EXPECT_EQ(with(1600.), "");
+    scene.materials["rock"].poisson_ratio = 0.499; // joints must be much stiffer than E
+    EXPECT_NE(with(40.), "");
+    EXPECT_EQ(with(4e4), "");
+    scene.blocks.enabled = false;
+    EXPECT_EQ(with(1.1), "");
+  }
+} // namespace hybrid::output
