@@ -6,8 +6,9 @@
 namespace hybrid::scene
 {
   /**
-   * Refuse a geometry whose mesh would take gmsh, and then the solver, hours: more than five million
-   * cells. To be called in a session of gmsh whose curves are meshed and whose surfaces are not.
+   * Refuse a geometry whose mesh would take gmsh, and then the solver, hours: more than five
+   * million cells. To be called in a session of gmsh whose curves are meshed and whose surfaces are
+   * not.
    *
    * A surface of area A with N edges of mean length h on its boundary is expected to get 2 A/h^2
    * triangles; a mesh that is coarser inside than on the boundary gets fewer.
