@@ -19,6 +19,7 @@ class Wanted:
     variants: dict = dataclasses.field(default_factory=lambda: {"scene": []})
     full_size: dict = dataclasses.field(default_factory=dict)  # runs of --long, instead of the others
     refusals: list = dataclasses.field(default_factory=list)  # (variant, overrides, words of the message)
+    full_speed: float = 0.0  # bound on the velocity of --long [m/s]; 0: that of the scene
     residual: float = 0.01  # of the energy audit; 0.001 where nothing hits or breaks
     penetration: float = 0.01  # overlap over block size
     more: typing.Optional[typing.Callable] = None  # more(case, variant, run)
@@ -123,7 +124,7 @@ CASES = {
     "large_step": Wanted({"20 ms": [], "2 ms": ["Time/Time step=0.002", "Time/End time=1"]}),
     "all_joints_fail": Wanted(more=most_joints_fail, full_size={
         "6 x 8": ["Mesh/Numbers=Width = 6; Height = 8; Base beyond = 40; Resolution/h = 1"]}),
-    "bin": Wanted(more=lies_in_the_bin, full_size={
+    "bin": Wanted(more=lies_in_the_bin, full_speed=55.0, full_size={
         "1000": ["Mesh/Polygons file=%s" % (HARD / "bin_1000.csv"), "Mesh/Surface file=%s" % (HARD / "bin_1000_surface.csv"),
                  "Time/End time=8"]}),
     "majiagou_1g": Wanted(more=falls_apart, full_size={

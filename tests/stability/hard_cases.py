@@ -139,6 +139,8 @@ def main():
     if len(arguments) != 3 or arguments[1] not in CASES:
         sys.exit(__doc__ + "\nCases: " + ", ".join(sorted(CASES)))
     case, wanted = HardCase(*arguments), CASES[arguments[1]]
+    if "--long" in options and wanted.full_speed:
+        case.speed_bound = wanted.full_speed
     for variant, overrides in wanted.runs("--long" in options):
         run = case.run(variant, overrides)
         case.judge(variant, run, {"residual": wanted.residual, "penetration": wanted.penetration})
