@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <sstream>
 
 namespace hybrid::continuum
 {
@@ -74,8 +75,12 @@ namespace hybrid::continuum
     double    distance = 0.;
     const int cell     = nearest_cell(position, local, distance);
     if (cell < 0 || distance > tolerated_distance)
-      throw InputError(what + " at (" + std::to_string(position.x()) + ", " +
-                       std::to_string(position.y()) + ") lies outside the bedrock.");
+      {
+        std::ostringstream text;
+        text << what << " at (" << position.x() << ", " << position.y()
+             << ") m lies outside the bedrock.";
+        throw InputError(text.str());
+      }
     return {cell, nodes->values(local)};
   }
 

@@ -104,7 +104,7 @@ namespace hybrid::output
       {
         std::ostringstream text;
         text << "the point '" << name << "' at (" << x.x() << ", " << x.y()
-             << ") is in no block and there is no bedrock";
+             << ") m is in no block and there is no bedrock";
         throw InputError(text.str());
       }
     probes.push_back(probe);

@@ -13,7 +13,7 @@ namespace hybrid::scene
 {
   namespace
   {
-    constexpr double most_cells = 5e6;
+    constexpr double most_cells = 2e6;
 
 
     /// Boundary of a surface, curve by curve.

@@ -372,7 +372,7 @@ namespace hybrid::scene
 
 
     /// Before gmsh fills a section of a million kilometres with cells of metres.
-    void check_corners()
+    void check_corners(const std::string &file)
     {
       gmsh::vectorpair points;
       gmsh::model::getEntities(points, 0);
@@ -383,6 +383,12 @@ namespace hybrid::scene
         {
           std::vector<double> x;
           gmsh::model::getValue(dim, tag, {}, x);
+          for (int axis = 0; axis < 3; ++axis)
+            if (!std::isfinite(x[axis]))
+              throw InputError(file,
+                               0,
+                               "the coordinate " + std::string(1, "xyz"[axis]) + " of point " +
+                                 std::to_string(tag) + " is not a finite number.");
           low  = low.cwiseMin(Vec2(x[0], x[1]));
           high = high.cwiseMax(Vec2(x[0], x[1]));
         }
@@ -414,7 +420,7 @@ namespace hybrid::scene
         gmsh::open(file);
         if (extension == ".geo")
           {
-            check_corners();
+            check_corners(file);
             gmsh::model::mesh::generate(1);
             check_mesh_size(file);
             gmsh::model::mesh::generate(2);

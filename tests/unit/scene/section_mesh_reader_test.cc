@@ -341,7 +341,7 @@ namespace hybrid::scene::test
     });
     expect_part(message, "disc.geo: the mesh would have about 1.6e+08 cells");
     expect_part(message,
-                "are 0.1 m long on average; at most 5e+06 cells are allowed, so coarsen it by 5.6");
+                "are 0.1 m long on average; at most 2e+06 cells are allowed, so coarsen it by 8.9");
   }
 
 
@@ -363,6 +363,8 @@ namespace hybrid::scene::test
                                    "$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n");
     expect_part(message_of([&]() { read(file); }),
                 "nan.msh: the coordinate y of node 2 is not a finite number.");
+    expect_part(message_of([&]() { read(write("inf.geo", "Point(7) = {1, 2, 1e400};\n")); }),
+                "inf.geo: the coordinate z of point 7 is not a finite number.");
   }
 
 
