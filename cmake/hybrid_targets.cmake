@@ -12,6 +12,9 @@ if(HYBRID_SANITIZE)
   target_compile_options(hybrid_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(hybrid_flags INTERFACE -fsanitize=address,undefined)
 endif()
+if(HYBRID_LIBFUZZER)
+  target_compile_options(hybrid_flags INTERFACE -fsanitize=fuzzer-no-link) # libFuzzer sees what the readers do
+endif()
 
 # deal.II for the modules that include it. Its own deal_ii_setup_target() would append its
 # optimisation flags after ours and forbid PUBLIC and PRIVATE in target_link_libraries.

@@ -119,7 +119,10 @@ namespace hybrid::scene
                              " and a spectral acceleration, both above zero.");
         const double f = by_frequency ? x : 1. / x;
         if (!frequencies.empty() && f == frequencies.back())
-          throw InputError(file, row.line, row.fields[0] + " follows itself.");
+          throw InputError(file,
+                           row.line,
+                           row.fields[0] + " stands in the row before too; " + what +
+                             " may have one value only.");
         frequencies.push_back(f);
         accelerations.push_back(unit * y);
         const std::size_t n = frequencies.size();

@@ -31,8 +31,7 @@ namespace
   using namespace hybrid;
   namespace fs = std::filesystem;
 
-  constexpr double longest_read = 1.; // [s]; a read that is stopped after 20 s counts as a hang
-  constexpr int    hang         = 20; // [s]
+  constexpr int hang = 20; // [s]; a read that is stopped after it counts as a hang
 
   /// A result that no reader may give.
   struct Nonsense : std::runtime_error
@@ -127,47 +126,6 @@ namespace
     check_mesh(mesh);
   }
 
-  struct Seed
-  {
-    std::string kind;
-    std::string text;
-    std::string name;
-  };
-
-  std::vector<Seed> read_seeds(const fs::path &source)
-  {
-    std::map<std::string, std::string> kind_of; // path -> kind, ordered
-    for (const fs::directory_entry &entry : fs::recursive_directory_iterator(source / "parameters"))
-      {
-        const std::string stem = entry.path().stem(), extension = entry.path().extension();
-        if (extension == ".prm")
-          kind_of[entry.path()] = "prm";
-        else if (extension == ".csv") // by the number of columns
-          kind_of[entry.path()] = stem.rfind("eurocode", 0) == 0 ? "spectrum"
-                                  : scene::read_text_table(entry.path()).back().fields.size() == 2
-                                    ? "surface"
-                                    : "blocks";
-        else if (extension == ".txt")
-          kind_of[entry.path()] = "record";
-      }
-    for (const fs::directory_entry &entry : fs::directory_iterator(source / "tests/fuzz/corpus"))
-      {
-        const std::string extension = entry.path().extension();
-        kind_of[entry.path()]       = extension == ".txt"   ? "record"
-                                      : extension == ".csv" ? "points"
-                                                            : extension.substr(1);
-      }
-    std::vector<Seed> seeds;
-    for (const auto &[path, kind] : kind_of)
-      {
-        std::ifstream      in(path, std::ios::binary);
-        std::ostringstream text;
-        text << in.rdbuf();
-        seeds.push_back({kind, text.str(), fs::path(path).filename()});
-      }
-    return seeds;
-  }
-
   /// Where mutated files lie: as deep as the scenes, so that they find the meshes.
   class Workplace
   {
@@ -196,19 +154,6 @@ namespace
 
   private:
     const fs::path root;
-  };
-
-  void stop_hang(int)
-  {
-    const char text[] = "hang: a read took too long\n";
-    if (write(STDERR_FILENO, text, sizeof(text) - 1) < 0)
-      std::_Exit(98);
-    std::_Exit(99);
-  }
-
-  struct Counts
-  {
-    int accepted = 0, refused = 0, failed = 0;
   };
 
   /// Read @p file in a process of its own, which the reader ends with a sentence and exit code 2
@@ -260,6 +205,90 @@ namespace
     kind == "msh" ? read_apart(kind, file) : read(kind, file);
   }
 
+} // namespace
+
+
+#ifdef HYBRID_LIBFUZZER
+
+extern "C" int
+LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
+{
+  static const char *const kinds[] = {
+    "prm", "at2", "record", "spectrum", "points", "blocks", "surface", "msh"};
+  static const Workplace place(HYBRID_SOURCE_DIR,
+                               fs::temp_directory_path() / ("fuzz_" + std::to_string(getpid())));
+  if (size == 0)
+    return 0;
+  const std::string kind = kinds[data[0] % 8];
+  try
+    {
+      read_input(kind, place.write(kind, std::string(data + 1, data + size)));
+    }
+  catch (const InputError &)
+    {}
+  return 0; // every other exception ends the process: libFuzzer reports and keeps the input
+}
+
+#else
+
+namespace
+{
+  constexpr double longest_read = 1.; // [s]
+
+  struct Seed
+  {
+    std::string kind;
+    std::string text;
+    std::string name;
+  };
+
+  std::vector<Seed> read_seeds(const fs::path &source)
+  {
+    std::map<std::string, std::string> kind_of; // path -> kind, ordered
+    for (const fs::directory_entry &entry : fs::recursive_directory_iterator(source / "parameters"))
+      {
+        const std::string stem = entry.path().stem(), extension = entry.path().extension();
+        if (extension == ".prm")
+          kind_of[entry.path()] = "prm";
+        else if (extension == ".csv") // by the number of columns
+          kind_of[entry.path()] = stem.rfind("eurocode", 0) == 0 ? "spectrum"
+                                  : scene::read_text_table(entry.path()).back().fields.size() == 2
+                                    ? "surface"
+                                    : "blocks";
+        else if (extension == ".txt")
+          kind_of[entry.path()] = "record";
+      }
+    for (const fs::directory_entry &entry : fs::directory_iterator(source / "tests/fuzz/corpus"))
+      {
+        const std::string extension = entry.path().extension();
+        kind_of[entry.path()]       = extension == ".txt"   ? "record"
+                                      : extension == ".csv" ? "points"
+                                                            : extension.substr(1);
+      }
+    std::vector<Seed> seeds;
+    for (const auto &[path, kind] : kind_of)
+      {
+        std::ifstream      in(path, std::ios::binary);
+        std::ostringstream text;
+        text << in.rdbuf();
+        seeds.push_back({kind, text.str(), fs::path(path).filename()});
+      }
+    return seeds;
+  }
+
+  void stop_hang(int)
+  {
+    const char text[] = "hang: a read took too long\n";
+    if (write(STDERR_FILENO, text, sizeof(text) - 1) < 0)
+      std::_Exit(98);
+    std::_Exit(99);
+  }
+
+  struct Counts
+  {
+    int accepted = 0, refused = 0, failed = 0;
+  };
+
   std::ofstream messages; ///< what refused inputs were told
 
   /// @return what is wrong with the outcome of reading @p file, or "".
@@ -293,29 +322,6 @@ namespace
   }
 } // namespace
 
-
-#ifdef HYBRID_LIBFUZZER
-
-extern "C" int
-LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
-{
-  static const char *const kinds[] = {
-    "prm", "at2", "record", "spectrum", "points", "blocks", "surface", "msh"};
-  static const Workplace place(HYBRID_SOURCE_DIR,
-                               fs::temp_directory_path() / ("fuzz_" + std::to_string(getpid())));
-  if (size == 0)
-    return 0;
-  const std::string kind = kinds[data[0] % 8];
-  try
-    {
-      read_input(kind, place.write(kind, std::string(data + 1, data + size)));
-    }
-  catch (const InputError &)
-    {}
-  return 0; // every other exception ends the process: libFuzzer reports and keeps the input
-}
-
-#else
 
 /// reader_fuzzer FOLDER COUNT [SEED [ONLY_KIND]]: exit code 1 if an input failed; it is kept in
 /// FOLDER.

@@ -127,7 +127,7 @@ namespace hybrid::scene::test
     expect_part(error("0.1 1\n-0.2 1\n"), "spectrum.txt:2: '-0.2, 1' must be a period [s]");
     expect_part(error("0.1 1\n0.2 0\n"), "both above zero");
     expect_part(error("0.1 1\n0.3 1\n0.2 1\n"), "spectrum.txt:3: 0.2 is out of order");
-    expect_part(error("0.1 1\n0.1 1\n"), "spectrum.txt:2: 0.1 follows itself");
+    expect_part(error("0.1 1\n0.1 1\n"), "spectrum.txt:2: 0.1 stands in the row before too");
     expect_part(error("0.1 1\n"), "at least two rows");
     expect_part(error("1 1\nx 1\n", true), "a frequency [Hz]");
   }
