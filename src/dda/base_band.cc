@@ -176,6 +176,19 @@ namespace hybrid::dda
 
 
 
+  Eigen::VectorXd BaseBand::diagonal(const int n) const
+  {
+    if (source == nullptr)
+      return Eigen::VectorXd::Ones(n);
+    Eigen::VectorXd result = band.row(0);
+    if (joined)
+      for (std::size_t k = 0; k < own.size(); ++k)
+        result.segment<2>(2 * k) += own[k].diagonal();
+    return result;
+  }
+
+
+
   void BaseBand::solve(double *x) const
   {
     if (source == nullptr || size == 0)

@@ -77,6 +77,11 @@ namespace hybrid::dda
       solver.swept.multiply_diagonal(x, y);
     }
 
+    void weigh(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+    {
+      y = solver.swept.weights().cwiseProduct(x);
+    }
+
     bool solved(const Eigen::VectorXd &residual, const Eigen::VectorXd &dual_residual)
     {
       if (dual_residual.cwiseQuotient(target.scale).norm() > bound)
@@ -103,7 +108,7 @@ namespace hybrid::dda
       solver.multiply(matrix, solver.z, y);
     }
 
-    void dual(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+    void weigh(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
     {
       y = x;
     }
@@ -150,7 +155,7 @@ namespace hybrid::dda
   LinearSolver::Result LinearSolver::stabilised_gradients(System &system, const int limit)
   {
     Result result;
-    system.dual(r, dual_r);
+    system.weigh(r, dual_r);
     shadow     = dual_r;
     double rho = r.dot(shadow);
     p          = r;
@@ -163,12 +168,12 @@ namespace hybrid::dda
           return result;
         unknown += alpha * p;
         r -= alpha * q;
-        system.dual(r, dual_r);
+        system.weigh(r, dual_r);
         result.converged = system.solved(r, dual_r);
         if (result.converged)
           return result;
         system.multiply(r, t);
-        system.dual(t, dual_t);
+        system.weigh(t, dual_t);
         const double omega = t.dot(dual_r) / t.dot(dual_t);
         if (!std::isfinite(omega) || omega == 0.)
           return result;

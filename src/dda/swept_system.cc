@@ -52,9 +52,11 @@ namespace hybrid::dda
     for (int p = 0; p < n; ++p)
       {
         inverse_diagonal[p] = inverse(matrix->diagonal[order.block[p]]);
+        weight.segment<6>(6 * order.block[p]) = matrix->diagonal[order.block[p]].diagonal();
         for (int k = row_begin[p]; k < row_begin[p + 1]; ++k)
           entry[k] = slot[k] >= 0 ? matrix->off_diagonal[slot[k]] : matrix->lower[~slot[k]];
       }
+    weight.tail(2 * matrix->n_nodes()) = base->diagonal(2 * matrix->n_nodes());
   }
 
 
@@ -94,6 +96,7 @@ namespace hybrid::dda
     inverse_diagonal.resize(n);
     above.resize(6 * n);
     place.resize(matrix->size());
+    weight.resize(matrix->size());
     version = matrix->pattern_version();
   }
 

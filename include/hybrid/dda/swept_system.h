@@ -48,6 +48,12 @@ namespace hybrid::dda
     /// y = D x.
     void multiply_diagonal(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 
+    /// Diagonal of D.
+    const Eigen::VectorXd &weights() const
+    {
+      return weight;
+    }
+
     /// y = (D + L) x: the residual of A from that of the swept system.
     void undo_forward(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 
@@ -64,6 +70,7 @@ namespace hybrid::dda
     std::vector<Mat6>  entry;      ///< of L and U, as a sweep reads them
     std::vector<Mat6>  inverse_diagonal; ///< in the order of the sweep
     Eigen::VectorXd    above;            ///< product with U [6 blocks], of the last backward sweep
+    Eigen::VectorXd    weight;           ///< diagonal of D
     Eigen::VectorXd    place;            ///< (D + U)^-1 D x
 
     void order_rows();
