@@ -26,6 +26,7 @@ namespace hybrid::continuum
     Factor &operator=(const Factor &) = delete;
 
     cholmod_factor *factor;
+    cholmod_factor  interior; ///< the same without the supernodes of the surface; owns nothing
     cholmod_common *common;
     Eigen::MatrixXd surface; ///< L_GG, lower triangle
   };
@@ -37,8 +38,8 @@ namespace hybrid::continuum
     std::vector<int> column_start, row;
     int              n_surface = 0;
     cholmod_factor  *symbolic  = nullptr;
-    cholmod_dense   *b = nullptr, *y = nullptr, *x = nullptr; ///< right-hand side and solutions
-    cholmod_dense   *work_y = nullptr, *work_e = nullptr;     ///< kept by cholmod_solve2
+    cholmod_dense   *y = nullptr, *x = nullptr; ///< forward and backward solution, in order of L
+    cholmod_dense   *work = nullptr;            ///< of the rows below a supernode
 
     int size() const
     {
@@ -64,10 +65,10 @@ namespace hybrid::continuum
 
     std::vector<int> ordering();
 
-    void
-    solve(const int system, cholmod_factor *factor, cholmod_dense *rhs, cholmod_dense *&solution)
+    /// Unknowns of the surface among those in order of L.
+    Eigen::Map<Eigen::VectorXd> surface_of(cholmod_dense *dense) const
     {
-      cholmod_solve2(system, factor, rhs, nullptr, &solution, nullptr, &work_y, &work_e, &common);
+      return {static_cast<double *>(dense->x) + size() - n_surface, n_surface};
     }
   };
 
@@ -117,16 +118,17 @@ namespace hybrid::continuum
     for (int k = c.size() - n_surface; k < c.size(); ++k)
       if (used[k] != k)
         throw std::logic_error("CHOLMOD: the surface is not the trailing block");
-    c.b = cholmod_zeros(c.size(), 1, CHOLMOD_REAL, &c.common);
     c.y = cholmod_zeros(c.size(), 1, CHOLMOD_REAL, &c.common);
     c.x = cholmod_zeros(c.size(), 1, CHOLMOD_REAL, &c.common);
+    c.work =
+      cholmod_zeros(std::max<std::size_t>(1, c.symbolic->maxesize), 1, CHOLMOD_REAL, &c.common);
   }
 
 
   CondensedFactorisation::~CondensedFactorisation()
   {
     Cholmod &c = *cholmod;
-    for (cholmod_dense **dense : {&c.b, &c.y, &c.x, &c.work_y, &c.work_e})
+    for (cholmod_dense **dense : {&c.y, &c.x, &c.work})
       cholmod_free_dense(dense, &c.common);
     cholmod_free_factor(&c.symbolic, &c.common);
     cholmod_finish(&c.common);
@@ -164,23 +166,38 @@ namespace hybrid::continuum
     if (!is_done || c.common.status != CHOLMOD_OK)
       throw std::runtime_error("CHOLMOD: the dynamic stiffness is not positive definite");
 
-    // Copy the trailing block out of the supernodes that reach into it.
-    const cholmod_factor &l     = *result->factor;
-    const int            *super = static_cast<const int *>(l.super);
-    const int            *pi    = static_cast<const int *>(l.pi);
-    const int            *px    = static_cast<const int *>(l.px);
-    const int            *s     = static_cast<const int *>(l.s);
-    const double         *x     = static_cast<const double *>(l.x);
-    const int             first = c.size() - c.n_surface;
-    result->surface             = Eigen::MatrixXd::Zero(c.n_surface, c.n_surface);
-    for (std::size_t k = 0; k < l.nsuper; ++k)
+    separate_surface(*result);
+    return result;
+  }
+
+
+  void CondensedFactorisation::separate_surface(Factor &factor) const
+  {
+    // L = [L_II 0; L_GI L_GG]: the columns of L_GG are copied out of the supernodes that reach into
+    // them. The last supernodes hold nothing else and are left out of the triangular solves; one
+    // with columns of both kinds gets the unit matrix in place of L_GG.
+    cholmod_factor &l     = *factor.factor;
+    const int      *super = static_cast<const int *>(l.super);
+    const int      *pi    = static_cast<const int *>(l.pi);
+    const int      *px    = static_cast<const int *>(l.px);
+    const int      *s     = static_cast<const int *>(l.s);
+    double         *x     = static_cast<double *>(l.x);
+    const int       first = cholmod->size() - cholmod->n_surface;
+    factor.surface        = Eigen::MatrixXd::Zero(cholmod->n_surface, cholmod->n_surface);
+    factor.interior       = l;
+    for (int k = static_cast<int>(l.nsuper) - 1; k >= 0 && super[k + 1] > first; --k)
       {
         const int rows = pi[k + 1] - pi[k];
-        for (int j = super[k]; j < super[k + 1]; ++j)
-          for (int i = j - super[k]; j >= first && i < rows; ++i)
-            result->surface(s[pi[k] + i] - first, j - first) = x[px[k] + (j - super[k]) * rows + i];
+        for (int j = std::max(first, super[k]); j < super[k + 1]; ++j)
+          for (int i = j - super[k]; i < rows; ++i)
+            {
+              double &entry = x[px[k] + (j - super[k]) * rows + i];
+              factor.surface(s[pi[k] + i] - first, j - first) = entry;
+              entry                                           = i == j - super[k] ? 1. : 0.;
+            }
+        if (super[k] >= first)
+          factor.interior.nsuper = k;
       }
-    return result;
   }
 
 
@@ -196,14 +213,11 @@ namespace hybrid::continuum
   {
     Cholmod   &c    = *cholmod;
     const int *perm = static_cast<const int *>(factor.factor->Perm);
-    double    *rhs  = static_cast<double *>(c.b->x);
+    double    *y    = static_cast<double *>(c.y->x);
     for (int k = 0; k < c.size(); ++k)
-      rhs[k] = b[perm[k]];
-    c.solve(CHOLMOD_L, factor.factor, c.b, c.y);
-    const Eigen::Map<const Eigen::VectorXd> y_surface(static_cast<const double *>(c.y->x) +
-                                                        c.size() - c.n_surface,
-                                                      c.n_surface);
-    g.noalias() = factor.surface.triangularView<Eigen::Lower>() * y_surface;
+      y[k] = b[perm[k]];
+    cholmod_super_lsolve(&factor.interior, c.y, c.work, &c.common);
+    g = c.surface_of(c.y);
   }
 
 
@@ -211,37 +225,54 @@ namespace hybrid::continuum
                                         const Eigen::VectorXd &surface,
                                         std::vector<double>   &x)
   {
-    Cholmod                    &c = *cholmod;
-    Eigen::Map<Eigen::VectorXd> y_surface(static_cast<double *>(c.y->x) + c.size() - c.n_surface,
-                                          c.n_surface);
-    y_surface.noalias() = factor.surface.transpose().triangularView<Eigen::Upper>() * surface;
-    backward(factor, x);
-  }
-
-
-  void CondensedFactorisation::solve(const Factor &factor, Eigen::MatrixXd &b)
-  {
-    Cholmod      &c   = *cholmod;
-    cholmod_dense rhs = {};
-    rhs.nrow = rhs.d = b.rows();
-    rhs.ncol         = b.cols();
-    rhs.nzmax        = b.size();
-    rhs.x            = b.data();
-    rhs.xtype        = CHOLMOD_REAL;
-    rhs.dtype        = CHOLMOD_DOUBLE;
-    cholmod_dense *x = cholmod_solve(CHOLMOD_A, factor.factor, &rhs, &c.common);
-    std::copy_n(static_cast<const double *>(x->x), b.size(), b.data());
-    cholmod_free_dense(&x, &c.common);
+    Cholmod &c = *cholmod;
+    std::memcpy(c.x->x, c.y->x, sizeof(double) * c.size());
+    c.surface_of(c.x) = surface;
+    cholmod_super_ltsolve(&factor.interior, c.x, c.work, &c.common);
+    const int    *perm     = static_cast<const int *>(factor.factor->Perm);
+    const double *solution = static_cast<const double *>(c.x->x);
+    for (int k = 0; k < c.size(); ++k)
+      x[perm[k]] = solution[k];
   }
 
 
   void CondensedFactorisation::backward(Factor &factor, std::vector<double> &x)
   {
-    Cholmod &c = *cholmod;
-    c.solve(CHOLMOD_Lt, factor.factor, c.y, c.x);
-    const int    *perm     = static_cast<const int *>(factor.factor->Perm);
-    const double *solution = static_cast<const double *>(c.x->x);
+    Eigen::VectorXd surface = cholmod->surface_of(cholmod->y);
+    solve_surface(factor, surface);
+    backward(factor, surface, x);
+  }
+
+
+  void CondensedFactorisation::solve(const Factor &factor, Eigen::MatrixXd &b)
+  {
+    Cholmod                    &c    = *cholmod;
+    const int                  *perm = static_cast<const int *>(factor.factor->Perm);
+    cholmod_dense              *x    = cholmod_zeros(b.rows(), b.cols(), CHOLMOD_REAL, &c.common);
+    cholmod_dense              *work = cholmod_zeros(std::max<std::size_t>(1, c.symbolic->maxesize),
+                                        b.cols(),
+                                        CHOLMOD_REAL,
+                                        &c.common);
+    Eigen::Map<Eigen::MatrixXd> in_order(static_cast<double *>(x->x), b.rows(), b.cols());
     for (int k = 0; k < c.size(); ++k)
-      x[perm[k]] = solution[k];
+      in_order.row(k) = b.row(perm[k]);
+    cholmod_factor interior = factor.interior; // CHOLMOD takes no constant one
+    cholmod_super_lsolve(&interior, x, work, &c.common);
+    Eigen::MatrixXd surface = in_order.bottomRows(c.n_surface);
+    solve_surface(factor, surface);
+    in_order.bottomRows(c.n_surface) = surface;
+    cholmod_super_ltsolve(&interior, x, work, &c.common);
+    for (int k = 0; k < c.size(); ++k)
+      b.row(perm[k]) = in_order.row(k);
+    cholmod_free_dense(&x, &c.common);
+    cholmod_free_dense(&work, &c.common);
+  }
+
+
+  template <typename Values>
+  void CondensedFactorisation::solve_surface(const Factor &factor, Values &b)
+  {
+    factor.surface.triangularView<Eigen::Lower>().solveInPlace(b);
+    factor.surface.transpose().triangularView<Eigen::Upper>().solveInPlace(b);
   }
 } // namespace hybrid::continuum

@@ -213,7 +213,6 @@ namespace hybrid::dda
                                     const bool          follow_softening)
   {
     const double dt = trial.dt, beta = model.newmark.beta;
-    springs.connect(model, matrix);
     matrix.set_zero();
 #pragma omp parallel for schedule(static)
     for (int b = 0; b < model.n_blocks(); ++b)

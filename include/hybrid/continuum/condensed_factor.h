@@ -10,7 +10,8 @@ namespace hybrid::continuum
 {
   /**
    * Supernodal Cholesky factor A = P^T L L^T P with the surface unknowns last, so that the trailing
-   * block of L gives the condensed matrix: S = A_GG - A_GI A_II^-1 A_IG = L_GG L_GG^T.
+   * block of L gives the condensed matrix: S = A_GG - A_GI A_II^-1 A_IG = L_GG L_GG^T. A step
+   * solves with L_II only, so it reads neither L_GG nor S here.
    *
    * Every rank factors the whole matrix on its own: at the sizes of a section (1e4 to 1e5 unknowns)
    * two triangular solves take a few milliseconds, less than a distributed factor would spend on
@@ -44,10 +45,11 @@ namespace hybrid::continuum
     /// S = L_GG L_GG^T.
     Eigen::MatrixXd surface_matrix(const Factor &factor) const;
 
-    /// y = L^-1 b. @param g receives L_GG y_G, i.e. b_G - A_GI A_II^-1 b_I; no allocation.
+    /// y = L_II^-1 b_I. @param g receives b_G - L_GI y = b_G - A_GI A_II^-1 b_I; no allocation.
     void forward(Factor &factor, const std::vector<double> &b, Eigen::VectorXd &g);
 
-    /// x with the surface unknowns given: y_G := L_GG^T x_G, then x = L^-T y. Follows forward().
+    /// x with the surface unknowns given: x_I = L_II^-T (y - L_GI^T x_G). Follows forward(); no
+    /// allocation.
     void backward(Factor &factor, const Eigen::VectorXd &surface, std::vector<double> &x);
 
     /// b := A^-1 b for many right-hand sides; forward() and backward() are not disturbed.
@@ -58,6 +60,14 @@ namespace hybrid::continuum
 
   private:
     struct Cholmod;
+
+    /// Take L_GG out of what triangular solves read: they are to end at the surface.
+    void separate_surface(Factor &factor) const;
+
+    /// b := S^-1 b, unknowns of the surface.
+    template <typename Values>
+    static void solve_surface(const Factor &factor, Values &b);
+
     std::unique_ptr<Cholmod> cholmod;
   };
 } // namespace hybrid::continuum
