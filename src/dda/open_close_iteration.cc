@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/bedrock_forces.h>
-#include <hybrid/dda/block_energy.h>
-#include <hybrid/dda/joint_failure.h>
 #include <hybrid/dda/open_close_iteration.h>
 #include <hybrid/restart/archive.h>
 
@@ -51,7 +49,9 @@ namespace hybrid::dda
         mass[b]                 = mass_matrix(model.blocks[b], block.rotation);
         predicted[b]            = dt * v + dt * dt * (0.5 - beta) * a;
         predicted_rate[b]       = v + dt * (1. - gamma) * a;
-        trial.increment[b]      = dt * v + 0.5 * dt * dt * block.acceleration; // as if all stays
+        // First guess: the acceleration goes on to change as it did, but for that by contacts.
+        trial.increment[b] =
+          dt * v + 0.5 * dt * dt * block.acceleration + beta * dt * dt * dt * block.jerk;
         scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
       }
     assert(base.displacement.size() == 2 * m);
@@ -391,35 +391,6 @@ namespace hybrid::dda
 
 
 
-  void OpenCloseIteration::hand_over_contacts(const Model &model, DdaState &state) const
-  {
-    const int       n = model.n_blocks();
-    Eigen::VectorXd torn; // forces of joints that are contacts from now on
-    for (std::size_t s = 0; s < springs.springs.size(); ++s)
-      {
-        const Springs::Spring &spring = springs.springs[s];
-        if (spring.unilateral || !(state.joints[spring.joint].released ||
-                                   spring.law->broken_in_tension(springs.responses[s].now.history)))
-          continue;
-        if (torn.size() == 0)
-          torn = Eigen::VectorXd::Zero(contact_force.size());
-        springs.add_force(s, torn);
-      }
-    state.base_contact_force = contact_force.tail(2 * model.n_base_nodes());
-    if (torn.size() > 0)
-      state.base_contact_force += torn.tail(2 * model.n_base_nodes());
-    for (int b = 0; b < n; ++b)
-      {
-        Vec6 c = contact_acceleration[b];
-        if (torn.size() > 0)
-          c += mass[b].llt().solve(torn.segment<6>(6 * b));
-        const BlockMotion &move              = trial.motion[b];
-        state.blocks[b].contact_acceleration = rotated_rates(c, move.cosine, move.sine);
-      }
-  }
-
-
-
   void OpenCloseIteration::serialize(restart::Archive &archive)
   {
     bool is_current = tangent_pattern == matrix.pattern_version();
@@ -429,67 +400,5 @@ namespace hybrid::dda
       return;
     tangent_pattern = is_current ? matrix.pattern_version() : -1;
     is_restored     = matrix.n_blocks() > 0;
-  }
-
-
-
-  void OpenCloseIteration::accept(const Model &model, DdaState &state) const
-  {
-    const int    n  = model.n_blocks();
-    const double dt = trial.dt;
-    state.energy    = audit_step(
-      {model, state, trial, springs, mass, acceleration, contact_acceleration, incoming});
-    if (incoming.size() > 0)
-      state.boundary_force = incoming;
-    const double          gamma    = model.newmark.gamma;
-    const Eigen::VectorXd contacts = contact_force.tail(2 * model.n_base_nodes());
-    state.energy.base_work -= ((1. - gamma) * (state.base_force - state.base_contact_force) +
-                               gamma * (force_increment + state.static_force - contacts) + contacts)
-                                .dot(trial.base - state.base_displacement);
-    state.time += dt;
-
-#pragma omp parallel for schedule(static)
-    for (int b = 0; b < n; ++b)
-      {
-        BlockState        &block = state.blocks[b];
-        const BlockMotion &move  = trial.motion[b];
-        block.centroid           = move.centroid;
-        block.rotation += trial.increment[b][2];
-        block.velocity = rotated_rates(trial.rate[b], move.cosine, move.sine);
-        block.strain_rate =
-          rotated_rates(trial.increment[b] / dt, move.cosine, move.sine).tail<3>();
-        block.acceleration =
-          rotated_rates(acceleration[b] + contact_acceleration[b], move.cosine, move.sine);
-        block.stress =
-          rotated_stress(block.stress + model.blocks[b].elasticity * trial.increment[b].tail<3>(),
-                         move.cosine,
-                         move.sine);
-      }
-    for (std::size_t v = 0; v < state.geometry.vertices.size(); ++v)
-      state.geometry.vertices[v] += trial.displacement[v];
-    state.base_displacement = trial.base;
-    state.base_force        = force_increment + state.static_force;
-    for (int k = 0; k < model.n_base_nodes(); ++k)
-      state.geometry.base_nodes[k] = model.initial.base_nodes[k] + trial.base.segment<2>(2 * k);
-
-    for (std::size_t s = 0; s < springs.springs.size(); ++s)
-      {
-        const Springs::Spring   &spring   = springs.springs[s];
-        const Springs::Response &response = springs.responses[s];
-        if (spring.joint >= 0)
-          {
-            JointState &joint        = state.joints[spring.joint];
-            joint.points[spring.end] = response.now;
-            if (spring.end == 1)
-              update_failure(model.joints[spring.joint], state.time, joint);
-            continue;
-          }
-        Contact &contact      = state.contacts[spring.contact];
-        contact.edge_position = response.edge_position;
-        contact.slip          = response.now.slip;
-        contact.plastic_slip  = response.now.history.plastic_slip;
-        contact.state         = response.now.state;
-      }
-    hand_over_contacts(model, state);
   }
 } // namespace hybrid::dda
