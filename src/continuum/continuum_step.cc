@@ -248,7 +248,7 @@ namespace hybrid::continuum
         displacement[k] =
           state.displacement[i] + dt * state.velocity[i] + 0.5 * dt * dt * state.acceleration[i];
         if (!state.surface_jerk.empty())
-          displacement[k] += impl->newmark.beta * dt * dt * dt * state.surface_jerk[k];
+          displacement[k] += impl->newmark.guess_by_jerk(dt) * state.surface_jerk[k];
       }
   }
 

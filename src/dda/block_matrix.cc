@@ -104,6 +104,22 @@ namespace hybrid::dda
     std::fill(diagonal.begin(), diagonal.end(), Mat6::Zero());
     std::fill(off_diagonal.begin(), off_diagonal.end(), Mat6::Zero());
     std::fill(lower.begin(), lower.end(), Mat6::Zero());
+    set_nodes_zero();
+  }
+
+
+
+  void BlockMatrix::set_row_zero(const int i)
+  {
+    diagonal[i].setZero();
+    for (int k = row_begin[i]; k < row_begin[i + 1]; ++k)
+      (row_slot[k] >= 0 ? off_diagonal[row_slot[k]] : lower[~row_slot[k]]).setZero();
+  }
+
+
+
+  void BlockMatrix::set_nodes_zero()
+  {
     std::fill(block_node.begin(), block_node.end(), Mat62::Zero());
     std::fill(node_block.begin(), node_block.end(), Mat26::Zero());
     std::fill(node_diagonal.begin(), node_diagonal.end(), Eigen::Matrix2d::Zero());

@@ -16,10 +16,11 @@ namespace hybrid::dda
 
 
 
-  void LinearSolver::matrix_changed(const BlockMatrix &matrix)
+  void LinearSolver::matrix_changed(const BlockMatrix &matrix, const std::vector<int> &blocks)
   {
     factor_is_current = false;
-    matrix_restored(matrix);
+    base.matrix_changed(matrix);
+    swept.set(matrix, base, blocks);
   }
 
 
@@ -27,7 +28,7 @@ namespace hybrid::dda
   void LinearSolver::matrix_restored(const BlockMatrix &matrix)
   {
     base.matrix_changed(matrix);
-    swept.set(matrix, base);
+    swept.set(matrix, base, {});
   }
 
 

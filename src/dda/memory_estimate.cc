@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/memory_estimate.h>
-#include <hybrid/dda/springs.h>
+#include <hybrid/dda/spring_stiffness.h>
 #include <hybrid/dda/state.h>
 
 #include <algorithm>
@@ -62,10 +62,12 @@ namespace hybrid::dda
     const double entries  = factor_entries(model.n_blocks(), pairs);
     const double per_mat6 = sizeof(Mat6);
 
-    const double in_springs = springs * (sizeof(Springs::Spring) + sizeof(Springs::Response));
+    const double in_springs = springs * (sizeof(Springs::Spring) + sizeof(Springs::Response) +
+                                         SpringStiffness::bytes_per_spring());
     const double in_state =
       n * sizeof(BlockState) + static_cast<double>(model.joints.size()) * sizeof(JointState);
-    const double in_matrix = (2. * n + coupled) * per_mat6; // the inverse diagonal too
+    // The inverse diagonal and the copy that is swept, too.
+    const double in_matrix = (2. * n + 2. * coupled) * per_mat6;
     const double in_copy   = (n + coupled) * (per_mat6 + 36. * sizeof(int));
     return in_springs + in_state + in_matrix + in_copy + 2. * entries * per_mat6;
   }

@@ -49,9 +49,8 @@ namespace hybrid::dda
         mass[b]                 = mass_matrix(model.blocks[b], block.rotation);
         predicted[b]            = dt * v + dt * dt * (0.5 - beta) * a;
         predicted_rate[b]       = v + dt * (1. - gamma) * a;
-        // First guess: the acceleration goes on to change as it did, but for that by contacts.
-        trial.increment[b] =
-          dt * v + 0.5 * dt * dt * block.acceleration + beta * dt * dt * dt * block.jerk;
+        trial.increment[b]      = dt * v + 0.5 * dt * dt * block.acceleration +
+                             model.newmark.guess_by_jerk(dt) * block.jerk;
         scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
       }
     assert(base.displacement.size() == 2 * m);
@@ -67,11 +66,11 @@ namespace hybrid::dda
   void OpenCloseIteration::subtract_base_product(const Eigen::VectorXd      &displacement,
                                                  Eigen::Ref<Eigen::VectorXd> force) const
   {
-    const BaseBand    &stiffness = solver.base_stiffness();
-    const Eigen::Index n         = displacement.size();
+    const BaseBand    &rock = solver.base_stiffness();
+    const Eigen::Index n    = displacement.size();
 #pragma omp parallel for schedule(static)
     for (Eigen::Index k = 0; k < n; ++k)
-      force[k] -= stiffness.row_product(static_cast<int>(k), displacement);
+      force[k] -= rock.row_product(static_cast<int>(k), displacement);
   }
 
 
@@ -207,26 +206,45 @@ namespace hybrid::dda
 
 
 
+  void OpenCloseIteration::update_stiffness(const Model &model, const Tangent &tangent)
+  {
+    SpringStiffness::Choice choice{tangent.follow_softening,
+                                   contact_weight(model.newmark),
+                                   tangent.all || model.n_bedrock > 0};
+    stiffness.update(springs, trial, choice);
+    if (!stiffness.changed_blocks().empty() || choice.all)
+      return;
+    // No spring is to blame that the residual does not fall: the directions may be.
+    choice.all = true;
+    stiffness.update(springs, trial, choice);
+  }
+
+
+
   void OpenCloseIteration::assemble(const Model        &model,
                                     const DdaState     &state,
                                     const BaseResponse &base,
-                                    const bool          follow_softening)
+                                    const Tangent      &tangent)
   {
     const double dt = trial.dt, beta = model.newmark.beta;
-    matrix.set_zero();
+    update_stiffness(model, tangent);
+    const std::vector<int> &rows = stiffness.changed_blocks();
 #pragma omp parallel for schedule(static)
-    for (int b = 0; b < model.n_blocks(); ++b)
+    for (std::size_t k = 0; k < rows.size(); ++k)
       {
+        const int              b = rows[k];
         const BlockProperties &p = model.blocks[b];
-        matrix.diagonal[b]       = mass[b] / (beta * dt * dt);
+        matrix.set_row_zero(b);
+        matrix.diagonal[b] = mass[b] / (beta * dt * dt);
         matrix.diagonal[b].bottomRightCorner<3, 3>() +=
           p.area * (1. + p.damping_time / dt) * p.elasticity;
+        stiffness.add_rows(springs, b, matrix);
       }
-    const double weight = contact_weight(model.newmark);
-    springs.add_stiffness(trial, {follow_softening, weight}, matrix);
+    matrix.set_nodes_zero();
+    stiffness.add_base(springs, matrix);
     if (model.n_bedrock > 0)
       add_bedrock_stiffness({model, state, trial, incoming}, matrix);
-    if (!base.prescribed && weight != 1. && springs.pushes_base())
+    if (!base.prescribed && contact_weight(model.newmark) != 1. && springs.pushes_base())
       matrix.symmetric = false;
     if (base.prescribed)
       {
@@ -241,7 +259,7 @@ namespace hybrid::dda
                   matrix.node_previous.end(),
                   Eigen::Matrix2d::Zero());
       }
-    solver.matrix_changed(matrix);
+    solver.matrix_changed(matrix, rows);
     tangent_dt      = dt;
     tangent_pattern = matrix.pattern_version();
   }
@@ -332,6 +350,8 @@ namespace hybrid::dda
 
     constexpr int    stall_window = 10;
     constexpr double stalled_part = 0.3;
+    constexpr int    whole_every  = 3; ///< of a step's tangents is made of all rows
+    int              repairs      = 0;
     double           window_start = std::numeric_limits<double>::infinity();
 
     double previous = std::numeric_limits<double>::infinity();
@@ -355,7 +375,10 @@ namespace hybrid::dda
           }
         // A kept tangent that no longer takes most of the residual away is made anew.
         if (stale || (result.iterations > 0 && result.residual > 1e-3 * previous))
-          assemble(model, state, base, result.residual <= previous);
+          {
+            const bool all = stale || ++repairs % whole_every == 0;
+            assemble(model, state, base, {result.residual <= previous, all});
+          }
         stale = false;
 
         const double               target = 0.2 * model.iteration.tolerance * reference;
@@ -394,7 +417,7 @@ namespace hybrid::dda
   void OpenCloseIteration::serialize(restart::Archive &archive)
   {
     bool is_current = tangent_pattern == matrix.pattern_version();
-    archive(matrix, tangent_dt, is_current);
+    archive(matrix, stiffness, tangent_dt, is_current);
     solver.serialize(archive, matrix);
     if (!archive.is_reading())
       return;

@@ -3,7 +3,6 @@
 #include <hybrid/dda/springs.h>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 namespace hybrid::dda
@@ -66,6 +65,10 @@ namespace hybrid::dda
 
   void Springs::sort_by_block(const int n_blocks)
   {
+    base_springs.clear();
+    for (std::size_t s = 0; s < springs.size(); ++s)
+      if (springs[s].other == base_body)
+        base_springs.push_back(static_cast<int>(s));
     block_begin.assign(n_blocks + 2, 0); // one place later while counting and filling
     const auto for_each = [&](const auto &act) {
       for (std::size_t s = 0; s < springs.size(); ++s)
@@ -337,22 +340,21 @@ namespace hybrid::dda
     for (int b = 0; b < n; ++b)
       {
         Vec6 bond = Vec6::Zero(), contact = Vec6::Zero();
-        for (int k = block_begin[b]; k < block_begin[b + 1]; ++k)
+        for (const int entry : of_block(b))
           {
-            const int       s        = block_springs[k] / 2;
+            const int       s        = entry / 2;
             const Response &response = responses[s];
             if (response.now.normal == 0. && response.now.shear == 0.)
               continue;
-            const Vec6 &force = block_springs[k] % 2 == 0 ? response.on_block : response.on_other;
+            const Vec6 &force = entry % 2 == 0 ? response.on_block : response.on_other;
             (springs[s].unilateral ? contact : bond) += force;
             absolute[b] += force.head<2>().norm();
           }
         Eigen::Map<Vec6>(bonds.data() + 6 * b) += bond;
         Eigen::Map<Vec6>(contacts.data() + 6 * b) += contact;
       }
-    for (std::size_t s = 0; s < springs.size(); ++s)
-      if (springs[s].other == base_body &&
-          (responses[s].now.normal != 0. || responses[s].now.shear != 0.))
+    for (const int s : base_springs)
+      if (responses[s].now.normal != 0. || responses[s].now.shear != 0.)
         add_force_on_base(s, springs[s].unilateral ? contacts : bonds);
   }
 
@@ -360,113 +362,9 @@ namespace hybrid::dda
 
   bool Springs::pushes_base() const
   {
-    for (std::size_t s = 0; s < springs.size(); ++s)
-      if (springs[s].unilateral && springs[s].other == base_body &&
-          responses[s].normal_by_gap != 0.)
+    for (const int s : base_springs)
+      if (springs[s].unilateral && responses[s].normal_by_gap != 0.)
         return true;
     return false;
-  }
-
-
-
-  Springs::Stiffness
-  Springs::stiffness_of(const std::size_t s, const Tangent &tangent, const Trial &trial) const
-  {
-    const double    none     = -std::numeric_limits<double>::infinity();
-    const double    floor    = tangent.follow_softening ? none : 0.;
-    const Spring   &spring   = springs[s];
-    const Response &response = responses[s];
-    const double    weight   = spring.unilateral ? tangent.contact_weight : 1.;
-    const double    length   = weight * spring.length;
-    const bool      coupled  = tangent.follow_softening || response.normal_by_gap >= 0.;
-    Stiffness       k;
-    k.nn     = length * std::max(floor, response.normal_by_gap);
-    k.tt     = length * std::max(floor, response.shear_by_slip);
-    k.tn     = coupled ? length * response.shear_by_gap : 0.;
-    k.weight = weight;
-    if (k.none())
-      return k;
-    const auto gradients = [&](const int block, Rows &rows) {
-      rows.row(0) = trial.motion[block].gradient(response.place, response.normal);
-      rows.row(1) = trial.motion[block].gradient(response.place, response.tangent);
-    };
-    gradients(spring.block, k.block);
-    if (spring.other != base_body)
-      gradients(spring.other, k.other);
-    return k;
-  }
-
-
-
-  void Springs::add_stiffness(const Trial &trial, const Tangent &tangent, BlockMatrix &matrix)
-  {
-    stiffness.resize(springs.size());
-#pragma omp parallel for schedule(static)
-    for (std::size_t s = 0; s < springs.size(); ++s)
-      stiffness[s] = stiffness_of(s, tangent, trial);
-    const int n = n_blocks();
-#pragma omp parallel for schedule(static)
-    for (int b = 0; b < n; ++b)
-      for (int k = block_begin[b]; k < block_begin[b + 1]; ++k)
-        if (!stiffness[block_springs[k] / 2].none())
-          add_rows(block_springs[k] / 2, block_springs[k] % 2, matrix);
-    for (std::size_t s = 0; s < springs.size(); ++s)
-      {
-        if (stiffness[s].tn != 0. || stiffness[s].nn < 0. || stiffness[s].tt < 0.)
-          matrix.symmetric = false;
-        if (springs[s].other == base_body && !stiffness[s].none())
-          add_base_stiffness(s, matrix);
-      }
-  }
-
-
-
-  void Springs::add_rows(const std::size_t s, const int side, BlockMatrix &matrix) const
-  {
-    // K = G^T D G with rows of G along normal and tangent; the force has the rows D G.
-    const Spring    &spring = springs[s];
-    const Stiffness &k      = stiffness[s];
-    const int        here   = side == 0 ? spring.block : spring.other;
-    const int        there  = side == 0 ? spring.other : spring.block;
-    const Rows      &g      = side == 0 ? k.block : k.other;
-    matrix.diagonal[here].noalias() += g.transpose() * k.times(g);
-    if (there == base_body)
-      return;
-    const Rows dg = k.times(side == 0 ? k.other : k.block);
-    (here < there ? matrix.off_diagonal : matrix.lower)[spring.slot[0]].noalias() -=
-      g.transpose() * dg;
-  }
-
-
-
-  void Springs::add_base_stiffness(const std::size_t s, BlockMatrix &matrix) const
-  {
-    const Spring    &spring   = springs[s];
-    const Response  &response = responses[s];
-    const Stiffness &k        = stiffness[s];
-    Eigen::Matrix2d  d;
-    d << k.nn, 0., k.tn, k.tt;
-    d /= k.weight;
-    Eigen::Matrix2d axes; // rows: normal, tangent
-    axes.row(0)                             = response.normal;
-    axes.row(1)                             = response.tangent;
-    const Eigen::Matrix2d             nodal = axes.transpose() * d * axes;
-    const Eigen::Matrix<double, 6, 2> right = k.weight * k.block.transpose() * d * axes;
-    const Rows                        left  = axes.transpose() * d * k.block;
-    for (int i = 0; i < 2; ++i)
-      {
-        const double w = response.weight[i];
-        if (w == 0.)
-          continue;
-        matrix.block_node[spring.slot[i]] -= w * right;
-        matrix.node_block[spring.slot[i]] -= w * left;
-        matrix.node_diagonal[spring.node[i]] += w * w * nodal;
-      }
-    if (spring.node[1] == spring.node[0] + 1)
-      {
-        const double w = response.weight[0] * response.weight[1];
-        matrix.node_next[spring.node[0]] += w * nodal;
-        matrix.node_previous[spring.node[0]] += w * nodal;
-      }
   }
 } // namespace hybrid::dda

@@ -40,23 +40,31 @@ namespace hybrid::dda
 
 
 
-  void SweptSystem::set(const BlockMatrix &block_matrix, const BaseBand &base_band)
+  void SweptSystem::set(const BlockMatrix      &block_matrix,
+                        const BaseBand         &base_band,
+                        const std::vector<int> &blocks)
   {
     const bool same = matrix == &block_matrix && version == block_matrix.pattern_version();
     matrix          = &block_matrix;
     base            = &base_band;
     if (!same)
       order_rows();
-    const int n = matrix->n_blocks();
+    const int n = same ? static_cast<int>(blocks.size()) : matrix->n_blocks();
 #pragma omp parallel for schedule(static)
-    for (int p = 0; p < n; ++p)
-      {
-        inverse_diagonal[p] = inverse(matrix->diagonal[order.block[p]]);
-        weight.segment<6>(6 * order.block[p]) = matrix->diagonal[order.block[p]].diagonal();
-        for (int k = row_begin[p]; k < row_begin[p + 1]; ++k)
-          entry[k] = slot[k] >= 0 ? matrix->off_diagonal[slot[k]] : matrix->lower[~slot[k]];
-      }
+    for (int k = 0; k < n; ++k)
+      set_row(same ? blocks[k] : order.block[k]);
     weight.tail(2 * matrix->n_nodes()) = base->diagonal(2 * matrix->n_nodes());
+  }
+
+
+
+  void SweptSystem::set_row(const int block)
+  {
+    const int p                  = order.place[block];
+    inverse_diagonal[p]          = inverse(matrix->diagonal[block]);
+    weight.segment<6>(6 * block) = matrix->diagonal[block].diagonal();
+    for (int k = row_begin[p]; k < row_begin[p + 1]; ++k)
+      entry[k] = slot[k] >= 0 ? matrix->off_diagonal[slot[k]] : matrix->lower[~slot[k]];
   }
 
 

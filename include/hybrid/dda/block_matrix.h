@@ -35,6 +35,12 @@ namespace hybrid::dda
 
     void set_zero();
 
+    /// Entries between block i and blocks in the row of i, as set_zero() does for all.
+    void set_row_zero(int i);
+
+    /// Entries of nodes in all rows and columns; and take the matrix for symmetric.
+    void set_nodes_zero();
+
     /// Slot of the pair (i, j) in off_diagonal, i < j; -1 if it is not in the pattern.
     int block_slot(int i, int j) const;
 

@@ -52,8 +52,9 @@ namespace hybrid::dda
       swept.set_slices(slice_of_block);
     }
 
-    /// The matrix has changed: a sparse factor may be kept.
-    void matrix_changed(const BlockMatrix &matrix);
+    /// The matrix has changed in the rows of these blocks and in any of nodes: a sparse factor may
+    /// be kept.
+    void matrix_changed(const BlockMatrix &matrix, const std::vector<int> &blocks);
 
     /// What is kept from one step to the next, for the checkpoint; after the matrix.
     void serialize(restart::Archive &archive, const BlockMatrix &matrix);

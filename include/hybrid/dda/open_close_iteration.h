@@ -3,6 +3,7 @@
 
 #include <hybrid/dda/base_response.h>
 #include <hybrid/dda/linear_solver.h>
+#include <hybrid/dda/spring_stiffness.h>
 #include <hybrid/dda/springs.h>
 
 #include <limits>
@@ -67,6 +68,7 @@ namespace hybrid::dda
 
   private:
     Springs           springs;
+    SpringStiffness   stiffness;
     BlockMatrix       matrix;
     LinearSolver      solver;
     Trial             trial;
@@ -108,10 +110,20 @@ namespace hybrid::dda
 
     void add_edge_loads(const Model &model, const DdaState &state);
 
+    /// What a tangent is made of.
+    struct Tangent
+    {
+      bool follow_softening; ///< of joints, see SpringStiffness
+      bool all;              ///< rows, not only those of springs that have changed
+    };
+
     void assemble(const Model        &model,
                   const DdaState     &state,
                   const BaseResponse &base,
-                  bool                follow_softening);
+                  const Tangent      &tangent);
+
+    /// Choose the springs and rows to be made anew.
+    void update_stiffness(const Model &model, const Tangent &tangent);
 
     /// Move the trial along the update, as far as the residual allows: a contact that locks, closes
     /// or slides back on the way would otherwise make the iteration cycle. Returns the residual

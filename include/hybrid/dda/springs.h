@@ -89,19 +89,42 @@ namespace hybrid::dda
     /// Add the force of one spring on its blocks or base nodes.
     void add_force(std::size_t number, Eigen::VectorXd &forces) const;
 
-    /// How add_stiffness() works.
-    struct Tangent
-    {
-      /// Without, falling branches count as flat: less exact, but never indefinite.
-      bool follow_softening = true;
-      /// Weight of unilateral springs in the rows of blocks; base nodes feel the force itself [-].
-      double contact_weight = 1.;
-    };
-
-    void add_stiffness(const Trial &trial, const Tangent &tangent, BlockMatrix &matrix);
-
     /// True if a unilateral spring presses on the base.
     bool pushes_base() const;
+
+    int n_blocks() const
+    {
+      return static_cast<int>(block_begin.size()) - 2;
+    }
+
+    /// A part of a list.
+    struct Range
+    {
+      const int *first, *last;
+
+      const int *begin() const
+      {
+        return first;
+      }
+
+      const int *end() const
+      {
+        return last;
+      }
+    };
+
+    /// Springs of a block: twice the spring's number, plus 1 if the block is its other.
+    Range of_block(const int block) const
+    {
+      return {block_springs.data() + block_begin[block],
+              block_springs.data() + block_begin[block + 1]};
+    }
+
+    /// Springs between a block and the base, ascending.
+    const std::vector<int> &on_base() const
+    {
+      return base_springs;
+    }
 
     std::vector<Spring>   springs;
     std::vector<Response> responses;
@@ -111,50 +134,13 @@ namespace hybrid::dda
 
     void collect_contacts(const Model &model, const DdaState &state);
 
-    /// List the springs of each block.
+    /// List the springs of each block and of the base.
     void sort_by_block(int n_blocks);
 
     /// Generalised forces of one spring on its bodies.
     void set_forces(const Trial &trial, std::size_t s);
 
-    using Rows = Eigen::Matrix<double, 2, 6>; ///< along normal and tangent
-
-    /// Stiffness of one spring in a trial.
-    struct Stiffness
-    {
-      double nn, tt, tn;   ///< normal, shear, shear by gap, times the contact's weight [N/m]
-      double weight;       ///< in the rows of blocks [-]
-      Rows   block, other; ///< derivatives of the displacements of both sides
-
-      bool none() const
-      {
-        return nn == 0. && tt == 0. && tn == 0.;
-      }
-
-      /// D G of gradients G.
-      Rows times(const Rows &gradient) const
-      {
-        Rows product;
-        product.row(0) = nn * gradient.row(0);
-        product.row(1) = tn * gradient.row(0) + tt * gradient.row(1);
-        return product;
-      }
-    };
-
-    Stiffness stiffness_of(std::size_t s, const Tangent &tangent, const Trial &trial) const;
-
-    /// Rows of one side of a spring: its first block (@p side 0) or the other.
-    void add_rows(std::size_t s, int side, BlockMatrix &matrix) const;
-
-    /// Rows and columns of base nodes of one spring.
-    void add_base_stiffness(std::size_t s, BlockMatrix &matrix) const;
-
     void add_force_on_base(std::size_t s, Eigen::VectorXd &forces) const;
-
-    int n_blocks() const
-    {
-      return static_cast<int>(block_begin.size()) - 2;
-    }
 
     void
     evaluate_joint(const Model &model, const DdaState &state, const Trial &trial, std::size_t s);
@@ -162,8 +148,8 @@ namespace hybrid::dda
     void evaluate_contact(const DdaState &state, const Trial &trial, std::size_t s);
 
     std::vector<BlockMatrix::Pair> block_pairs, node_pairs; ///< of these springs
-    std::vector<Stiffness>         stiffness;               ///< of all springs, while it is added
     std::vector<int>               block_begin;             ///< CSR over blocks of block_springs
-    std::vector<int> block_springs; ///< twice the spring's number, plus 1 if the block is its other
+    std::vector<int>               block_springs;           ///< of_block(), one after the other
+    std::vector<int>               base_springs;            ///< on_base()
   };
 } // namespace hybrid::dda

@@ -32,9 +32,11 @@ namespace hybrid::dda
     /// blocks: one.
     void set_slices(const std::vector<int> &slice_of_block);
 
-    /// The matrix has changed: copy it in the order of the sweeps and invert the diagonal blocks.
-    /// Both arguments must outlive the use.
-    void set(const BlockMatrix &block_matrix, const BaseBand &base_band);
+    /// The matrix has changed in the rows of these blocks: copy them in the order of the sweeps and
+    /// invert their diagonal blocks; all rows where another matrix or pattern was set before.
+    /// Matrix and base must outlive the use.
+    void
+    set(const BlockMatrix &block_matrix, const BaseBand &base_band, const std::vector<int> &blocks);
 
     /// y = \hat A x.
     void multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y);
@@ -74,6 +76,10 @@ namespace hybrid::dda
     Eigen::VectorXd    place;            ///< (D + U)^-1 D x
 
     void order_rows();
+
+    /// Copy one row.
+    void set_row(int block);
+
 
     /// Entries @p first to @p last of a row times x.
     Vec6 product(int first, int last, const Eigen::VectorXd &x) const;

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include <Eigen/LU>
 
 namespace
@@ -25,6 +27,13 @@ namespace
     return s;
   }
 
+  std::vector<int> all_blocks(const BlockMatrix &matrix)
+  {
+    std::vector<int> blocks(matrix.n_blocks());
+    std::iota(blocks.begin(), blocks.end(), 0);
+    return blocks;
+  }
+
   /// Solve and compare with a dense factorisation.
   LinearSolver::Result check(LinearSolver &solver, BlockMatrix &matrix, const Eigen::MatrixXd *base)
   {
@@ -35,7 +44,7 @@ namespace
     const Eigen::VectorXd scale = Eigen::VectorXd::Ones(matrix.size());
     Eigen::VectorXd       x;
     solver.set_base_stiffness(base);
-    solver.matrix_changed(matrix);
+    solver.matrix_changed(matrix, all_blocks(matrix));
     const LinearSolver::Result result = solver.solve(matrix, b, scale, 1e-12 * b.norm(), x);
     EXPECT_TRUE(result.converged);
     const Eigen::VectorXd expected = full.lu().solve(b);
@@ -61,7 +70,7 @@ TEST(LinearSolver, no_right_hand_side_no_iterations)
 {
   BlockMatrix  m = random_block_matrix(3, 0);
   LinearSolver solver;
-  solver.matrix_changed(m);
+  solver.matrix_changed(m, all_blocks(m));
   Eigen::VectorXd            x;
   const Eigen::VectorXd      zero = Eigen::VectorXd::Zero(18), one = Eigen::VectorXd::Ones(18);
   const LinearSolver::Result result = solver.solve(m, zero, one, 1e-12, x);

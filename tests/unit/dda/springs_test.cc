@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "block_scenes.h"
-
-#include <hybrid/dda/springs.h>
+#include "spring_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -12,99 +10,14 @@ namespace
   using namespace hybrid;
   using namespace hybrid::dda;
   using namespace hybrid::test;
-
-  /// Two squares side by side on a base of three segments, bonded to each other or not.
-  struct Scene
-  {
-    Model    model;
-    DdaState state;
-    Springs  springs;
-    Trial    trial;
-
-    explicit Scene(const bool bonded, const double damping_ratio = 0.)
-    {
-      scene::SceneParameters p             = block_parameters(85.); // nothing slides
-      p.materials["rock"].cohesion         = 1e9;
-      p.materials["rock"].tensile_strength = 1e9;
-      p.blocks.bonded                      = bonded;
-      p.blocks.damping_ratio               = damping_ratio;
-      model = build_model(square_blocks(2, 1), p, straight_base(0., 0.3, 2.3, 3));
-      state = initial_state(model);
-      for (int v = 0; v < 8; ++v) // corners 0, 1 of both blocks stand on the base
-        if (v % 4 < 2)
-          {
-            const double x = state.geometry.vertices[v].x(), s = (x + 0.3) / 2.6 * 3.;
-            const int    segment = std::min(2, static_cast<int>(s));
-            state.contacts.push_back(
-              {state.geometry.block_of[v], v, base_body, segment, s - segment});
-          }
-      if (!bonded) // a corner of the second block in the side of the first
-        {
-          state.geometry.vertices[7].y() -= 0.25;
-          state.contacts.push_back({1, 7, 0, 1, 0.75});
-        }
-      springs.collect(model, state);
-      trial.dt = 1e-3;
-      trial.increment.assign(2, Vec6::Zero());
-      trial.rate.assign(2, Vec6::Zero());
-      trial.base = Eigen::VectorXd::Zero(8);
-    }
-
-    void move(const Eigen::VectorXd &d)
-    {
-      trial.motion.clear();
-      trial.displacement.resize(8);
-      for (int b = 0; b < 2; ++b)
-        {
-          trial.increment[b] = d.segment<6>(6 * b);
-          trial.motion.emplace_back(state.blocks[b].centroid, trial.increment[b]);
-          for (int v = 4 * b; v < 4 * b + 4; ++v)
-            trial.displacement[v] = trial.motion[b].displacement(state.geometry.vertices[v]);
-        }
-      trial.base = d.tail(8);
-      springs.evaluate(model, state, trial);
-    }
-
-    Eigen::VectorXd forces(const Eigen::VectorXd &d)
-    {
-      move(d);
-      Eigen::VectorXd f = Eigen::VectorXd::Zero(20), absolute = Eigen::VectorXd::Zero(2);
-      springs.add_forces(f, f, absolute);
-      return f;
-    }
-
-    double energy(const Eigen::VectorXd &d)
-    {
-      move(d);
-      double sum = 0.;
-      for (std::size_t s = 0; s < springs.springs.size(); ++s)
-        {
-          const SpringState &now = springs.responses[s].now;
-          sum += springs.springs[s].length *
-                 springs.springs[s].law->stored_energy({now.gap, now.slip}, now.history);
-        }
-      return sum;
-    }
-  };
-
-
-
-  /// A small displacement that presses the blocks onto the base and onto one another.
-  Eigen::VectorXd pressing(const double size)
-  {
-    Eigen::VectorXd d(20);
-    d << 0.6, -1., 0.2, 0.1, -0.1, 0.2, -0.5, -1.2, -0.1, 0.1, 0.2, -0.1, 0.02, 0.05, -0.03, 0.02,
-      0.04, 0.03, 0.01, -0.05;
-    return size * d;
-  }
 } // namespace
 
 
 
 TEST(Springs, every_joint_end_and_every_contact_is_one_spring)
 {
-  EXPECT_EQ(Scene(true).springs.springs.size(), 2u + 4u);
-  EXPECT_EQ(Scene(false).springs.springs.size(), 5u);
+  EXPECT_EQ(SpringScene(true).springs.springs.size(), 2u + 4u);
+  EXPECT_EQ(SpringScene(false).springs.springs.size(), 5u);
 }
 
 
@@ -112,7 +25,8 @@ TEST(Springs, every_joint_end_and_every_contact_is_one_spring)
 TEST(Springs, no_displacement_no_force)
 {
   for (const bool bonded : {true, false})
-    EXPECT_LT(Scene(bonded).forces(Eigen::VectorXd::Zero(20)).norm(), 1e-5); // N; k is 1e9 N/m
+    EXPECT_LT(SpringScene(bonded).forces(Eigen::VectorXd::Zero(20)).norm(),
+              1e-5); // N; k is 1e9 N/m
 }
 
 
@@ -122,7 +36,7 @@ TEST(Springs, action_equals_reaction_in_force_and_moment)
   for (const bool bonded : {true, false})
     for (const double damping : {0., 0.05})
       {
-        Scene scene(bonded, damping);
+        SpringScene scene(bonded, damping);
         scene.trial.rate[0] << 0.1, -0.2, 0.3, 0.1, 0.2, 0.1;
         const Eigen::VectorXd f      = scene.forces(pressing(1e-5));
         Vec2                  sum    = Vec2::Zero();
@@ -156,7 +70,7 @@ TEST(Springs, forces_are_the_gradient_of_the_stored_energy)
 {
   for (const bool bonded : {true, false})
     {
-      Scene                 scene(bonded);
+      SpringScene           scene(bonded);
       const Eigen::VectorXd d = pressing(1e-6), f = scene.forces(d);
       for (int i = 0; i < 20; ++i)
         {
@@ -172,43 +86,9 @@ TEST(Springs, forces_are_the_gradient_of_the_stored_energy)
 
 
 
-TEST(Springs, tangent_is_the_derivative_of_the_forces)
-{
-  for (const bool bonded : {true, false})
-    for (const double damping : {0., 0.05})
-      {
-        Scene                 scene(bonded, damping);
-        const Eigen::VectorXd d = pressing(1e-6);
-        scene.move(d);
-        BlockMatrix matrix;
-        scene.springs.connect(scene.model, matrix);
-        matrix.set_zero();
-        scene.springs.add_stiffness(scene.trial, {}, matrix);
-        Eigen::VectorXd column(20);
-        for (int i = 0; i < 20; ++i)
-          {
-            const double    h    = 1e-8;
-            Eigen::VectorXd plus = d, minus = d;
-            plus[i] += h;
-            minus[i] -= h;
-            const Eigen::VectorXd difference =
-              -(scene.forces(plus) - scene.forces(minus)) / (2. * h);
-            matrix.multiply(Eigen::VectorXd::Unit(20, i), column);
-            // damping with the step's own rate would add a moving-base term
-            const int rows = damping > 0. ? 12 : 20;
-            if (damping == 0. || i < 12)
-              {
-                EXPECT_LT((column - difference).head(rows).norm(), 1e-4 * column.norm()) << i;
-              }
-          }
-      }
-}
-
-
-
 TEST(Springs, damping_resists_the_rate)
 {
-  Scene           scene(true, 0.05);
+  SpringScene     scene(true, 0.05);
   Eigen::VectorXd d       = Eigen::VectorXd::Zero(20);
   d[6]                    = 1e-6; // the second block moves away from the first [m]
   const Eigen::VectorXd f = scene.forces(d);
@@ -222,7 +102,7 @@ TEST(Springs, damping_resists_the_rate)
 
 TEST(Springs, rigid_rotation_of_a_bonded_pair_gives_no_force)
 {
-  Scene           scene(true);
+  SpringScene     scene(true);
   const double    angle = 0.01;
   Eigen::VectorXd d     = Eigen::VectorXd::Zero(20);
   const Vec2      pivot(1., 0.5);
@@ -244,8 +124,8 @@ TEST(Springs, contacts_do_not_depend_on_the_place_in_the_section)
 {
   // Far from the origin the gap keeps its digits: forces differ by the round-off of the places
   // only.
-  Scene      near(false), far(false);
-  const Vec2 offset(512., 256.);
+  SpringScene near(false), far(false);
+  const Vec2  offset(512., 256.);
   for (Vec2 &x : far.state.geometry.vertices)
     x += offset;
   for (Vec2 &x : far.state.geometry.base_nodes)

@@ -70,7 +70,7 @@ namespace
     base.matrix_changed(m);
     SweptSystem swept;
     swept.set_slices(slice);
-    swept.set(m, base);
+    swept.set(m, base, {});
     const Parts           parts(m, stiffness, slice);
     const Eigen::MatrixXd forward = parts.diagonal + parts.lower;
     const Eigen::MatrixXd back    = (parts.diagonal + parts.upper).lu().solve(parts.diagonal);
@@ -147,7 +147,7 @@ TEST(SweptSystem, any_number_of_threads_gives_the_same_bits)
   base.matrix_changed(m);
   SweptSystem swept;
   swept.set_slices(two_slices());
-  swept.set(m, base);
+  swept.set(m, base, {});
   const Eigen::VectorXd x = Eigen::VectorXd::Random(m.size());
   Eigen::VectorXd       one(m.size()), two(m.size());
   const int             threads = omp_get_max_threads();
