@@ -6,7 +6,7 @@
 namespace hybrid::scene
 {
   /**
-   * Refuse a geometry whose mesh would take gmsh, and then the solver, hours: more than five
+   * Refuse a geometry whose mesh would take gmsh, and then the solver, hours: more than two
    * million cells. To be called in a session of gmsh whose curves are meshed and whose surfaces are
    * not.
    *
