@@ -187,7 +187,6 @@ namespace hybrid::continuum
     state.velocity.assign(n, 0.);
     state.acceleration.assign(n, 0.);
     state.surface_force.assign(2 * impl->surface.size(), 0.);
-    state.surface_jerk.assign(2 * impl->surface.size(), 0.);
     if (impl->slip != nullptr)
       state.slip = impl->slip->initial_state();
     return state;

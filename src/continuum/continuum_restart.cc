@@ -35,9 +35,8 @@ namespace hybrid::continuum
 
   void serialize(Archive &archive, ContinuumState &state)
   {
-    auto &[time, displacement, velocity, acceleration, force, jerk, time_step, slip, energy] =
-      state;
-    archive(time, displacement, velocity, acceleration, force, jerk, time_step, slip, energy);
+    auto &[time, displacement, velocity, acceleration, force, time_step, slip, energy] = state;
+    archive(time, displacement, velocity, acceleration, force, time_step, slip, energy);
   }
 
 

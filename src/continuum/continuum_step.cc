@@ -203,12 +203,6 @@ namespace hybrid::continuum
     if (slip != nullptr)
       add_slip_energy(state);
 
-    state.surface_jerk.resize(2 * surface.size());
-    for (std::size_t k = 0; k < state.surface_jerk.size(); ++k)
-      {
-        const int i           = 2 * surface[k / 2] + static_cast<int>(k % 2);
-        state.surface_jerk[k] = (a1[i] - state.acceleration[i]) / dt;
-      }
     std::copy(u1.begin(), u1.end(), state.displacement.begin());
     std::copy(v1.begin(), v1.end(), state.velocity.begin());
     std::copy(a1.begin(), a1.end(), state.acceleration.begin());
@@ -247,8 +241,6 @@ namespace hybrid::continuum
         const int i = 2 * impl->surface[k / 2] + static_cast<int>(k % 2);
         displacement[k] =
           state.displacement[i] + dt * state.velocity[i] + 0.5 * dt * dt * state.acceleration[i];
-        if (!state.surface_jerk.empty())
-          displacement[k] += impl->newmark.guess_by_jerk(dt) * state.surface_jerk[k];
       }
   }
 

@@ -5,24 +5,8 @@
 
 #include <Eigen/Cholesky>
 
-#include <limits>
-
 namespace hybrid::dda
 {
-  namespace
-  {
-    /// Change of an acceleration a = (d - d*) / (beta dt^2), zero where it is but round-off of its
-    /// first term @p by_displacement: a guess made from that would feed it from step to step.
-    Vec6 significant_change(const Vec6 &from, const Vec6 &to, const Vec6 &by_displacement)
-    {
-      constexpr double round_off = 16. * std::numeric_limits<double>::epsilon();
-      const Vec6       change    = to - from;
-      return (change.array().abs() > round_off * by_displacement.array().abs()).select(change, 0.);
-    }
-  } // namespace
-
-
-
   void OpenCloseIteration::hand_over_contacts(const Model &model, DdaState &state) const
   {
     const int       n = model.n_blocks();
@@ -77,10 +61,6 @@ namespace hybrid::dda
         block.velocity = rotated_rates(trial.rate[b], move.cosine, move.sine);
         block.strain_rate =
           rotated_rates(trial.increment[b] / dt, move.cosine, move.sine).tail<3>();
-        const Vec6 change = significant_change(block.acceleration - block.contact_acceleration,
-                                               acceleration[b],
-                                               trial.increment[b] / (model.newmark.beta * dt * dt));
-        block.jerk        = rotated_rates(change / dt, move.cosine, move.sine);
         block.acceleration =
           rotated_rates(acceleration[b] + contact_acceleration[b], move.cosine, move.sine);
         block.stress =

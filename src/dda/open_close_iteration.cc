@@ -49,8 +49,7 @@ namespace hybrid::dda
         mass[b]                 = mass_matrix(model.blocks[b], block.rotation);
         predicted[b]            = dt * v + dt * dt * (0.5 - beta) * a;
         predicted_rate[b]       = v + dt * (1. - gamma) * a;
-        trial.increment[b]      = dt * v + 0.5 * dt * dt * block.acceleration +
-                             model.newmark.guess_by_jerk(dt) * block.jerk;
+        trial.increment[b]      = dt * v + 0.5 * dt * dt * block.acceleration; // as if all stays
         scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
       }
     assert(base.displacement.size() == 2 * m);

@@ -41,16 +41,9 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, BlockState &block)
   {
-    auto &[centroid,
-           rotation,
-           velocity,
-           acceleration,
-           contact_acceleration,
-           stress,
-           strain_rate,
-           jerk] = block;
-    archive(
-      centroid, rotation, velocity, acceleration, contact_acceleration, stress, strain_rate, jerk);
+    auto &[centroid, rotation, velocity, acceleration, contact_acceleration, stress, strain_rate] =
+      block;
+    archive(centroid, rotation, velocity, acceleration, contact_acceleration, stress, strain_rate);
   }
 
 

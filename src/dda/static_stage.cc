@@ -27,7 +27,6 @@ namespace hybrid::dda
           block.acceleration.setZero();
           block.contact_acceleration.setZero();
           block.strain_rate.setZero();
-          block.jerk.setZero();
         }
     }
 

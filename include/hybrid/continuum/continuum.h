@@ -36,17 +36,15 @@ namespace hybrid::continuum
   /// All mutable state of the continuum: copied for roll-back, written for restart.
   struct ContinuumState
   {
-    double              time = 0.;     ///< [s]
-    std::vector<double> displacement;  ///< u [m], all unknowns, free-field columns last; increment
-                                       ///< since the static state
-    std::vector<double> velocity;      ///< v [m/s]
-    std::vector<double> acceleration;  ///< a [m/s2]
-    std::vector<double> surface_force; ///< lambda of the last step [N/m]; empty: zero
-    std::vector<double> surface_jerk;  ///< change of the surface's acceleration over the last step
-                                       ///< [m/s3]: for the first guess of the next; empty: zero
-    double          time_step = 0.;    ///< of the last step [s]; 0: none yet
-    SlipState       slip;              ///< of bedding planes
-    ContinuumEnergy energy;
+    double              time = 0.;      ///< [s]
+    std::vector<double> displacement;   ///< u [m], all unknowns, free-field columns last; increment
+                                        ///< since the static state
+    std::vector<double> velocity;       ///< v [m/s]
+    std::vector<double> acceleration;   ///< a [m/s2]
+    std::vector<double> surface_force;  ///< lambda of the last step [N/m]; empty: zero
+    double              time_step = 0.; ///< of the last step [s]; 0: none yet
+    SlipState           slip;           ///< of bedding planes
+    ContinuumEnergy     energy;
   };
 
   // All members, for the checkpoint (restart/archive.h).
@@ -102,8 +100,7 @@ namespace hybrid::continuum
     /// Forward substitution of the step from @p state to state.time + dt. @return g [N/m].
     const Eigen::VectorXd &predict(const ContinuumState &state, double dt);
 
-    /// Where the surface would be after @p dt if its acceleration went on to change as it did: a
-    /// first guess of u_G [m].
+    /// Where the surface would be after @p dt with constant acceleration: a first guess of u_G [m].
     void extrapolate_surface(const ContinuumState &state,
                              double                dt,
                              Eigen::VectorXd      &displacement) const;

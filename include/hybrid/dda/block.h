@@ -43,8 +43,6 @@ namespace hybrid::dda
     Eigen::Vector3d stress =
       Eigen::Vector3d::Zero(); ///< elastic (xx, yy, xy) [Pa], tension positive
     Eigen::Vector3d strain_rate = Eigen::Vector3d::Zero(); ///< mean of the last step [1/s]
-    Vec6 jerk = Vec6::Zero(); ///< change of the acceleration without contacts over the last step,
-                              ///< per second: for the first guess of the next step
   };
 
 

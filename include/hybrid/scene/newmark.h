@@ -16,15 +16,6 @@ namespace hybrid
     double beta  = 0.3025; ///< [-]
     double gamma = 0.6;    ///< [-], >= 1/2; above 1/2 it damps high frequencies
 
-    /// First guess of a step: factor of the acceleration's last change per second in u1, if most of
-    /// it goes on [s3]. With all of it, what a step leaves uncorrected, being below the
-    /// tolerance, would grow: a1 = a0 + p (a0 - a_old) has the roots 1 and p.
-    double guess_by_jerk(double dt) const
-    {
-      constexpr double part = 0.9;
-      return part * beta * dt * dt * dt;
-    }
-
     /**
      * Named presets: "dissipative" gamma = 0.6, beta = (gamma + 1/2)^2 / 4 (the default);
      * "trapezoidal" (1/4, 1/2); "shi" (1/2, 1), the constant-acceleration scheme of Shi (1988).

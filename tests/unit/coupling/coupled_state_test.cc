@@ -21,7 +21,6 @@ namespace hybrid::coupling
       rock.velocity                = {5., 6.};
       rock.acceleration            = {7., 8., 9.};
       rock.surface_force           = {10.};
-      rock.surface_jerk            = {14.};
       rock.time_step               = 11.;
       rock.slip.jump               = {12.};
       rock.slip.path               = {13.};
@@ -45,7 +44,6 @@ namespace hybrid::coupling
       EXPECT_EQ(copy.continuum.velocity, rock.velocity);
       EXPECT_EQ(copy.continuum.acceleration, rock.acceleration);
       EXPECT_EQ(copy.continuum.surface_force, rock.surface_force);
-      EXPECT_EQ(copy.continuum.surface_jerk, rock.surface_jerk);
       EXPECT_EQ(copy.continuum.time_step, 11.);
       EXPECT_EQ(copy.continuum.slip.jump, rock.slip.jump);
       EXPECT_EQ(copy.continuum.slip.path, rock.slip.path);

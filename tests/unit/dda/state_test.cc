@@ -34,7 +34,6 @@ namespace hybrid::dda
       block.contact_acceleration = Vec6::LinSpaced(16., 21.);
       block.stress               = {22., 23., 24.};
       block.strain_rate          = {25., 26., 27.};
-      block.jerk                 = Vec6::LinSpaced(28., 33.);
       const BlockState copy      = copied(block);
       EXPECT_EQ(copy.centroid, block.centroid);
       EXPECT_EQ(copy.rotation, block.rotation);
@@ -43,7 +42,6 @@ namespace hybrid::dda
       EXPECT_EQ(copy.contact_acceleration, block.contact_acceleration);
       EXPECT_EQ(copy.stress, block.stress);
       EXPECT_EQ(copy.strain_rate, block.strain_rate);
-      EXPECT_EQ(copy.jerk, block.jerk);
     }
 
 
