@@ -116,11 +116,11 @@ namespace hybrid::dda
         const Springs::Spring   &spring   = springs.springs[renewed[k]];
         const Springs::Response &response = springs.responses[renewed[k]];
         Kept                    &now      = kept[renewed[k]];
-        now.block     = spring.block;
-        now.other     = spring.other;
-        now.joint     = spring.joint;
-        now.end       = spring.end;
-        now.stiffness = coefficients(spring, response, choice);
+        now.block                         = spring.block;
+        now.other                         = spring.other;
+        now.joint                         = spring.joint;
+        now.end                           = spring.end;
+        now.stiffness                     = coefficients(spring, response, choice);
         now.of_block.setZero();
         now.of_other.setZero();
         if (now.stiffness.none())
