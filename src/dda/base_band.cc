@@ -176,15 +176,15 @@ namespace hybrid::dda
 
 
 
-  Eigen::VectorXd BaseBand::diagonal(const int n) const
+  void BaseBand::diagonal(Eigen::Ref<Eigen::VectorXd> d) const
   {
+    d.setOnes();
     if (source == nullptr)
-      return Eigen::VectorXd::Ones(n);
-    Eigen::VectorXd result = band.row(0);
+      return;
+    d = band.row(0).transpose();
     if (joined)
       for (std::size_t k = 0; k < own.size(); ++k)
-        result.segment<2>(2 * k) += own[k].diagonal();
-    return result;
+        d.segment<2>(2 * k) += own[k].diagonal();
   }
 
 

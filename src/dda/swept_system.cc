@@ -53,7 +53,7 @@ namespace hybrid::dda
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < n; ++k)
       set_row(same ? blocks[k] : order.block[k]);
-    weight.tail(2 * matrix->n_nodes()) = base->diagonal(2 * matrix->n_nodes());
+    base->diagonal(weight.tail(2 * matrix->n_nodes()));
   }
 
 

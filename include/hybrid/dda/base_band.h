@@ -39,8 +39,8 @@ namespace hybrid::dda
     /// y += sign P x for n entries.
     void add_nodes(const double *x, double *y, double sign) const;
 
-    /// Diagonal of S + P (n entries); of the unit matrix without a base.
-    Eigen::VectorXd diagonal(int n) const;
+    /// @param d receives the diagonal of S + P; that of the unit matrix without a base.
+    void diagonal(Eigen::Ref<Eigen::VectorXd> d) const;
 
     /// x = (S + P)^-1 x for n entries; without a base x stays.
     void solve(double *x) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/geometry_check.h>
 
+#include "rigid_scene.h"
 #include "temporary_files.h"
 
 namespace hybrid::scene::test
@@ -38,15 +39,6 @@ namespace hybrid::scene::test
         }
       mesh.blocks.push_back(block);
       mesh.block_region.push_back(0);
-    }
-
-
-    SceneParameters rigid_scene()
-    {
-      SceneParameters scene;
-      scene.continuum_model = ContinuumModel::none;
-      scene.bedrock         = BedrockModel::rigid;
-      return scene;
     }
 
 

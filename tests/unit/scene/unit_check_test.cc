@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/unit_check.h>
 
+#include "rigid_scene.h"
 #include "temporary_files.h"
 
 namespace hybrid::scene::test
@@ -17,15 +18,6 @@ namespace hybrid::scene::test
       for (Vec2 &x : mesh.nodes)
         x *= scale;
       return mesh;
-    }
-
-
-    SceneParameters rigid_scene()
-    {
-      SceneParameters scene;
-      scene.continuum_model = ContinuumModel::none;
-      scene.bedrock         = BedrockModel::rigid;
-      return scene;
     }
 
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/scene/scene_parameters.h>
+
+namespace hybrid::scene::test
+{
+  /// Nothing but a rigid base.
+  inline SceneParameters rigid_scene()
+  {
+    SceneParameters scene;
+    scene.continuum_model = ContinuumModel::none;
+    scene.bedrock         = BedrockModel::rigid;
+    return scene;
+  }
+} // namespace hybrid::scene::test
