@@ -2,6 +2,7 @@
 #include <hybrid/coupling/block_bedrock.h>
 #include <hybrid/coupling/condensed_base.h>
 #include <hybrid/coupling/rigid_base.h>
+#include <hybrid/dda/bedding_rest.h>
 #include <hybrid/dda/bedrock_blocks.h>
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/model_builder.h>
@@ -186,6 +187,7 @@ namespace hybrid
         scene.environment.gravity == 0. || !scene.blocks.enabled)
       {
         state.blocks.energy = dda::held_energy(*blocks, state.blocks);
+        stress_planes();
         return;
       }
     settled = dda::settle(*blocks,
@@ -197,13 +199,29 @@ namespace hybrid
         state.blocks.static_force +
           dda::water_on_surface(blocks->water, blocks->initial.base_nodes),
         scene.environment.gravity));
+    stress_planes();
+  }
+
+
+
+  void Simulation::stress_planes()
+  {
+    if (!scene.has_bedrock_blocks() || !scene.bedding.slips)
+      return;
+    const bool settles =
+      !scene.blocks.enabled || scene.environment.static_stage != scene::StaticStage::none;
+    const auto rest = dda::stress_bedding_planes(*blocks,
+                                                 scene.bedding,
+                                                 settles && scene.environment.gravity > 0.,
+                                                 state.blocks);
+    report_planes({rest.equilibrium, rest.slipping, rest.open, rest.largest, rest.where});
   }
 
 
 
   void Simulation::report_planes(const continuum::StaticSlip &planes) const
   {
-    if (continuum->slipping_planes().empty())
+    if (!scene.bedding.slips || scene.bedding.names.empty())
       return;
     char text[200];
     std::snprintf(text,

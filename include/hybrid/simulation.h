@@ -79,6 +79,9 @@ namespace hybrid
 
     void settle();
 
+    /// Tractions at rest of planes that may slip in a bedrock of blocks.
+    void stress_planes();
+
     void report_static_stage() const;
     void report_planes(const continuum::StaticSlip &planes) const;
 

@@ -133,8 +133,13 @@ namespace hybrid::dda
 
           before += spring.length * stored_before;
           energy.springs += spring.length * stored;
-          energy.friction_loss += spring.length * friction;
-          energy.fracture_loss += spring.length * fracture;
+          if (spring.joint >= 0 && step.model.joints[spring.joint].kind == JointKind::bedding)
+            energy.bedding_loss += spring.length * (friction + fracture);
+          else
+            {
+              energy.friction_loss += spring.length * friction;
+              energy.fracture_loss += spring.length * fracture;
+            }
           energy.damping_loss += spring.length * (elastic - work - friction);
           energy.integration_loss +=
             spring.length * (-elastic - (stored - stored_before) - fracture);

@@ -22,9 +22,9 @@ namespace hybrid::dda
       base_at[{g.base_nodes[k].x(), g.base_nodes[k].y()}] = static_cast<int>(k);
     if (model.n_bedrock == 0)
       return;
-    for (const std::string &name : scene.bedding.names)
-      for (const auto &edge : mesh.lines.at(name))
-        bedding.insert({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])});
+    for (std::size_t plane = 0; plane < scene.bedding.names.size(); ++plane)
+      for (const auto &edge : mesh.lines.at(scene.bedding.names[plane]))
+        bedding[{std::min(edge[0], edge[1]), std::max(edge[0], edge[1])}] = static_cast<int>(plane);
     measure_shared_lengths();
   }
 
@@ -110,8 +110,11 @@ namespace hybrid::dda
   {
     const Pair nodes{std::min(edge.from, edge.to), std::max(edge.from, edge.to)};
     double     k_n = scene.bedding.normal_stiffness, k_s = scene.bedding.shear_stiffness;
-    joint.kind = bedding.count(nodes) > 0 ? JointKind::bedding : JointKind::weld;
-    if (joint.kind == JointKind::weld)
+    const auto plane = bedding.find(nodes);
+    joint.kind       = plane != bedding.end() ? JointKind::bedding : JointKind::weld;
+    if (joint.kind == JointKind::bedding)
+      joint.plane = plane->second;
+    else
       {
         const double area = joint.other == base_body
                               ? 2. * model.blocks[joint.block].area
@@ -122,7 +125,11 @@ namespace hybrid::dda
               shared.at(bodies) / area;
         k_s = scene.blocks.shear_ratio * k_n;
       }
-    joint.law = JointLaw(JointStrength::unlimited_bond(), k_n, k_s);
+    const bool slips = joint.kind == JointKind::bedding && scene.bedding.slips;
+    joint.law        = JointLaw(slips ? JointStrength::bedding_plane(scene.bedding)
+                               : JointStrength::unlimited_bond(),
+                         k_n,
+                         k_s);
     model.joints.push_back(joint);
     model.bonded[joint.block] = true;
     if (joint.other != base_body)

@@ -7,6 +7,8 @@ namespace hybrid::dda
 {
   void update_failure(const Joint &joint, const double time, JointState &state)
   {
+    if (joint.kind == JointKind::bedding)
+      return; // its own record says what it does (run.h5)
     const auto broken = [&](const SpringState &point) {
       return joint.law.broken_in_tension(point.history) || joint.law.broken_in_shear(point.history);
     };

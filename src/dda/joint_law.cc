@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/joint_law.h>
+#include <hybrid/scene/scene_parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,28 @@ namespace hybrid::dda
   {
     JointStrength s;
     s.cohesion = s.residual_cohesion = std::numeric_limits<double>::infinity();
+    return s;
+  }
+
+
+
+  JointStrength JointStrength::bedding_plane(const scene::BeddingParameters &bedding)
+  {
+    JointStrength s;
+    s.cohesion = bedding.cohesion;
+    s.tan_phi = s.residual_tan_phi = tan_deg(bedding.friction_angle);
+    s.tensile        = s.tan_phi > 0. ? std::min(bedding.tensile_strength, s.cohesion / s.tan_phi)
+                                      : bedding.tensile_strength;
+    s.softening_slip = std::numeric_limits<double>::infinity();
+    return s;
+  }
+
+
+
+  JointStrength JointStrength::roller()
+  {
+    JointStrength s;
+    s.tensile = std::numeric_limits<double>::infinity();
     return s;
   }
 
@@ -206,7 +229,9 @@ namespace hybrid::dda
     //   |trial| - spring x = strength(kappa + x), strength piecewise linear in x.
     const double kappa = r.history.softening;
     const double now   = shear_strength(at, kappa);
-    const double end   = shear_strength(at, kappa + strength.softening_slip + 1.);
+    const double end   = std::isfinite(strength.softening_slip)
+                           ? shear_strength(at, kappa + strength.softening_slip + 1.)
+                           : now;                          // residual
     double       x     = (std::abs(trial) - end) / spring; // residual strength reached
     double       slope = 0.;
     const double left  = std::max(0., strength.softening_slip - kappa);

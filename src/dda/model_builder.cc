@@ -131,19 +131,20 @@ namespace hybrid::dda
             polygon_moments(&g.vertices[g.offset[b]], g.offset[b + 1] - g.offset[b]);
           const bool      bedrock = b >= n_mass;
           BlockProperties p;
-          p.region    = regions[b];
-          p.saturated = !bedrock && material.below_water(moments.centroid);
-          Material m  = bedrock
-                          ? scene.bedrock_material(
+          p.region         = regions[b];
+          p.saturated      = !bedrock && material.below_water(moments.centroid);
+          Material m       = bedrock
+                               ? scene.bedrock_material(
                              mesh.bedrock_region_names[p.region - mesh.block_region_names.size()])
-                          : material(false, p.saturated);
-          p.area      = moments.area;
-          p.size      = std::sqrt(p.area);
-          p.mass      = m.density * p.area;
-          p.weight    = bedrock ? 0. : m.weighing_density() * p.area;
-          p.sxx       = m.density * moments.sxx;
-          p.sxy       = m.density * moments.sxy;
-          p.syy       = m.density * moments.syy;
+                               : material(false, p.saturated);
+          p.area           = moments.area;
+          p.size           = std::sqrt(p.area);
+          p.mass           = m.density * p.area;
+          p.weight         = bedrock ? 0. : m.weighing_density() * p.area;
+          p.weight_at_rest = bedrock ? m.weighing_density() * p.area : 0.;
+          p.sxx            = m.density * moments.sxx;
+          p.sxy            = m.density * moments.sxy;
+          p.syy            = m.density * moments.syy;
           if (!bedrock)
             p.modulus_factor = material.factor(scene.heterogeneity.modulus_shape,
                                                BlockMaterials::modulus_number,

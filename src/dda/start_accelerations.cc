@@ -74,4 +74,17 @@ namespace hybrid::dda
     state.bedrock_static_force =
       springs.bonds.segment(first, n) + springs.contacts.segment(first, n);
   }
+
+
+
+  void bear_rest(const Model &model, DdaState &state)
+  {
+    bear_static_forces(model, state);
+    const SpringForces springs(model, state);
+    const int          first = 6 * model.n_blocks(), n = 2 * model.n_base_nodes();
+    state.base_contact_force = springs.contacts.segment(first, n);
+    state.base_force         = springs.bonds.segment(first, n) + state.base_contact_force;
+    state.static_force       = state.base_force;
+    start_accelerations(model, state);
+  }
 } // namespace hybrid::dda

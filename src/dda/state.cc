@@ -56,6 +56,7 @@ namespace hybrid::dda
            gravity,
            springs,
            friction_loss,
+           bedding_loss,
            fracture_loss,
            damping_loss,
            integration_loss,
@@ -67,7 +68,7 @@ namespace hybrid::dda
            edge_load_work] = energy;
     archive(kinetic, newmark, strain, gravity, springs, friction_loss, fracture_loss, damping_loss);
     archive(integration_loss, switch_loss, base_work, boundary_loss, input_work, static_work);
-    archive(edge_load_work);
+    archive(edge_load_work, bedding_loss);
   }
 
 

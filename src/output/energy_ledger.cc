@@ -37,6 +37,8 @@ namespace hybrid::output
                          {{"bedrock_static_stress", b.static_work},
                           {"boundary_loss", b.boundary_loss},
                           {"input_work", -b.input_work}});
+          if (effects.bedding_slip)
+            terms.push_back({"bedding_loss", b.bedding_loss});
           return terms;
         }
       const double prestress =

@@ -25,10 +25,13 @@ namespace hybrid::output
     , probes(run.blocks, run.continuum)
     , file(run.scene.output.directory + "/run.h5", mode)
     , pictures(run.scene.output.directory, run.blocks, run.continuum)
+    , bedding(run.continuum,
+              run.scene.bedding.slips ? run.blocks : nullptr,
+              run.scene.bedding.names)
     , ledger(run.continuum != nullptr,
              {run.scene.continuum.boundary_springs,
               run.scene.has_bedrock_blocks(),
-              run.continuum != nullptr && !run.continuum->slipping_planes().empty(),
+              bedding.has_planes(),
               !run.scene.edge_loads.tractions.empty()})
     , last_flush(std::chrono::steady_clock::now())
   {
@@ -43,7 +46,7 @@ namespace hybrid::output
       }
     add_monitors();
     add_boreholes();
-    add_planes();
+    bedding.add_series(file);
   }
 
 
@@ -140,55 +143,6 @@ namespace hybrid::output
 
 
 
-  void RunRecorder::add_planes()
-  {
-    if (parts.continuum == nullptr)
-      return;
-    for (const continuum::BeddingPlane &plane : parts.continuum->slipping_planes())
-      {
-        std::vector<double> position;
-        for (const Vec2 &point : plane.points)
-          position.insert(position.end(), {point.x(), point.y()});
-        const std::size_t n    = plane.points.size();
-        const std::string path = "bedding/" + plane.name + "/";
-        file.write_table(path + "position", "m", position.data(), n, 2, "points of the plane");
-        PlaneSeries series;
-        series.slip          = file.add_series(path + "slip", "m", n, "of the upper side along +x");
-        series.opening       = file.add_series(path + "opening", "m", n, "plastic part");
-        series.normal_stress = file.add_series(path + "normal_stress",
-                                               "Pa",
-                                               n,
-                                               "compression positive, with that at rest");
-        series.shear_stress  = file.add_series(path + "shear_stress", "Pa", n, "with that at rest");
-        series.condition =
-          file.add_series(path + "condition", "1", n, "0 elastic, 1 slipping, 2 open");
-        planes.push_back(series);
-      }
-    if (!planes.empty())
-      plane_time = file.add_series("bedding/time", "s", 1, "times of the audits");
-  }
-
-
-
-  void RunRecorder::record_planes(const coupling::CoupledState &state)
-  {
-    if (planes.empty())
-      return;
-    file.append(plane_time, &state.time);
-    for (std::size_t k = 0; k < planes.size(); ++k)
-      {
-        const continuum::BeddingValues values =
-          parts.continuum->bedding_values(state.continuum, parts.continuum->slipping_planes()[k]);
-        file.append(planes[k].slip, values.slip.data());
-        file.append(planes[k].opening, values.opening.data());
-        file.append(planes[k].normal_stress, values.normal_stress.data());
-        file.append(planes[k].shear_stress, values.shear_stress.data());
-        file.append(planes[k].condition, values.condition.data());
-      }
-  }
-
-
-
   void RunRecorder::start(coupling::CoupledState &state)
   {
     probes.set_reference(state);
@@ -267,7 +221,7 @@ namespace hybrid::output
     file.append(energy_residual, &residual);
     for (std::size_t k = 0; k < terms.size(); ++k)
       file.append(energy_series[k], &terms[k]);
-    record_planes(state);
+    bedding.record(state, file);
   }
 
 

@@ -135,10 +135,11 @@ namespace hybrid::scene
 
   void check_continuum(const SceneParameters &scene, const ParameterTable &table)
   {
-    if (scene.bedding.slips && scene.continuum_model == ContinuumModel::none)
+    if (scene.bedding.slips && scene.continuum_model == ContinuumModel::none &&
+        !scene.has_bedrock_blocks())
       throw table.error("Bedding planes/Strength",
-                        "Mohr-Coulomb needs a bedrock of finite elements (Model/Continuum = "
-                        "elastic)");
+                        "Mohr-Coulomb needs a bedrock that deforms (Model/Bedrock = continuum, "
+                        "layers or triangles)");
     if (scene.continuum_model == ContinuumModel::none && !scene.has_bedrock_blocks())
       return;
     if (scene.continuum.region_material.empty())

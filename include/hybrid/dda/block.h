@@ -20,6 +20,8 @@ namespace hybrid::dda
     double mass = 0.; ///< [kg per m thickness]
     double weight =
       0.; ///< mass that gravity acts on [kg/m]; differs from mass for buoyant unit weights
+    double weight_at_rest =
+      0.; ///< likewise, of a block of the bedrock, whose weight is borne from the start [kg/m]
     double area = 0.;                    ///< initial area A_0 [m2]
     double size = 0.;                    ///< square root of the area [m]
     double sxx = 0., sxy = 0., syy = 0.; ///< initial mass moments about the centroid [kg m2/m]

@@ -63,7 +63,7 @@ namespace hybrid::dda
     const JointedBlocks          &blocks;
     const BlockMaterials          material;
     Model                        &model;
-    std::set<Pair>                bedding; ///< edges on planes of the scene, nodes ascending
+    std::map<Pair, int> bedding; ///< edges on planes of the scene, nodes ascending -> plane
     std::map<std::pair<double, double>, int> base_at; ///< place [m] -> base node
     std::map<Pair, double> shared; ///< welded or bedding length between two bodies [m]
 

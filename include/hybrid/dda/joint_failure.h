@@ -9,7 +9,8 @@ namespace hybrid::dda
   /**
    * Bond of a joint after a step: failure is complete when both ends are broken,
    * and counts as tensile if one of them is torn. A failed joint that has slid or
-   * opened by a tenth of its length is released: vertex contacts take over.
+   * opened by a tenth of its length is released: vertex contacts take over. Bedding planes are not
+   * counted.
    *
    * @param time at the end of the step [s]
    */

@@ -4,6 +4,11 @@
 #include <hybrid/dda/contact.h>
 #include <hybrid/scene/material.h>
 
+namespace hybrid::scene
+{
+  struct BeddingParameters;
+}
+
 namespace hybrid::dda
 {
   /// Relative displacement of the two sides at one point of a joint or contact.
@@ -61,7 +66,8 @@ namespace hybrid::dda
     double residual_cohesion = 0.; ///< c_res [Pa]
     double residual_tan_phi  = 0.; ///< tan of the residual friction angle [-]
     double fracture_energy   = 0.; ///< G_f [J/m2]; 0: brittle
-    double softening_slip    = 0.; ///< slip from peak to residual strength [m]; 0: brittle
+    double softening_slip    = 0.; ///< slip from peak to residual strength [m]; 0: brittle;
+                                   ///< infinity: slip takes nothing
 
     /// Bond of a material: peak strength, residual as the material says (an ancient shear zone:
     /// residual = peak).
@@ -75,6 +81,13 @@ namespace hybrid::dda
 
     /// Contact that opens freely but never slips.
     static JointStrength unlimited_friction();
+
+    /// Bedding plane: Mohr-Coulomb with tension cut-off. Slip takes nothing of the strength; an end
+    /// that opens beyond the cut-off (at most c / tan phi) keeps its friction only.
+    static JointStrength bedding_plane(const scene::BeddingParameters &bedding);
+
+    /// Two sides that may slide on each other but not part.
+    static JointStrength roller();
 
     /// Contact without any bond: residual strength only.
     static JointStrength broken(const Material &material);

@@ -50,6 +50,8 @@ namespace hybrid::dda
 
     JointKind kind = JointKind::body;
 
+    int plane = -1; ///< bedding plane: number among the scene's names
+
     /// Both sides are bedrock: the joint carries the load however far they slide.
     bool within_bedrock() const
     {

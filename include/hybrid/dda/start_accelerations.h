@@ -18,4 +18,9 @@ namespace hybrid::dda
   /// From now on the bedrock's blocks bear what the springs of @p state put on them, and feel
   /// changes only.
   void bear_static_forces(const Model &model, DdaState &state);
+
+
+  /// The same, and the base's forces and all accelerations, after joints of the bedrock were given
+  /// tractions.
+  void bear_rest(const Model &model, DdaState &state);
 } // namespace hybrid::dda

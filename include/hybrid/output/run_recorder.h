@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/dda/open_close_iteration.h>
+#include <hybrid/output/bedding_recorder.h>
 #include <hybrid/output/energy_ledger.h>
 #include <hybrid/output/history_file.h>
 #include <hybrid/output/pictures.h>
@@ -83,21 +84,14 @@ namespace hybrid::output
       std::vector<double> row;
     };
 
-    /// Numbers of the series of one bedding plane.
-    struct PlaneSeries
-    {
-      int slip, opening, normal_stress, shear_stress, condition;
-    };
-
     RunParts                   parts;
     Probes                     probes;
     HistoryFile                file;
     Pictures                   pictures;
+    BeddingRecorder            bedding;
     EnergyLedger               ledger;
     std::vector<MonitorSeries> monitors;
     std::vector<Profile>       profiles;
-    std::vector<PlaneSeries>   planes; ///< that may slip
-    int                        plane_time   = -1;
     int                        base_monitor = -1; ///< index in monitors
     int time_series = -1, input_series[3] = {-1, -1, -1}, step_series[4] = {-1, -1, -1, -1};
     int energy_time = -1, energy_residual = -1, interface_time = -1, interface_force = -1;
@@ -111,8 +105,6 @@ namespace hybrid::output
 
     void add_monitors();
     void add_boreholes();
-    void add_planes();
-    void record_planes(const coupling::CoupledState &state);
     void add_series();
     void record_motion(const coupling::CoupledState &state);
     void record_energy(coupling::CoupledState &state);
