@@ -210,10 +210,8 @@ namespace hybrid
       return;
     const bool settles =
       !scene.blocks.enabled || scene.environment.static_stage != scene::StaticStage::none;
-    const auto rest = dda::stress_bedding_planes(*blocks,
-                                                 scene.bedding,
-                                                 settles && scene.environment.gravity > 0.,
-                                                 state.blocks);
+    const auto rest = dda::stress_bedding_planes(
+      mesh, scene, *blocks, settles && scene.environment.gravity > 0., state.blocks);
     report_planes({rest.equilibrium, rest.slipping, rest.open, rest.largest, rest.where});
   }
 

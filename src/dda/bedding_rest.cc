@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/bedding_rest.h>
+#include <hybrid/dda/bedrock_blocks.h>
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/model_builder.h>
 #include <hybrid/dda/open_close_iteration.h>
@@ -7,12 +8,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace hybrid::dda
 {
   namespace
   {
-    using scene::BeddingParameters;
+    using scene::SceneParameters;
+    using scene::SectionMesh;
 
     constexpr double load_part       = 1e-3; ///< of loads and strengths in the model at rest
     constexpr double target_residual = 1e-9;
@@ -24,120 +28,199 @@ namespace hybrid::dda
 
 
 
-    /// A part of loads and strengths.
-    BeddingParameters scaled(BeddingParameters bedding)
+    /// Tractions of a joint's end; compression and the shear of JointLaw [Pa].
+    struct Traction
     {
-      bedding.cohesion *= load_part;
-      bedding.tensile_strength *= load_part;
-      bedding.initial_normal_stress *= load_part;
-      return bedding;
+      double normal = 0., shear = 0.;
+      bool   broken = false;
+    };
+
+    using Ends = std::pair<double, double>;
+
+    /// An end of a joint: its place, and that of the other end [m].
+    using EndKey = std::pair<Ends, Ends>;
+
+    EndKey key_of(const Model &model, const Joint &joint, const int end)
+    {
+      const Geometry &g = model.initial;
+      const Vec2      a = g.vertices[joint.edge], b = g.vertices[g.next(joint.edge)];
+      const Ends      first{a.x(), a.y()}, second{b.x(), b.y()};
+      return end == 0 ? EndKey{first, second} : EndKey{second, first};
     }
 
 
 
-    /// Fixes an edge of a block at the base, lets it slide along a side.
-    Joint support(const Model &model, const BoundaryEdge &edge, const int first_node)
-    {
-      const double k = model.block_contact[edge.block].law.normal_stiffness();
-      return {edge.block,
-              edge.vertex,
-              base_body,
-              (edge.ends[1] - edge.ends[0]).norm(),
-              {{0., first_node}, {1., first_node + 1}},
-              JointLaw(edge.part == BoundaryPart::base ? JointStrength::unlimited_bond()
-                                                       : JointStrength::roller(),
-                       k,
-                       k),
-              1.,
-              JointKind::weld};
-    }
-
-
-
-    /// The bedrock alone on its supports. Blocks of the mass stay without load and joints.
-    Model rest_model(const Model &model, const BeddingParameters &bedding)
-    {
-      Model copy                = model;
-      copy.bedrock_damping_time = copy.joint_damping_time = 0.;
-      copy.dynamic_coefficient                            = 1.;
-      copy.newmark                                        = Newmark::preset("shi");
-      copy.iteration.tolerance                            = 0.1 * target_residual;
-      copy.water                                          = {};
-      copy.edge_loads.edges.clear();
-      copy.joints.clear();
-      copy.boundary.clear();
-      for (BlockProperties &block : copy.blocks)
-        block.damping_time = block.weight = 0.;
-      const BeddingParameters part = scaled(bedding);
-      for (Joint joint : model.joints)
-        if (joint.within_bedrock())
-          {
-            if (joint.kind == JointKind::bedding)
-              joint.law = joint.law.with(JointStrength::bedding_plane(part));
-            copy.joints.push_back(joint);
-          }
-      for (const BoundaryEdge &edge : model.boundary)
-        {
-          copy.joints.push_back(support(model, edge, copy.n_base_nodes()));
-          copy.initial.base_nodes.insert(copy.initial.base_nodes.end(),
-                                         {edge.ends[0], edge.ends[1]});
-        }
-      return copy;
-    }
-
-
-
-    /// Give an end of a joint the elastic stretch of these tractions [Pa].
-    void stretch(const Model &model, const Joint &joint, const Vec2 &traction, SpringState &point)
+    /// Give an end of a joint the elastic stretch of its traction.
+    void stretch(const Model &model, const Joint &joint, const Traction &t, SpringState &point)
     {
       const Geometry &g  = model.initial;
       const Vec2 tangent = (g.vertices[g.next(joint.edge)] - g.vertices[joint.edge]).normalized();
       const Vec2 normal(tangent.y(), -tangent.x());
-      point.gap    = -traction[0] / joint.law.normal_stiffness();
-      point.slip   = -traction[1] / joint.law.shear_stiffness();
+      point        = {};
+      point.gap    = -t.normal / joint.law.normal_stiffness();
+      point.slip   = -t.shear / joint.law.shear_stiffness();
       point.jump   = point.gap * normal + point.slip * tangent;
-      point.normal = point.elastic_normal = traction[0];
-      point.shear = point.elastic_shear = traction[1];
+      point.normal = point.elastic_normal = t.normal;
+      point.shear = point.elastic_shear = t.shear;
+      point.history.damage              = t.broken ? 1. : 0.;
+      if (t.broken && t.normal <= 0.)
+        point.state = ContactState::open;
     }
 
 
 
-    /// Weight and the mass's forces beside what balances the uniform compression.
-    void load(const Model &model, const DdaState &state, DdaState &rest)
+    /// The bedrock alone, in triangles on a fixed base, with a part of its strengths.
+    SceneParameters scene_at_rest(SceneParameters scene)
     {
-      for (int k = 0; k < model.n_bedrock; ++k)
-        {
-          const double weight = model.blocks[model.n_mass() + k].weight_at_rest * model.gravity;
-          rest.bedrock_static_force[6 * k + 1] += load_part * weight;
-        }
-      if (state.bedrock_static_force.size() > 0)
-        rest.bedrock_static_force -= load_part * state.bedrock_static_force;
+      scene.bedrock                      = scene::BedrockModel::triangles;
+      scene.continuum.base               = scene::BaseBoundary::fixed;
+      scene.continuum.rayleigh_stiffness = 0.;
+      scene.blocks.enabled               = false;
+      scene.blocks.damping_ratio         = 0.;
+      scene.blocks.tolerance             = 0.1 * target_residual;
+      scene.time.newmark                 = Newmark::preset("shi");
+      scene.time.dynamic_coefficient     = 1.;
+      scene.edge_loads.tractions.clear();
+      scene.bedding.cohesion *= load_part;
+      scene.bedding.tensile_strength *= load_part;
+      scene.bedding.initial_normal_stress *= load_part;
+      return scene;
     }
 
 
 
-    /// Implicit steps from rest, as those of the mass's static stage. @return true at rest.
-    bool settle(const Model &model, DdaState &rest)
+    /// The model at rest: what carries the bedrock, and what it bears.
+    class RestModel
+    {
+    public:
+      RestModel(const SectionMesh &section, const SceneParameters &parameters)
+        : mesh(section)
+        , scene(scene_at_rest(parameters))
+        , blocks(cut_bedrock(mesh, scene))
+      {
+        std::vector<Vec2> nodes;
+        for (const int node : blocks.base)
+          nodes.push_back(mesh.nodes[node]);
+        model = build_model(mesh, scene, nodes);
+        for (const BoundaryEdge &edge : model.boundary)
+          add_roller(edge);
+        model.boundary.clear();
+        state = initial_state(model);
+        for (std::size_t j = 0; j < model.joints.size(); ++j)
+          if (model.joints[j].kind == JointKind::bedding)
+            for (SpringState &point : state.joints[j].points)
+              stretch(model, model.joints[j], {scene.bedding.initial_normal_stress}, point);
+        bear_rest(model, state);
+      }
+
+      void load_weight()
+      {
+        for (BlockProperties &block : model.blocks)
+          block.weight = load_part * block.weight_at_rest;
+      }
+
+      /// What the mass of another model puts on the bedrock.
+      void load_mass(const Model &other, const DdaState &settled);
+
+      /// Implicit steps from rest, as those of the mass's static stage. @return true at rest.
+      bool settle();
+
+      /// Tractions of the planes, and what they do.
+      std::map<EndKey, Traction> tractions(BeddingRest &result) const;
+
+    private:
+      const SectionMesh    &mesh;
+      const SceneParameters scene;
+      const BedrockBlocks   blocks;
+      Model                 model;
+      DdaState              state;
+
+      void add_roller(const BoundaryEdge &edge);
+    };
+
+
+
+    /// Lets an edge slide along the side of the model.
+    void RestModel::add_roller(const BoundaryEdge &edge)
+    {
+      const double k    = model.block_contact[edge.block].law.normal_stiffness();
+      const int    node = model.n_base_nodes();
+      model.joints.push_back({edge.block,
+                              edge.vertex,
+                              base_body,
+                              (edge.ends[1] - edge.ends[0]).norm(),
+                              {{0., node}, {1., node + 1}},
+                              JointLaw(JointStrength::roller(), k, k),
+                              1.,
+                              JointKind::weld});
+      model.initial.base_nodes.insert(model.initial.base_nodes.end(), {edge.ends[0], edge.ends[1]});
+    }
+
+
+
+    void RestModel::load_mass(const Model &other, const DdaState &settled)
+    {
+      // Edges of triangles on the surface: middle and triangle.
+      std::set<std::pair<int, int>> surface;
+      for (const char *name : {"sliding_surface", "ground"})
+        if (const auto line = mesh.lines.find(name); line != mesh.lines.end())
+          for (const auto &edge : line->second)
+            surface.insert(std::minmax(edge[0], edge[1]));
+      std::vector<std::pair<Vec2, int>> edges;
+      for (std::size_t b = 0; b < blocks.outlines.size(); ++b)
+        for (std::size_t k = 0; k < 3; ++k)
+          {
+            const int from = blocks.outlines[b][k], to = blocks.outlines[b][(k + 1) % 3];
+            if (surface.count(std::minmax(from, to)) > 0)
+              edges.push_back({0.5 * (mesh.nodes[from] + mesh.nodes[to]), static_cast<int>(b)});
+          }
+
+      const auto is_mass = [&](const int body) {
+        return body != base_body && body < other.n_mass();
+      };
+      const Springs springs = springs_at_rest(other, settled);
+      for (std::size_t s = 0; s < springs.springs.size() && !edges.empty(); ++s)
+        {
+          const Springs::Spring   &spring = springs.springs[s];
+          const Springs::Response &r      = springs.responses[s];
+          if (is_mass(spring.block) == is_mass(spring.other))
+            continue;
+          const double sign = is_mass(spring.block) ? 1. : -1.; // the force acts on the other
+          const Vec2   force =
+            sign * load_part * spring.length * (r.now.normal * r.normal + r.now.shear * r.tangent);
+          const auto nearest =
+            std::min_element(edges.begin(), edges.end(), [&](const auto &a, const auto &b) {
+              return (a.first - r.place).squaredNorm() < (b.first - r.place).squaredNorm();
+            });
+          const int b = nearest->second;
+          state.bedrock_static_force.segment<6>(6 * b) -=
+            BlockMotion(state.blocks[b].centroid, Vec6::Zero()).gradient(nearest->first, force);
+        }
+    }
+
+
+
+    bool RestModel::settle()
     {
       OpenCloseIteration iteration;
       BaseResponse       base;
-      base.displacement = rest.base_displacement;
+      base.displacement = state.base_displacement;
       int steps         = 0;
       for (double dt = first_step; steps < maximum_steps && dt >= smallest_step;)
         {
-          for (BlockState &block : rest.blocks)
+          for (BlockState &block : state.blocks)
             {
               block.velocity.setZero();
               block.acceleration.setZero();
               block.contact_acceleration.setZero();
             }
-          const StepResult step = iteration.solve(model, rest, base, dt);
+          const StepResult step = iteration.solve(model, state, base, dt);
           if (!step.converged)
             {
               dt /= 4.;
               continue;
             }
-          iteration.accept(model, rest);
+          iteration.accept(model, state);
           ++steps;
           if (step.unbalanced <= target_residual)
             return true;
@@ -148,69 +231,57 @@ namespace hybrid::dda
 
 
 
-    /// Tractions of the model at rest onto an end of a joint.
-    void take(const Model       &model,
-              const Joint       &joint,
-              const int          end,
-              const SpringState &found,
-              BeddingRest       &result,
-              SpringState       &point)
+    std::map<EndKey, Traction> RestModel::tractions(BeddingRest &result) const
     {
-      const double slip = std::abs(found.history.plastic_slip) / load_part;
-      point.history     = {};
-      if (found.history.damage >= 1.)
-        point.history.damage = 1.;
-      point.state = found.state;
-      result.slipping += found.state == ContactState::sliding;
-      result.open += found.state == ContactState::open;
-      if (found.state != ContactState::open && slip > result.largest)
-        {
-          result.largest    = slip;
-          const Geometry &g = model.initial;
-          result.where      = g.vertices[end == 0 ? joint.edge : g.next(joint.edge)];
-        }
-      stretch(model, joint, Vec2(found.elastic_normal, found.elastic_shear) / load_part, point);
+      std::map<EndKey, Traction> found;
+      for (std::size_t j = 0; j < model.joints.size(); ++j)
+        for (int end = 0; end < 2 && model.joints[j].kind == JointKind::bedding; ++end)
+          {
+            const SpringState &point = state.joints[j].points[end];
+            const EndKey       key   = key_of(model, model.joints[j], end);
+            found[key]               = {point.elastic_normal / load_part,
+                                        point.elastic_shear / load_part,
+                                        point.history.damage >= 1.};
+            const bool   open        = point.state == ContactState::open;
+            const double slip        = std::abs(point.history.plastic_slip) / load_part;
+            result.slipping += point.state == ContactState::sliding;
+            result.open += open;
+            if (!open && slip > result.largest)
+              {
+                result.largest = slip;
+                result.where   = Vec2(key.first.first, key.first.second);
+              }
+          }
+      return found;
     }
   } // namespace
 
 
 
-  BeddingRest stress_bedding_planes(const Model             &model,
-                                    const BeddingParameters &bedding,
-                                    const bool               under_gravity,
-                                    DdaState                &state)
+  BeddingRest stress_bedding_planes(const SectionMesh     &mesh,
+                                    const SceneParameters &scene,
+                                    const Model           &model,
+                                    const bool             under_gravity,
+                                    DdaState              &state)
   {
-    const Model problem = rest_model(model, bedding);
-    DdaState    rest    = initial_state(problem);
-    const Vec2  squeezed(load_part * bedding.initial_normal_stress, 0.);
-    for (std::size_t j = 0; j < problem.joints.size(); ++j)
-      if (problem.joints[j].kind == JointKind::bedding)
-        for (SpringState &point : rest.joints[j].points)
-          stretch(problem, problem.joints[j], squeezed, point);
-    bear_rest(problem, rest);
     BeddingRest result;
+    RestModel   rest(mesh, scene);
     if (under_gravity)
       {
-        load(model, state, rest);
-        result.equilibrium = settle(problem, rest);
+        rest.load_weight();
+        rest.load_mass(model, state);
+        result.equilibrium = rest.settle();
       }
-
-    std::size_t number = 0; // of the joint in the model at rest
+    const std::map<EndKey, Traction> tractions = rest.tractions(result);
     for (std::size_t j = 0; j < model.joints.size(); ++j)
-      {
-        const Joint &joint = model.joints[j];
-        if (!joint.within_bedrock())
-          continue;
-        if (joint.kind == JointKind::bedding)
-          for (int end = 0; end < 2; ++end)
-            take(model,
-                 joint,
-                 end,
-                 rest.joints[number].points[end],
-                 result,
-                 state.joints[j].points[end]);
-        ++number;
-      }
+      for (int end = 0; end < 2 && model.joints[j].kind == JointKind::bedding; ++end)
+        {
+          const Joint &joint = model.joints[j];
+          stretch(model,
+                  joint,
+                  tractions.at(key_of(model, joint, end)),
+                  state.joints[j].points[end]);
+        }
     bear_rest(model, state);
     state.energy = held_energy(model, state);
     return result;

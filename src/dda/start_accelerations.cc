@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/springs.h>
 #include <hybrid/dda/start_accelerations.h>
 
 #include <Eigen/Cholesky>
@@ -17,20 +16,28 @@ namespace hybrid::dda
         : bonds(Eigen::VectorXd::Zero(6 * model.n_blocks() + 2 * model.n_base_nodes()))
         , contacts(bonds)
       {
-        Trial trial; // nothing moves
-        trial.dt = 1.;
-        trial.displacement.assign(state.geometry.vertices.size(), Vec2::Zero());
-        trial.base = state.base_displacement;
-        for (const BlockState &block : state.blocks)
-          trial.motion.emplace_back(block.centroid, Vec6::Zero());
-        Springs springs;
-        springs.collect(model, state);
-        springs.evaluate(model, state, trial);
+        const Springs   springs  = springs_at_rest(model, state);
         Eigen::VectorXd absolute = Eigen::VectorXd::Zero(model.n_blocks());
         springs.add_forces(bonds, contacts, absolute);
       }
     };
   } // namespace
+
+
+
+  Springs springs_at_rest(const Model &model, const DdaState &state)
+  {
+    Trial trial; // nothing moves
+    trial.dt = 1.;
+    trial.displacement.assign(state.geometry.vertices.size(), Vec2::Zero());
+    trial.base = state.base_displacement;
+    for (const BlockState &block : state.blocks)
+      trial.motion.emplace_back(block.centroid, Vec6::Zero());
+    Springs springs;
+    springs.collect(model, state);
+    springs.evaluate(model, state, trial);
+    return springs;
+  }
 
 
 

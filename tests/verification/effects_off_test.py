@@ -70,6 +70,7 @@ EFFECTS = {
     "continuum": (SLOPE, ["Model/Bedrock=rigid", "Continuum/Materials=rock", "Continuum/Degree=3", "Continuum/Sides=fixed"], None,
                   ["Materials/rock/Friction angle=5"]),
     "blocks": (BAR, ["Blocks/Material=rock", "Blocks/Damping ratio=0.1", "Blocks/Penalty ratio=10"], None, None),
+    "bedding slip of blocks": (LAYERS, BEDDING, None, ["Bedding planes/Strength=Mohr-Coulomb"]),
     "bedrock of layers": (LAYERS, ["Bedding planes/Strength=elastic", "Continuum/Rayleigh mass=0"], None,
                           ["Continuum/Rayleigh stiffness=1e-3"]),
 }

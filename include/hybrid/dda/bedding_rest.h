@@ -4,6 +4,7 @@
 #include <hybrid/dda/model.h>
 #include <hybrid/dda/state.h>
 #include <hybrid/scene/scene_parameters.h>
+#include <hybrid/scene/section_mesh.h>
 
 namespace hybrid::dda
 {
@@ -21,21 +22,23 @@ namespace hybrid::dda
   /**
    * Tractions at rest of bedding planes with strength (Bedding planes/Strength = Mohr-Coulomb).
    *
-   * They are those of a model of its own: the bedrock's blocks with their weight and what the
-   * settled mass puts on them (DdaState::bedrock_static_force), base fixed, sides on rollers,
-   * planes with their strength, which may slip until the rest carries the load; besides, the
-   * uniform compression `Initial normal stress`. It is solved with a thousandth of loads and
-   * strengths: displacements are then so small that the tractions are those of the undeformed
-   * section, as in the finite-element bedrock.
+   * They are those of a model of its own: the bedrock of the mesh cut into triangles (a layer in
+   * one piece could only have tractions that are linear along a plane), with its weight and what
+   * the settled mass puts on its surface, base fixed, sides on rollers, planes with their strength,
+   * which may slip until the rest carries the load; besides, the uniform compression `Initial
+   * normal stress`. It is solved with a thousandth of loads and strengths: displacements are then
+   * so small that the tractions are those of the undeformed section, as in the finite-element
+   * bedrock.
    *
-   * The joints of @p state then get the elastic stretch that belongs to these tractions, without
-   * slip; ends that opened stay broken. The blocks bear these tractions from the start, as they do
-   * the mass's forces: nothing moves until something changes.
+   * The joints of @p state get the elastic stretch that belongs to these tractions, without slip;
+   * ends that opened stay broken. The blocks bear these tractions from the start, as they do the
+   * mass's forces: nothing moves until something changes.
    *
    * @param under_gravity false: only the uniform compression
    */
-  BeddingRest stress_bedding_planes(const Model                    &model,
-                                    const scene::BeddingParameters &bedding,
-                                    bool                            under_gravity,
-                                    DdaState                       &state);
+  BeddingRest stress_bedding_planes(const scene::SectionMesh     &mesh,
+                                    const scene::SceneParameters &scene,
+                                    const Model                  &model,
+                                    bool                          under_gravity,
+                                    DdaState                     &state);
 } // namespace hybrid::dda

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/model.h>
-#include <hybrid/dda/state.h>
+#include <hybrid/dda/springs.h>
 
 namespace hybrid::dda
 {
+  /// Springs of @p state and what they carry while nothing moves.
+  Springs springs_at_rest(const Model &model, const DdaState &state);
+
+
   /**
    * Set the accelerations of all blocks from the forces in @p state (stresses,
    * joints, listed contacts, weight), so that motion starts with the right

@@ -2,6 +2,7 @@
 #include "bedrock_section.h"
 
 #include <hybrid/dda/bedrock_blocks.h>
+#include <hybrid/dda/joint_failure.h>
 #include <hybrid/dda/polygon.h>
 #include <hybrid/scene/input_error.h>
 
@@ -108,4 +109,23 @@ TEST(BedrockBlocks, joints_are_welds_but_for_the_planes_of_the_scene)
   for (const BlockProperties &block : model.blocks)
     EXPECT_EQ(block.weight, 0.);
   EXPECT_EQ(model.boundary.size(), 3u * 4u);
+}
+
+
+
+TEST(BedrockBlocks, planes_with_strength_are_no_failed_joints)
+{
+  scene::SceneParameters p = bedrock_parameters("triangles");
+  p.bedding.slips          = true;
+  const Model model        = build_model(layered_section(4, {2, 2}), p, {});
+  for (const Joint &joint : model.joints)
+    {
+      EXPECT_EQ(joint.plane, joint.kind == JointKind::bedding ? 0 : -1);
+      JointState state;
+      for (SpringState &point : state.points)
+        point.history.damage = 1.;
+      update_failure(joint, 1., state);
+      EXPECT_EQ(state.failure == FailureKind::none, joint.kind == JointKind::bedding);
+      EXPECT_FALSE(state.released);
+    }
 }

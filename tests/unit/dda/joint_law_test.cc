@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/joint_law.h>
+#include <hybrid/scene/scene_parameters.h>
 
 #include <gtest/gtest.h>
 
@@ -300,4 +301,49 @@ TEST(JointLaw, cyclic_shear_dissipates_the_area_of_the_loop)
         first = work;
     }
   EXPECT_NEAR(work - first, 4. * strength * (amplitude - strength / k_s), 1e-3 * work);
+}
+
+
+
+TEST(JointLaw, a_bedding_plane_keeps_its_strength_while_it_slips)
+{
+  scene::BeddingParameters bedding;
+  bedding.friction_angle   = 30.;
+  bedding.cohesion         = 2e4;
+  bedding.tensile_strength = 1e4;
+  const JointLaw law(JointStrength::bedding_plane(bedding), k_n, k_s);
+  const double   strength = 2e4 + k_n * 1e-5 * tan_deg(30.);
+  JointHistory   history;
+  for (const double slip : {1e-3, 1., 100., -100.})
+    {
+      const JointResponse r = law.respond({-1e-5, slip}, history);
+      EXPECT_NEAR(r.shear, -std::copysign(strength, slip), 1e-9 * strength);
+      EXPECT_EQ(r.shear_by_slip, 0.);
+      EXPECT_NEAR(std::abs(r.shear_by_gap), k_n * tan_deg(30.), 1e-6);
+      EXPECT_EQ(r.state, ContactState::sliding);
+      EXPECT_FALSE(law.broken_in_shear(r.history));
+      history = r.history;
+    }
+}
+
+
+
+TEST(JointLaw, a_bedding_plane_that_opened_beyond_the_cut_off_has_friction_only)
+{
+  scene::BeddingParameters bedding;
+  bedding.friction_angle   = 30.;
+  bedding.cohesion         = 2e4;
+  bedding.tensile_strength = 1e6; // c / tan phi counts
+  const double   cut_off   = 2e4 / tan_deg(30.);
+  const JointLaw law(JointStrength::bedding_plane(bedding), k_n, k_s);
+  const auto     closed = law.respond({0.999 * cut_off / k_n, 0.}, {});
+  EXPECT_NEAR(closed.normal, -0.999 * cut_off, 1e-9 * cut_off);
+  EXPECT_EQ(closed.history.damage, 0.);
+  const auto open = law.respond({1.001 * cut_off / k_n, 1e-3}, {});
+  EXPECT_EQ(open.normal, 0.);
+  EXPECT_EQ(open.shear, 0.);
+  EXPECT_EQ(open.state, ContactState::open);
+  EXPECT_TRUE(law.broken_in_tension(open.history));
+  const auto again = law.respond({-1e-5, 2e-3}, open.history);
+  EXPECT_NEAR(again.shear, -k_n * 1e-5 * tan_deg(30.), 1e-6);
 }
