@@ -119,6 +119,9 @@ namespace hybrid::dda
           block.weight = load_part * block.weight_at_rest;
       }
 
+      /// Pressure of the water on the surface.
+      void load_water(const Water &water);
+
       /// What the mass of another model puts on the bedrock.
       void load_mass(const Model &other, const DdaState &settled);
 
@@ -135,7 +138,19 @@ namespace hybrid::dda
       Model                 model;
       DdaState              state;
 
+      /// Edge of a triangle on the surface, counter-clockwise [m].
+      struct SurfaceEdge
+      {
+        int  block;
+        Vec2 from, to;
+      };
+
+      std::vector<SurfaceEdge> surface_edges() const;
+
       void add_roller(const BoundaryEdge &edge);
+
+      /// A part of a force [N/m] on a triangle.
+      void load(int block, const Vec2 &place, const Vec2 &force);
     };
 
 
@@ -158,24 +173,51 @@ namespace hybrid::dda
 
 
 
-    void RestModel::load_mass(const Model &other, const DdaState &settled)
+    std::vector<RestModel::SurfaceEdge> RestModel::surface_edges() const
     {
-      // Edges of triangles on the surface: middle and triangle.
       std::set<std::pair<int, int>> surface;
       for (const char *name : {"sliding_surface", "ground"})
         if (const auto line = mesh.lines.find(name); line != mesh.lines.end())
           for (const auto &edge : line->second)
             surface.insert(std::minmax(edge[0], edge[1]));
-      std::vector<std::pair<Vec2, int>> edges;
+      std::vector<SurfaceEdge> edges;
       for (std::size_t b = 0; b < blocks.outlines.size(); ++b)
         for (std::size_t k = 0; k < 3; ++k)
           {
             const int from = blocks.outlines[b][k], to = blocks.outlines[b][(k + 1) % 3];
             if (surface.count(std::minmax(from, to)) > 0)
-              edges.push_back({0.5 * (mesh.nodes[from] + mesh.nodes[to]), static_cast<int>(b)});
+              edges.push_back({static_cast<int>(b), mesh.nodes[from], mesh.nodes[to]});
           }
+      return edges;
+    }
 
-      const auto is_mass = [&](const int body) {
+
+
+    void RestModel::load(const int block, const Vec2 &place, const Vec2 &force)
+    {
+      const BlockMotion at_rest(state.blocks[block].centroid, Vec6::Zero());
+      state.bedrock_static_force.segment<6>(6 * block) -=
+        at_rest.gradient(place, load_part * force);
+    }
+
+
+
+    void RestModel::load_water(const Water &water)
+    {
+      for (const SurfaceEdge &edge : surface_edges())
+        {
+          const Eigen::VectorXd force = water_on_surface(water, {edge.to, edge.from});
+          load(edge.block, edge.to, force.head<2>());
+          load(edge.block, edge.from, force.tail<2>());
+        }
+    }
+
+
+
+    void RestModel::load_mass(const Model &other, const DdaState &settled)
+    {
+      const std::vector<SurfaceEdge> edges   = surface_edges();
+      const auto                     is_mass = [&](const int body) {
         return body != base_body && body < other.n_mass();
       };
       const Springs springs = springs_at_rest(other, settled);
@@ -187,14 +229,15 @@ namespace hybrid::dda
             continue;
           const double sign = is_mass(spring.block) ? 1. : -1.; // the force acts on the other
           const Vec2   force =
-            sign * load_part * spring.length * (r.now.normal * r.normal + r.now.shear * r.tangent);
+            sign * spring.length * (r.now.normal * r.normal + r.now.shear * r.tangent);
+          const auto distance = [&](const SurfaceEdge &edge) {
+            return (0.5 * (edge.from + edge.to) - r.place).squaredNorm();
+          };
           const auto nearest =
-            std::min_element(edges.begin(), edges.end(), [&](const auto &a, const auto &b) {
-              return (a.first - r.place).squaredNorm() < (b.first - r.place).squaredNorm();
+            std::min_element(edges.begin(), edges.end(), [&](const auto &e, const auto &f) {
+              return distance(e) < distance(f);
             });
-          const int b = nearest->second;
-          state.bedrock_static_force.segment<6>(6 * b) -=
-            BlockMotion(state.blocks[b].centroid, Vec6::Zero()).gradient(nearest->first, force);
+          load(nearest->block, 0.5 * (nearest->from + nearest->to), force);
         }
     }
 
@@ -269,6 +312,7 @@ namespace hybrid::dda
     if (under_gravity)
       {
         rest.load_weight();
+        rest.load_water(model.water);
         rest.load_mass(model, state);
         result.equilibrium = rest.settle();
       }

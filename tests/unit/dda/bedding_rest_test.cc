@@ -4,6 +4,7 @@
 #include <hybrid/dda/bedding_rest.h>
 #include <hybrid/dda/bedrock_blocks.h>
 #include <hybrid/dda/model_builder.h>
+#include <hybrid/dda/static_stage.h>
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,10 @@ namespace
         nodes.push_back(mesh.nodes[node]);
       model = build_model(mesh, scene, nodes);
       state = initial_state(model);
+      if (scene.blocks.enabled)
+        {
+          EXPECT_TRUE(settle(model, state).equilibrium);
+        }
       return stress_bedding_planes(mesh, scene, model, under_gravity, state);
     }
 
@@ -89,6 +94,47 @@ TEST(BeddingRest, planes_carry_the_weight_above_them_and_the_initial_stress)
                       0.,
                       1e-3 * weight);
         }
+    }
+}
+
+
+
+TEST(BeddingRest, water_above_the_ground_presses_on_the_planes)
+{
+  Case dry("layers"), wet("layers");
+  wet.scene.environment.water_method  = scene::WaterMethod::pressures;
+  wet.scene.environment.water_level   = 12.; // 3 m above the ground
+  wet.scene.environment.water_density = 1000.;
+  dry.rest();
+  wet.rest();
+  for (int plane = 0; plane < 2; ++plane)
+    EXPECT_NEAR(wet.normal(plane) - dry.normal(plane), 1000. * 10. * 3., 10.);
+}
+
+
+
+TEST(BeddingRest, a_mass_on_the_ground_presses_on_the_planes)
+{
+  for (const char *kind : {"layers", "triangles"})
+    {
+      Case c(kind);
+      c.scene.blocks.enabled          = true;
+      c.scene.blocks.bonded           = false;
+      c.mesh.lines["sliding_surface"] = c.mesh.lines["ground"];
+      c.mesh.lines.erase("ground");
+      c.mesh.block_region_names = {"sliding_mass"};
+      const int top = 9 * (columns + 1), above = static_cast<int>(c.mesh.nodes.size());
+      for (int i = 0; i <= columns; ++i)
+        c.mesh.nodes.emplace_back(i, 10.);
+      for (int i = 0; i < columns; ++i)
+        {
+          c.mesh.blocks.push_back({top + i, top + i + 1, above + i + 1, above + i});
+          c.mesh.block_region.push_back(0);
+        }
+      c.rest();
+      const double weight = c.scene.materials.at("rock").density * 10.;
+      for (int plane = 0; plane < 2; ++plane)
+        EXPECT_NEAR(c.normal(plane), weight * (3. * (2 - plane) + 1.) + 1e3, 1e-3 * weight) << kind;
     }
 }
 
