@@ -16,8 +16,9 @@ namespace hybrid
            "  -s \"Section/Name=value\"        override one parameter (repeatable)\n"
            "  --force                        replace the results of an earlier run in the output directory\n"
            "\n"
-           "Ctrl-C ends a run after the present step with a checkpoint. Exit code 0: done; 1: the run stopped\n"
-           "early; 2: a mistake in the input; 3: another failure; 130: interrupted.\n"
+           "Ctrl-C ends a run after the present step with a checkpoint (in the static stage, which has none,\n"
+           "after the present iteration). Exit code 0: done; 1: the run stopped early; 2: a mistake in the\n"
+           "input; 3: another failure; 130: interrupted.\n"
            "Not finished yet: compare, study.\n";
   }
 

@@ -34,6 +34,18 @@ namespace
       is_owner = is_initialized == 0;
       if (is_owner)
         MPI_Init(&argc, &argv);
+      int processes = 1;
+      MPI_Comm_size(MPI_COMM_WORLD, &processes);
+      if (processes > 1)
+        {
+          // All would write the same files.
+          if (is_owner)
+            MPI_Finalize();
+          throw InputError("hybrid runs in one process, but mpirun started " +
+                           std::to_string(processes) +
+                           ": start it without mpirun and set Parallel/Threads to the number of "
+                           "cores to use");
+        }
     }
 
     ~MpiSession()

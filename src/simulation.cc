@@ -10,6 +10,7 @@
 #include <hybrid/output/probes.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/scene_card.h>
+#include <hybrid/output/static_progress.h>
 #include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/mesh_check.h>
 #include <hybrid/scene/section_mesh_reader.h>
@@ -172,7 +173,7 @@ namespace hybrid
 
 
 
-  void Simulation::settle()
+  bool Simulation::settle(const Interruption &interruption)
   {
     if (blocks == nullptr)
       {
@@ -180,7 +181,7 @@ namespace hybrid
           report_planes(continuum->solve_static_state(
             Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(continuum->surface_nodes().size())),
             scene.environment.gravity));
-        return;
+        return true;
       }
     // The bedrock has no weight of its own to settle under.
     if (scene.environment.static_stage == scene::StaticStage::none ||
@@ -188,11 +189,18 @@ namespace hybrid
       {
         state.blocks.energy = dda::held_energy(*blocks, state.blocks);
         stress_planes();
-        return;
+        return true;
       }
+    output::StaticProgressLine line(std::cout, output::standard_output_is_terminal());
     settled = dda::settle(*blocks,
                           state.blocks,
-                          scene.environment.static_stage == scene::StaticStage::held);
+                          scene.environment.static_stage == scene::StaticStage::held,
+                          [&](const dda::StaticProgress &progress) {
+                            line.update(progress);
+                            return !interruption.is_requested();
+                          });
+    if (settled.stopped)
+      return false;
     report_static_stage();
     if (continuum != nullptr)
       report_planes(continuum->solve_static_state(
@@ -200,6 +208,7 @@ namespace hybrid
           dda::water_on_surface(blocks->water, blocks->initial.base_nodes),
         scene.environment.gravity));
     stress_planes();
+    return true;
   }
 
 
@@ -287,7 +296,13 @@ namespace hybrid
   {
     Run        run(*this, output::HistoryFile::Mode::create);
     const auto start = SteadyClock::now();
-    settle();
+    if (!settle(interruption))
+      {
+        log.info("Interrupted in the static stage: there are no results and no checkpoint yet; to "
+                 "begin anew: hybrid --resume " +
+                 scene.output.directory);
+        return RunStatus::interrupted;
+      }
     run.summary.timings["static_stage"] = seconds_since(start);
     run.recorder.start(state);
     if (scene.checkpoint.is_on())

@@ -23,7 +23,7 @@ namespace hybrid
   {
     finished,
     no_convergence, ///< a step failed at the smallest allowed size
-    interrupted     ///< by the user, with a checkpoint
+    interrupted     ///< by the user, with a checkpoint if the static stage was over
   };
 
 
@@ -77,7 +77,8 @@ namespace hybrid
     /// InputError.
     void check_points() const;
 
-    void settle();
+    /// The static stage. @return false if the user has ended it.
+    bool settle(const Interruption &interruption);
 
     /// Tractions at rest of planes that may slip in a bedrock of blocks.
     void stress_planes();

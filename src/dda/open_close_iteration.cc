@@ -366,6 +366,9 @@ namespace hybrid::dda
             result.converged = true;
             break;
           }
+        result.stopped = watch && !watch(result);
+        if (result.stopped)
+          return result;
         if (result.iterations % stall_window == 0)
           {
             if (result.residual > stalled_part * window_start)

@@ -61,7 +61,8 @@ namespace hybrid::dda
 
 
 
-  StaticResult settle(const Model &model, DdaState &state, const bool held)
+  StaticResult
+  settle(const Model &model, DdaState &state, const bool held, const StaticWatch &watch)
   {
     const Model  problem = static_model(model, held);
     BlockSolver  solver(problem);
@@ -70,12 +71,22 @@ namespace hybrid::dda
     const double start_time = state.time;
     const auto   start      = state.blocks;
     StaticResult result;
+    if (watch)
+      solver.set_watch([&watch, &result](const StepResult &step) {
+        return watch({result.steps,
+                      result.iterations + step.iterations,
+                      result.steps > 0 ? result.residual : 1.,
+                      target_residual});
+      });
 
     for (double dt = first_step; result.steps < maximum_steps && dt >= smallest_step;)
       {
         stop_blocks(state);
         const StepResult step = solver.solve(state, base, dt);
         result.iterations += step.iterations;
+        result.stopped = step.stopped;
+        if (result.stopped)
+          return result;
         if (!step.converged)
           {
             dt /= 4.;

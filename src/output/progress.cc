@@ -18,11 +18,6 @@ namespace hybrid::output
     constexpr double memory          = 10.; ///< rates are averages over about this wall time [s]
     constexpr int    bar_width       = 24;  ///< characters
 
-    double steady_seconds()
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-    }
   } // namespace
 
 
@@ -115,6 +110,14 @@ namespace hybrid::output
       draw(wall_clock());
     if (is_terminal)
       out << std::endl;
+  }
+
+
+
+  double steady_seconds()
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
   }
 
 

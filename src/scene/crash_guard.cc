@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/crash_guard.h>
+#include <hybrid/scene/reading_limit.h>
 
 #include <csignal>
 #include <exception>
+#include <new>
 #include <unistd.h>
 
 namespace hybrid::scene
@@ -11,15 +13,42 @@ namespace hybrid::scene
   {
     constexpr int crashes[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE};
 
-    std::string      sentence;   ///< made beforehand: a signal handler may not allocate
+    // Made beforehand: a signal handler may not allocate.
+    std::string sentence;
+    std::string memory_sentence; ///< where memory was the reason
+
     struct sigaction earlier[4]; ///< handlers to be put back
 
     std::terminate_handler earlier_end = nullptr;
 
-    void say_and_end(int)
+    void say_and_end(const std::string &text)
     {
-      const auto written = write(STDERR_FILENO, sentence.data(), sentence.size());
+      const auto written = write(STDERR_FILENO, text.data(), text.size());
       _exit(written < 0 ? 3 : 2);
+    }
+
+
+    void end_crash(int)
+    {
+      say_and_end(sentence);
+    }
+
+
+    /// An exception that nobody can catch.
+    void end_exception()
+    {
+      try
+        {
+          if (std::current_exception() != nullptr)
+            std::rethrow_exception(std::current_exception());
+        }
+      catch (const std::bad_alloc &)
+        {
+          say_and_end(memory_sentence);
+        }
+      catch (...)
+        {}
+      say_and_end(sentence);
     }
   } // namespace
 
@@ -27,14 +56,17 @@ namespace hybrid::scene
 
   CrashGuard::CrashGuard(const std::string &file)
   {
-    sentence = "error: " + file +
-               ": gmsh crashes on this file: look for curve loops that do not close and for "
-               "malformed lines.\n";
+    sentence =
+      "error: " + file +
+      ": gmsh crashes on this file: look for curve loops that do not close, for curves that "
+      "cross or lie within a recombined surface (divide the surface along them) and for "
+      "malformed lines.\n";
+    memory_sentence         = "error: " + file + ": " + ReadingLimit::memory_sentence() + "\n";
     struct sigaction action = {};
-    action.sa_handler       = say_and_end;
+    action.sa_handler       = end_crash;
     for (int i = 0; i < 4; ++i)
       sigaction(crashes[i], &action, &earlier[i]);
-    earlier_end = std::set_terminate([]() { say_and_end(0); });
+    earlier_end = std::set_terminate(end_exception);
   }
 
 

@@ -4,6 +4,7 @@
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/mesh_size_limit.h>
 #include <hybrid/scene/polygon_reader.h>
+#include <hybrid/scene/reading_limit.h>
 #include <hybrid/scene/section_mesh_reader.h>
 #include <hybrid/scene/text_table.h>
 #include <hybrid/scene/unit_check.h>
@@ -36,7 +37,8 @@ namespace hybrid::scene
         gmsh::initialize(0, nullptr, false);
         gmsh::option::setNumber("General.Terminal", 0);
         gmsh::option::setNumber("General.NumThreads", 1);
-        gmsh::onelab::clear(); // numbers outlive gmsh::finalize()
+        gmsh::option::setNumber("General.ExpertMode", 1); // asks no questions on standard input
+        gmsh::onelab::clear();                            // numbers outlive gmsh::finalize()
         gmsh::logger::start();
       }
 
@@ -64,6 +66,10 @@ namespace hybrid::scene
           {
             throw complaint(file, message);
           }
+        catch (const std::bad_alloc &)
+          {
+            throw InputError(file, 0, ReadingLimit::memory_sentence());
+          }
         catch (const std::exception &exception)
           {
             throw complaint(file, exception.what());
@@ -88,6 +94,8 @@ namespace hybrid::scene
       /// gmsh's sentence; where it is "'file', line 7: text" with the line in its place.
       static InputError complaint(const std::string &file, const std::string &message)
       {
+        if (message.rfind("Out of memory", 0) == 0)
+          return InputError(file, 0, ReadingLimit::memory_sentence());
         const std::string own = "'" + file + "', line ";
         if (message.rfind(own, 0) != 0)
           return InputError(file, 0, "gmsh: " + message + ".");
@@ -124,6 +132,7 @@ namespace hybrid::scene
       GmshSession              session;
       std::vector<std::string> names;
       session.run(file, [&]() {
+        const ReadingLimit limit(file);
         gmsh::open(file);
         gmsh::onelab::getNames(names);
       });
@@ -417,14 +426,19 @@ namespace hybrid::scene
       session.run(file, [&]() {
         for (const auto &[name, value] : numbers)
           gmsh::onelab::setNumber(name, {value});
-        gmsh::open(file);
-        if (extension == ".geo")
+        if (extension == ".msh")
           {
-            check_corners(file);
-            gmsh::model::mesh::generate(1);
-            check_mesh_size(file);
-            gmsh::model::mesh::generate(2);
+            gmsh::open(file);
+            return;
           }
+        {
+          const ReadingLimit limit(file);
+          gmsh::open(file);
+          check_corners(file);
+          gmsh::model::mesh::generate(1);
+        }
+        check_mesh_size(file);
+        gmsh::model::mesh::generate(2);
       });
       SectionMesh mesh;
       session.run(file, [&]() { mesh = Converter(file).convert(); });

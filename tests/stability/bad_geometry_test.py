@@ -60,6 +60,7 @@ subsection Mesh
 end
 """ + MATERIAL
 GEOMETRY = MESH.replace("section.msh", "section.geo")
+CONTINUUM = GEOMETRY.replace("bonded", "none").replace("subsection Blocks\n  set Material = rock\nend\n", "")
 RIGID_MESH = MESH.replace("elastic", "none").replace("bonded", "loose")
 BLOCKS_ON_MESH = MESH.replace("bonded", "loose").replace("section.msh", "section.msh\n  set Polygons file = blocks.csv")
 SHAKEN = """
@@ -170,6 +171,47 @@ def crossing_planes(section):
     section.lines["bedding_2"] = [[section.at(2, 0), section.at(2, 1)], [section.at(2, 1), section.at(2, 2)]]
 
 
+SQUARE_GEO = """
+h = 20;
+Point(1) = {0, 0, 0, h};
+Point(2) = {80, 0, 0, h};
+Point(3) = {80, 40, 0, h};
+Point(4) = {0, 40, 0, h};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1:4};
+Plane Surface(1) = {1};
+Recombine Surface {1};
+Mesh.RecombinationAlgorithm = 3;
+Physical Surface("bedrock") = {1};
+Physical Curve("base") = {1};
+Physical Curve("right") = {2};
+Physical Curve("ground") = {3};
+Physical Curve("left") = {4};
+"""
+# Four quarters; the planes between them meet in the middle and go on.
+QUADRANTS = """
+Point(1) = {0, 0, 0, 10};
+l[] = Extrude {40, 0, 0} { Point{1}; Layers{4}; };
+r[] = Extrude {40, 0, 0} { Point{l[0]}; Layers{4}; };
+a[] = Extrude {0, 20, 0} { Curve{l[1], r[1]}; Layers{2}; Recombine; };
+b[] = Extrude {0, 20, 0} { Curve{a[0], a[4]}; Layers{2}; Recombine; };
+Physical Surface("bedrock") = {a[1], a[5], b[1], b[5]};
+Physical Curve("base") = {l[1], r[1]};
+Physical Curve("ground") = {b[0], b[4]};
+Physical Curve("left") = {a[3], b[3]};
+Physical Curve("right") = {a[6], b[6]};
+Physical Curve("bedding_1") = {a[0], a[4]};
+Physical Curve("bedding_2") = {a[2], b[2]};
+"""
+
+
+def geometry(extra):
+    return {"section.geo": SQUARE_GEO + extra}
+
+
 # what is wrong: scene, files, parts of the sentence (an expression each)
 FAULTS = {
     "overlapping polygons": (TABLES, {"blocks.csv": table(square(0, 0), square(9, 0)), "surface.csv": FLAT},
@@ -192,6 +234,23 @@ FAULTS = {
     "gap in a rigid base": (RIGID_MESH, broken(gap_of_base), [r"The base has a gap between \(40, 40\) m and \(60, 40\) m"]),
     "bedrock in two pieces": (MESH, broken(pieces), [r"not one piece: its cells at \(0, 0\) m and \(60, 0\) m"]),
     "bedding planes that cross": (MESH, broken(crossing_planes), [r"bedding_1 and bedding_2 cross at \(40, 20\) m"]),
+    "planes that cross in a .geo": (CONTINUUM, {"section.geo": QUADRANTS}, [r"bedding_1 and bedding_2 cross at \(40, 20\) m"]),
+    "planes within a surface that cross between their points": (CONTINUUM, geometry("""
+Point(5) = {20, 20, 0, h};
+Point(6) = {60, 20, 0, h};
+Point(7) = {40, 5, 0, h};
+Point(8) = {40, 35, 0, h};
+Line(5) = {5, 6};
+Line(6) = {7, 8};
+Curve {5, 6} In Surface {1};
+Physical Curve("bedding_1") = {5};
+Physical Curve("bedding_2") = {6};
+"""), [r"section.geo: gmsh crashes on this file: .* curves that cross or lie within a recombined surface \(divide the surface"]),
+    "list without end in a .geo": (CONTINUUM, geometry("L[] = {1:1e18};\n"),
+                                   [r"section.geo: gmsh needs more than 2 GB of memory before", r"\{1:1e9\}"]),
+    "list that falls without end": (CONTINUUM, geometry("L[] = {1:-1e308};\n"), [r"gmsh needs more than 2 GB of memory"]),
+    "curve of a thousand million nodes": (CONTINUUM, geometry("Transfinite Curve {1} = 1e9;\n"),
+                                          [r"gmsh needs more than 2 GB of memory"]),
     "mesh in millimetres": (MESH, {"section.msh": Section().text(1e3)},
                             [r"from \(0, 0\) to \(80000, 50000\) m is 80 km large", r"if they are millimetres, .* \(80 m\)"]),
     "mesh in kilometres": (MESH, {"section.msh": Section().text(1e-3)},

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A run that is stopped, killed or runs out of disk loses nothing, and goes on to the bits of an uninterrupted one.
 
-Usage: restart_test.py HYBRID_BINARY PART WORK_DIR     PART: coupled, dda, signals, faults
+Usage: restart_test.py HYBRID_BINARY PART WORK_DIR     PART: coupled, dda, signals, static, faults
 """
 import json
 import os
@@ -23,6 +23,8 @@ COUPLED = ROOT / "parameters/verification/restart_coupled.prm"
 SQUARES = ROOT / "parameters/verification/unit_squares.prm"
 TOPPLING = ["Mesh/Numbers=Angle = 20; Columns = 4; Rows = 4; Base above = 20", "Time/End time=0.35", "Output/Picture interval=0.05",
             "Output/Flush interval=0.02"]
+# A static stage that takes most of the time, five steps after it.
+FINE = ["Mesh/Numbers=Resolution/h = 0.35", "Time/End time=0.01"]
 ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
 # Of summary.json, besides steps/wall_time of run.h5; a run that goes on makes its list of near blocks anew.
 WALL = {"wall_time_s", "peak_memory_mb", "timings_s", "contact_search"}
@@ -195,6 +197,60 @@ def check_signals():
     require(results(short) == before, "resuming a finished run changes nothing")
 
 
+def end_static_stage(number, wait, name):
+    """Send a signal to a run in its static stage. @return its directory, its exit code and what it printed."""
+    directory = WORK / name
+    process = subprocess.Popen(words_of(COUPLED, directory, FINE), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                               text=True, env=ENVIRONMENT, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+    log = directory / "log.txt"
+    while process.poll() is None and not (log.exists() and "\nTime " in log.read_text()):  # the end of the card
+        time.sleep(0.005)
+    time.sleep(wait)
+    process.send_signal(number)
+    output, errors = process.communicate(timeout=60)
+    require("Static stage: relative" not in output, f"{name}: the signal came in the static stage")
+    require(not errors, f"{name}: nothing on stderr, not {errors}")
+    return directory, process.returncode, output
+
+
+def check_static_stage():
+    """Ctrl-C and SIGKILL in the static stage: told, nothing left to go on from, and begun anew with the same results."""
+    whole = WORK / "whole"
+    run(words_of(COUPLED, whole, FINE))
+    stage = json.loads((whole / "summary.json").read_text(encoding="utf-8"))["timings_s"]["static_stage"]
+    random.seed(int(os.environ.get("HYBRID_SEED", "1")))
+    for number in (signal.SIGINT, signal.SIGKILL):
+        for wait in (0., random.uniform(0.1, 0.5) * stage):
+            name = f"static_{signal.Signals(number).name}_{wait:.3f}"
+            directory, code, output = end_static_stage(number, wait, name)
+            print(f"{name} of {stage:.1f} s: exit code {code}, {output.splitlines()[-1]}")
+            if number == signal.SIGINT:
+                require(code == 130, f"{name}: exit code 130, not {code}")
+                require(f"Interrupted in the static stage: there are no results and no checkpoint yet; to begin anew: "
+                        f"hybrid --resume {directory}" in output, f"{name}: says what is left")
+            require(check_readable(directory) <= 0, f"{name}: run.h5 has no step")
+            left = {str(file.relative_to(directory)) for file in directory.rglob("*") if file.is_file()}
+            require(left <= {"log.txt", "params.used.prm", "run.h5"}, f"{name}: leaves {left}")
+            expect_refusal(words_of(COUPLED, directory, FINE), directory, "--force", "--resume")
+            run([BINARY, "--resume", str(directory)])
+            compare(whole, directory, name)
+
+
+def check_processes():
+    """Several processes of mpirun would write the same files."""
+    directory = WORK / "processes"
+    launcher = [os.environ["HYBRID_MPIEXEC"], "-n", "2", "--oversubscribe", "--allow-run-as-root"]
+    result = subprocess.run([*launcher, *words_of(COUPLED, directory)], capture_output=True, text=True, env=ENVIRONMENT, timeout=60)
+    require(result.returncode == 2, f"two processes: exit code 2, not {result.returncode}")
+    require("error: hybrid runs in one process, but mpirun started 2" in result.stderr, f"two processes: {result.stderr[-300:]}")
+    require(not directory.exists(), "two processes: nothing is written")
+
+
+def check_static():
+    check_static_stage()
+    check_processes()
+
+
 def expect_refusal(words, *parts, code=2):
     message = run(words, expect=code)
     for part in parts:
@@ -310,7 +366,7 @@ def check_faults():
 def main():
     shutil.rmtree(WORK, ignore_errors=True)
     WORK.mkdir(parents=True)
-    {"coupled": check_coupled, "dda": check_dda, "signals": check_signals, "faults": check_faults}[PART]()
+    {"coupled": check_coupled, "dda": check_dda, "signals": check_signals, "static": check_static, "faults": check_faults}[PART]()
     print(f"{len(complaints)} complaints")
     return 1 if complaints else 0
 

@@ -19,6 +19,12 @@ namespace hybrid::dda
     /// changes).
     StepResult solve(DdaState &state, const BaseResponse &base, double dt);
 
+    /// Let @p watch be asked before every open-close iteration whether to go on.
+    void set_watch(OpenCloseIteration::Watch watch)
+    {
+      iteration.set_watch(std::move(watch));
+    }
+
     /// Make the solved step the new state.
     void accept(DdaState &state) const
     {

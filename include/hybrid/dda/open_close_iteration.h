@@ -6,6 +6,7 @@
 #include <hybrid/dda/spring_stiffness.h>
 #include <hybrid/dda/springs.h>
 
+#include <functional>
 #include <limits>
 
 namespace hybrid::dda
@@ -14,6 +15,7 @@ namespace hybrid::dda
   struct StepResult
   {
     bool   converged          = false; ///< if not, nothing was changed: cut the step
+    bool   stopped            = false; ///< by whoever watches the iteration
     int    iterations         = 0;     ///< of the open-close iteration
     int    solver_iterations  = 0;     ///< of the linear solver, summed
     int    factorizations     = 0;
@@ -43,6 +45,15 @@ namespace hybrid::dda
   class OpenCloseIteration
   {
   public:
+    /// Asked before every iteration; the step ends unconverged where it returns false.
+    using Watch = std::function<bool(const StepResult &)>;
+
+    /// Let @p new_watch be asked from now on.
+    void set_watch(Watch new_watch)
+    {
+      watch = std::move(new_watch);
+    }
+
     /// Solve the step from @p state; @p model must outlive the call to accept().
     StepResult
     solve(const Model &model, const DdaState &state, const BaseResponse &base, double dt);
@@ -67,6 +78,7 @@ namespace hybrid::dda
     }
 
   private:
+    Watch             watch;
     Springs           springs;
     SpringStiffness   stiffness;
     BlockMatrix       matrix;

@@ -4,12 +4,15 @@
 #include <hybrid/dda/model.h>
 #include <hybrid/dda/state.h>
 
+#include <functional>
+
 namespace hybrid::dda
 {
   /// What became of the static stage.
   struct StaticResult
   {
     bool   equilibrium          = false; ///< relative residual below the target
+    bool   stopped              = false; ///< by whoever watches: the state is of no use
     int    steps                = 0;
     int    iterations           = 0; ///< open-close iterations
     int    cuts                 = 0;
@@ -17,6 +20,19 @@ namespace hybrid::dda
     double largest_displacement = 0.; ///< of a centroid [m]
     int    moving_block = -1; ///< that moved most in the last step, if there is no equilibrium
   };
+
+
+  /// How far the static stage is.
+  struct StaticProgress
+  {
+    int    steps      = 0;  ///< done
+    int    iterations = 0;  ///< open-close iterations done
+    double residual   = 1.; ///< after the last step [-]
+    double target     = 0.; ///< the stage ends at this residual [-]
+  };
+
+  /// Told before every open-close iteration; the stage ends where it returns false.
+  using StaticWatch = std::function<bool(const StaticProgress &)>;
 
 
   /**
@@ -30,5 +46,7 @@ namespace hybrid::dda
    * forces on the base become DdaState::static_force.
    */
   /// @param held friction and bonds are unlimited while the blocks settle.
-  StaticResult settle(const Model &model, DdaState &state, bool held = false);
+  /// @param watch may be empty.
+  StaticResult
+  settle(const Model &model, DdaState &state, bool held = false, const StaticWatch &watch = {});
 } // namespace hybrid::dda

@@ -60,6 +60,9 @@ namespace hybrid::output
   };
 
 
+  /// The steady clock, from any origin [s].
+  double steady_seconds();
+
   /// Whether standard output is a terminal.
   bool standard_output_is_terminal();
 

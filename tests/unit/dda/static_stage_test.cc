@@ -52,6 +52,36 @@ TEST(StaticStage, bonded_column_carries_its_own_weight)
 
 
 
+TEST(StaticStage, whoever_watches_is_told_and_can_end_it)
+{
+  scene::SectionMesh mesh = square_blocks(1, 8);
+  mesh.lines["sliding_surface"].push_back({0, 1});
+  const Model                 model = build_model(mesh, strong(30.), straight_base(0., 0., 1., 1));
+  DdaState                    state = initial_state(model);
+  std::vector<StaticProgress> told;
+  const StaticResult          whole = settle(model, state, false, [&](const StaticProgress &now) {
+    told.push_back(now);
+    return true;
+  });
+  ASSERT_TRUE(whole.equilibrium);
+  EXPECT_FALSE(whole.stopped);
+  EXPECT_EQ(static_cast<int>(told.size()), whole.iterations);
+  EXPECT_EQ(told.front().steps, 0);
+  EXPECT_EQ(told.back().iterations, whole.iterations - 1);
+  EXPECT_GT(told.back().residual, told.back().target);
+
+  DdaState           other = initial_state(model);
+  int                calls = 0;
+  const StaticResult stopped =
+    settle(model, other, false, [&](const StaticProgress &) { return ++calls < 5; });
+  EXPECT_TRUE(stopped.stopped);
+  EXPECT_FALSE(stopped.equilibrium);
+  EXPECT_EQ(calls, 5);
+  EXPECT_LT(stopped.iterations, whole.iterations);
+}
+
+
+
 TEST(StaticStage, loose_column_on_a_slope_below_its_friction_angle_stands)
 {
   const double       angle = 20. * M_PI / 180.;
