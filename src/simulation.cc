@@ -11,6 +11,7 @@
 #include <hybrid/output/progress.h>
 #include <hybrid/output/scene_card.h>
 #include <hybrid/output/static_progress.h>
+#include <hybrid/scene/doubtful_values.h>
 #include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/mesh_check.h>
 #include <hybrid/scene/section_mesh_reader.h>
@@ -154,6 +155,8 @@ namespace hybrid
     for (const std::string &warning : input.warnings)
       log.warning(warning);
     for (const std::string &warning : scene::unit_warnings(mesh, scene))
+      log.warning(warning);
+    for (const std::string &warning : scene::doubtful_values(scene))
       log.warning(warning);
     for (const std::string &warning : card.warnings)
       log.warning(warning);

@@ -38,8 +38,13 @@ namespace hybrid::scene
         throw InputError("Motion/Frequency is " + in_words(frequency) +
                          "; a Ricker wavelet needs a positive one.");
 
-      const double dt   = wave_spacing(frequency, time_step);
-      const int    half = static_cast<int>(std::ceil(1.5 / (frequency * dt) - 1e-9));
+      constexpr double most_samples = 1e6; // a second or two for the scene card
+      const double     dt           = wave_spacing(frequency, time_step);
+      if (!(3. / (frequency * dt) <= most_samples))
+        throw InputError("Motion/Frequency is " + in_words(frequency) +
+                         "; a Ricker wavelet in steps of " + in_words(dt) + " s has at least " +
+                         in_words(3. / (most_samples * dt)) + " Hz.");
+      const int half = static_cast<int>(std::ceil(1.5 / (frequency * dt) - 1e-9));
 
       std::vector<double> a(2 * half + 1);
       for (int i = 0; i <= 2 * half; ++i)

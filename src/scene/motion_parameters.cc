@@ -43,7 +43,7 @@ namespace hybrid::scene
         "Frequency",
         motion.frequency,
         "Hz",
-        positive,
+        ParameterRange::closed(1e-6, 1e6),
         "Dominant frequency of the Ricker wavelet, that of the sine burst, predominant one of the "
         "synthetic motion.");
       section.number("Cycles", motion.cycles, "", positive, "Number of cycles of the sine burst.");

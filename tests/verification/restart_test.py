@@ -103,41 +103,58 @@ def check_readable(directory):
         return -1
 
 
+def processor_time(process):
+    """@return what the process has used so far [s]; unlike wall time it does not depend on what else the machine does."""
+    fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def end_or_kill(words, seconds):
+    """Run and kill after so much processor time, if it is a number. @return the exit code, None if killed."""
+    with open(WORK / "errors.txt", "w") as errors:
+        process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=errors, env=ENVIRONMENT)
+    while process.poll() is None:
+        if seconds is not None and processor_time(process) >= seconds:
+            time.sleep(random.uniform(0., 0.02))  # between two ticks of the clock
+            process.kill()
+            process.wait()
+            return process.returncode if process.returncode >= 0 else None
+        time.sleep(0.002)
+    return process.returncode
+
+
 def kill_and_resume(scene, overrides, rounds, kills):
     """Runs that are killed with SIGKILL at random moments, several times each."""
     whole = WORK / "whole"
-    start = time.monotonic()
+    start = os.times().children_user + os.times().children_system
     run(words_of(scene, whole, overrides))
-    duration = time.monotonic() - start
+    duration = os.times().children_user + os.times().children_system - start
     data = data_sets(whole)
     print(f"uninterrupted: {len(data)} data sets, {data['time'].size} steps, {duration:.2f} s, "
           f"{data['joints/failure_time'].size} joints failed, "
           f"{len(set(data['steps/dt']))} step sizes")
     seed = int(os.environ.get("HYBRID_SEED", "1"))
     random.seed(seed)
+    killed = 0
     for round_number in range(rounds):
         directory = WORK / f"killed_{round_number}"
         interval = random.choice([2, 7, 20])
         words = words_of(scene, directory, [*overrides, f"Checkpoint/Step interval={interval}"])
         moments = []
         while True:
-            process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=ENVIRONMENT)
-            try:
-                wait = random.uniform(0.3, 1.3) * duration if len(moments) < kills else None
-                errors = process.communicate(timeout=wait)[1]
-            except subprocess.TimeoutExpired:
-                process.kill()
-                process.communicate()
-                if (directory / "params.used.prm").exists():
-                    words = [BINARY, "--resume", str(directory)]
-                    moments.append(check_readable(directory))
-                else:
-                    moments.append("nothing yet")
-                continue
-            require(process.returncode == 0, f"a resumed run finishes: {errors}")
-            break
+            code = end_or_kill(words, random.uniform(0.1, 1.1) * duration if len(moments) < kills else None)
+            if code is not None:
+                require(code == 0, f"a resumed run finishes: {(WORK / 'errors.txt').read_text()}")
+                break
+            if (directory / "params.used.prm").exists():
+                words = [BINARY, "--resume", str(directory)]
+                moments.append(check_readable(directory))
+            else:
+                moments.append("nothing yet")
+        killed += len(moments)
         print(f"round {round_number}: checkpoint every {interval} steps, steps in run.h5 when killed: {moments}")
         compare(whole, directory, f"killed {len(moments)} times")
+    require(killed > 0, "one run at least is killed")
 
 
 def stop_and_resume(scene, overrides, moments):

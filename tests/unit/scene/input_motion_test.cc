@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/input_error.h>
 #include <hybrid/scene/input_motion.h>
 
 #include "temporary_files.h"
@@ -115,6 +116,32 @@ namespace hybrid::scene::test
         EXPECT_NEAR(make(p, 100.).motion.displacement(100.), 0., 1e-9) << type;
         p.baseline_correction = false;
         EXPECT_GT(std::abs(make(p, 100.).motion.displacement(100.)), 1e-4) << type;
+      }
+  }
+
+
+  TEST_F(InputMotionTest, a_ricker_wavelet_of_too_many_samples_is_refused)
+  {
+    MotionParameters p;
+    p.type      = "ricker";
+    p.frequency = 1e-2;
+    TimeParameters time;
+    time.end_time  = 10.;
+    time.time_step = 1e-3;
+    EXPECT_NEAR(make_input_motion(p, time).motion.duration(), 300., 1e-9);
+    for (const double frequency : {1e-6, 1e-12, 1e-300}) // the last ones overflowed the count
+      {
+        p.frequency = frequency;
+        try
+          {
+            make_input_motion(p, time);
+            FAIL() << frequency;
+          }
+        catch (const InputError &error)
+          {
+            expect_part(error.what(),
+                        "; a Ricker wavelet in steps of 0.001 s has at least 0.003 Hz");
+          }
       }
   }
 

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/doubtful_values.h>
+
+#include <gtest/gtest.h>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    /// Clay on Earth, in the units that are asked for.
+    SceneParameters sound_scene()
+    {
+      SceneParameters scene;
+      Material        clay;
+      clay.density              = 2000.;
+      clay.young_modulus        = 20e6;
+      clay.friction_angle       = 25.;
+      clay.cohesion             = 20e3;
+      clay.tensile_strength     = 0.;
+      scene.materials["clay"]   = clay;
+      scene.environment.gravity = 9.81;
+      return scene;
+    }
+
+
+    /// The only warning of a scene in which @p value has been given to a member of the clay.
+    std::string warning_of(double Material::*member, const double value)
+    {
+      SceneParameters scene              = sound_scene();
+      scene.materials.at("clay").*member = value;
+      const auto warnings                = doubtful_values(scene);
+      return warnings.size() == 1 ? warnings[0] : std::to_string(warnings.size()) + " warnings";
+    }
+
+
+    std::string warning_of_gravity(const double value)
+    {
+      SceneParameters scene     = sound_scene();
+      scene.environment.gravity = value;
+      const auto warnings       = doubtful_values(scene);
+      return warnings.size() == 1 ? warnings[0] : std::to_string(warnings.size()) + " warnings";
+    }
+
+
+    TEST(DoubtfulValues, SoundScenesAreNotDoubted)
+    {
+      EXPECT_TRUE(doubtful_values(sound_scene()).empty());
+      EXPECT_EQ(warning_of(&Material::cohesion, 0.), "0 warnings");
+      EXPECT_EQ(warning_of(&Material::friction_angle, 0.), "0 warnings");
+      EXPECT_EQ(warning_of(&Material::young_modulus, 7e10), "0 warnings");
+      EXPECT_EQ(warning_of_gravity(0.), "0 warnings");
+    }
+
+
+    TEST(DoubtfulValues, TheLikelyUnitIsNamed)
+    {
+      EXPECT_EQ(
+        warning_of(&Material::density, 2.2),
+        "Materials/clay/Density = 2.2 kg/m3 is doubtful: expected is 300 to 12000 kg/m3; if it "
+        "was meant in t/m3, give 2200");
+      EXPECT_NE(warning_of(&Material::density, 19.62).find("in kN/m3, give 2000"),
+                std::string::npos);
+      EXPECT_NE(warning_of(&Material::density, 19620.).find("in N/m3, give 2000"),
+                std::string::npos);
+      EXPECT_NE(warning_of(&Material::young_modulus, 5.).find("in GPa, give 5e+09"),
+                std::string::npos);
+      EXPECT_NE(warning_of(&Material::young_modulus, 5000.).find("in MPa, give 5e+09"),
+                std::string::npos);
+      EXPECT_NE(warning_of(&Material::friction_angle, 0.5).find("in radians, give 28.65"),
+                std::string::npos);
+      EXPECT_NE(warning_of(&Material::cohesion, 20.)
+                  .find("at least 50 Pa; if it was meant in kPa, give 20000"),
+                std::string::npos);
+      EXPECT_NE(warning_of(&Material::tensile_strength, 0.1).find("in kPa, give 100"),
+                std::string::npos);
+      EXPECT_NE(warning_of_gravity(1.).find(
+                  "Gravity/Acceleration = 1 m/s2 is doubtful: expected is "
+                  "1.5 to 2000 m/s2; if it was meant in g, give 9.81"),
+                std::string::npos);
+    }
+
+
+    TEST(DoubtfulValues, WhereNoUnitHelpsNoneIsNamed)
+    {
+      EXPECT_EQ(warning_of(&Material::young_modulus, 1e15).find("meant"), std::string::npos);
+      EXPECT_EQ(warning_of(&Material::density, 1e9).find("meant"), std::string::npos);
+    }
+  } // namespace
+} // namespace hybrid::scene
