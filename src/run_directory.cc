@@ -47,8 +47,10 @@ namespace hybrid
 
     void remove_file(const fs::path &file)
     {
-      std::error_code error;
+      std::error_code error, other;
       fs::remove(file, error);
+      if (!fs::exists(fs::symlink_status(file, other)))
+        return; // a directory that cannot be written says so even of files that are not there
       if (error && error != std::errc::not_a_directory)
         throw InputError("cannot delete '" + file.string() +
                          "' of the earlier run: " + error.message());

@@ -139,8 +139,13 @@ namespace hybrid
     for (const scene::Monitor &monitor : scene.monitors.monitors)
       probes.add(monitor.position, monitor.name);
     for (const scene::Borehole &hole : scene.monitors.boreholes)
-      for (const Vec2 &end : {hole.top, hole.bottom})
-        probes.add(end, hole.name);
+      {
+        for (const Vec2 &end : {hole.top, hole.bottom})
+          probes.add(end, hole.name);
+        for (int k = 1; k + 1 < hole.samples; ++k)
+          probes.add(hole.top + k / (hole.samples - 1.) * (hole.bottom - hole.top),
+                     hole.name + " sample " + std::to_string(k));
+      }
   }
 
 

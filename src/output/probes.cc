@@ -5,6 +5,8 @@
 #include <hybrid/restart/archive.h>
 #include <hybrid/scene/input_error.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -81,6 +83,33 @@ namespace hybrid::output
 
 
 
+  double Probes::height_above_base(const Vec2 &x) const
+  {
+    const double infinity = std::numeric_limits<double>::infinity();
+    if (model == nullptr || model->n_base_nodes() == 0)
+      return infinity;
+    const std::vector<Vec2> &nodes = model->initial.base_nodes;
+    // Beside the base it goes on level.
+    const Vec2 *left = &nodes.front(), *right = &nodes.front();
+    for (const Vec2 &node : nodes)
+      {
+        left  = node.x() < left->x() ? &node : left;
+        right = node.x() > right->x() ? &node : right;
+      }
+    double surface = x.x() <= left->x() ? left->y() : x.x() >= right->x() ? right->y() : -infinity;
+    for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
+      {
+        const Vec2 &a = nodes[k], &b = nodes[k + 1];
+        if (x.x() < std::min(a.x(), b.x()) || x.x() > std::max(a.x(), b.x()))
+          continue;
+        const double part = b.x() != a.x() ? (x.x() - a.x()) / (b.x() - a.x()) : 1.;
+        surface           = std::max(surface, a.y() + part * (b.y() - a.y()));
+      }
+    return x.y() - surface;
+  }
+
+
+
   int Probes::add(const Vec2 &x, const std::string &name)
   {
     Probe probe;
@@ -100,12 +129,23 @@ namespace hybrid::output
       block = nearest_block(x);
     if (block >= 0)
       attach(probe, block, x);
-    else if (probe.point < 0 && (model == nullptr || model->n_base_nodes() == 0))
+    else if (probe.point < 0)
       {
-        std::ostringstream text;
-        text << "the point '" << name << "' at (" << x.x() << ", " << x.y()
-             << ") m is in no block and there is no bedrock";
-        throw InputError(text.str());
+        const double height = height_above_base(x);
+        double       size   = 0.; // of a block: a point on the surface may be rounded
+        for (int b = 0; model != nullptr && b < model->n_blocks(); ++b)
+          size = std::max(size, model->blocks[b].size);
+        if (height > 0.5 * size)
+          {
+            std::ostringstream text;
+            text << "the point '" << name << "' at (" << x.x() << ", " << x.y()
+                 << ") m is in no block and ";
+            if (std::isfinite(height))
+              text << height << " m above the base";
+            else
+              text << "there is no bedrock";
+            throw InputError(text.str());
+          }
       }
     probes.push_back(probe);
     return static_cast<int>(probes.size()) - 1;

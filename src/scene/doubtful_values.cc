@@ -99,6 +99,12 @@ namespace hybrid::scene
                                        infinity,
                                        {{"kPa", 1e3}, {"MPa", 1e6}}};
 
+    const Quantity water_density = {"Density", "kg/m3", 500., 2500., {{"t/m3", 1000.}}};
+
+    // Critical damping at 1 Hz: alpha_M / (2 w) and beta_K w / 2 are one.
+    const Quantity rayleigh_mass      = {"Rayleigh mass", "1/s", 0., 4. * M_PI, {}};
+    const Quantity rayleigh_stiffness = {"Rayleigh stiffness", "s", 0., 1. / M_PI, {}};
+
     const Quantity gravity = {"Acceleration", "m/s2", 1.5, 2000., {{"g", standard_gravity}}};
   } // namespace
 
@@ -116,6 +122,9 @@ namespace hybrid::scene
         look_at(section, cohesion, material.cohesion, warnings);
         look_at(section, tensile_strength, material.tensile_strength, warnings);
       }
+    look_at("Water", water_density, scene.environment.water_density, warnings);
+    look_at("Continuum", rayleigh_mass, scene.continuum.rayleigh_mass, warnings);
+    look_at("Continuum", rayleigh_stiffness, scene.continuum.rayleigh_stiffness, warnings);
     look_at("Gravity", gravity, scene.environment.gravity, warnings);
     return warnings;
   }

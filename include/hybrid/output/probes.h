@@ -63,6 +63,9 @@ namespace hybrid::output
 
     int nearest_block(const Vec2 &x) const;
 
+    /// How far a point is above the surface of the base [m]; infinite without one.
+    double height_above_base(const Vec2 &x) const;
+
     void attach(Probe &probe, int block, const Vec2 &x) const;
 
     Vec2 position(const dda::DdaState &state, const Probe &probe) const;

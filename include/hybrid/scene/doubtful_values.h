@@ -12,8 +12,9 @@ namespace hybrid::scene
    * Values that can be computed with, but that no rock, soil or planet has, one sentence each with
    * the unit in which the number would make sense: density outside 300 to 12000 kg/m3 (t/m3,
    * kN/m3, N/m3), Young's modulus outside 50 kPa to 1.1 TPa (kPa, MPa, GPa), a friction angle
-   * below pi/2 degrees (radians), a cohesion or tensile strength below 50 Pa (kPa, MPa), gravity
-   * outside 1.5 m/s2 (the Moon) to 2000 m/s2 (a centrifuge).
+   * below pi/2 degrees (radians), a cohesion or tensile strength below 50 Pa (kPa, MPa), water
+   * outside 500 to 2500 kg/m3, Rayleigh damping beyond the critical one at 1 Hz, gravity outside
+   * 1.5 m/s2 (the Moon) to 2000 m/s2 (a centrifuge).
    */
   std::vector<std::string> doubtful_values(const SceneParameters &scene);
 } // namespace hybrid::scene

@@ -138,3 +138,26 @@ TEST(Probes, point_in_nothing_is_refused_by_name)
         << error.what();
     }
 }
+
+
+
+// What is in no block moves with the base, but not in the air.
+TEST(Probes, point_above_the_base_is_refused)
+{
+  OneBlock scene;
+  Probes   probes(&scene.model, nullptr);
+  EXPECT_NO_THROW(probes.add(Vec2(0.5, -1.), "in the base"));
+  EXPECT_NO_THROW(probes.add(Vec2(2.5, 0.001), "on the base, rounded"));
+  EXPECT_NO_THROW(probes.add(Vec2(500., -1.), "beside the base"));
+  for (const Vec2 &x : {Vec2(1., 400.), Vec2(500., 3.)})
+    try
+      {
+        probes.add(x, "P");
+        FAIL() << x.transpose();
+      }
+    catch (const InputError &error)
+      {
+        EXPECT_NE(std::string(error.what()).find("m above the base"), std::string::npos)
+          << error.what();
+      }
+}

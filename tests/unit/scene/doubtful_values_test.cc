@@ -80,6 +80,26 @@ namespace hybrid::scene
     }
 
 
+    TEST(DoubtfulValues, DampingBeyondTheCriticalOneIsDoubted)
+    {
+      SceneParameters scene              = sound_scene();
+      scene.continuum.rayleigh_mass      = 2.;
+      scene.continuum.rayleigh_stiffness = 0.01;
+      EXPECT_TRUE(doubtful_values(scene).empty());
+      scene.continuum.rayleigh_mass      = 1105.;
+      scene.continuum.rayleigh_stiffness = 5.;
+      scene.environment.water_density    = 1.;
+      const auto warnings                = doubtful_values(scene);
+      ASSERT_EQ(warnings.size(), 3u);
+      EXPECT_EQ(
+        warnings[0],
+        "Water/Density = 1 kg/m3 is doubtful: expected is 500 to 2500 kg/m3; if it was meant "
+        "in t/m3, give 1000");
+      EXPECT_EQ(warnings[1],
+                "Continuum/Rayleigh mass = 1105 1/s is doubtful: expected is 0 to 12.57 1/s");
+    }
+
+
     TEST(DoubtfulValues, WhereNoUnitHelpsNoneIsNamed)
     {
       EXPECT_EQ(warning_of(&Material::young_modulus, 1e15).find("meant"), std::string::npos);
