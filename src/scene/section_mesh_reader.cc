@@ -183,6 +183,16 @@ namespace hybrid::scene
     }
 
 
+    InputError
+    outside_plane(const std::string &file, const std::string &what, const std::vector<double> &x)
+    {
+      std::ostringstream sentence;
+      sentence << "the " << what << " at (" << x[0] << ", " << x[1] << ", " << x[2]
+               << ") m is outside the plane z = 0 of the section.";
+      return InputError(file, 0, sentence.str());
+    }
+
+
     /// Copies gmsh's current mesh into a SectionMesh.
     class Converter
     {
@@ -235,12 +245,7 @@ namespace hybrid::scene
                                  "the coordinate " + std::string(1, "xyz"[axis]) + " of node " +
                                    std::to_string(tag) + " is not a finite number.");
             if (std::abs(x[3 * i + 2]) > 1e-9 * size)
-              {
-                std::ostringstream sentence;
-                sentence << "the node at (" << x[3 * i] << ", " << x[3 * i + 1] << ", "
-                         << x[3 * i + 2] << ") m is outside the plane z = 0 of the section.";
-                throw InputError(file, 0, sentence.str());
-              }
+              throw outside_plane(file, "node", {x[3 * i], x[3 * i + 1], x[3 * i + 2]});
             index_of_tag[tag] = coordinates.size();
             coordinates.emplace_back(x[3 * i], x[3 * i + 1]);
           }
@@ -387,7 +392,8 @@ namespace hybrid::scene
       gmsh::model::getEntities(points, 0);
       if (points.empty())
         return;
-      Vec2 low(1e300, 1e300), high(-1e300, -1e300);
+      Vec2                low(1e300, 1e300), high(-1e300, -1e300);
+      std::vector<double> farthest{0., 0., 0.}; // from the plane of the section
       for (const auto &[dim, tag] : points)
         {
           std::vector<double> x;
@@ -398,10 +404,14 @@ namespace hybrid::scene
                                0,
                                "the coordinate " + std::string(1, "xyz"[axis]) + " of point " +
                                  std::to_string(tag) + " is not a finite number.");
+          if (std::abs(x[2]) > std::abs(farthest[2]))
+            farthest = x;
           low  = low.cwiseMin(Vec2(x[0], x[1]));
           high = high.cwiseMax(Vec2(x[0], x[1]));
         }
       check_extent(low, high);
+      if (std::abs(farthest[2]) > 1e-9 * (high - low).maxCoeff())
+        throw outside_plane(file, "point", farthest);
     }
 
 

@@ -246,6 +246,8 @@ Curve {5, 6} In Surface {1};
 Physical Curve("bedding_1") = {5};
 Physical Curve("bedding_2") = {6};
 """), [r"section.geo: gmsh crashes on this file: .* curves that cross or lie within a recombined surface \(divide the surface"]),
+    "point of a .geo far off the plane": (CONTINUUM, {"section.geo": SQUARE_GEO.replace("{80, 40, 0, h}", "{80, 40, -1e308, h}")},
+                                          [r"section.geo: the point at \(80, 40, -1e\+308\) m is outside the plane z = 0"]),
     "list without end in a .geo": (CONTINUUM, geometry("L[] = {1:1e18};\n"),
                                    [r"section.geo: gmsh needs more than 2 GB of memory before", r"\{1:1e9\}"]),
     "list that falls without end": (CONTINUUM, geometry("L[] = {1:-1e308};\n"), [r"gmsh needs more than 2 GB of memory"]),
