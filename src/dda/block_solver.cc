@@ -72,28 +72,30 @@ namespace hybrid::dda
   {
     int now = 0;
     for (const JointState &joint : state.joints)
-      now += (joint.failure != FailureKind::none ? 1 : 0) + (joint.released ? 1 : 0);
+      now += (joint.loosened ? 1 : 0) + (joint.failure != FailureKind::none ? 1 : 0) +
+             (joint.released ? 1 : 0);
     if (now == changes)
       return;
     changes = now;
 
     SkippedPairs skipped;
-    skipped.awake.assign(model.blocks.size(), 0);
+    skipped.awake.assign(model.blocks.size(), Awake::no);
     for (std::size_t b = 0; b < model.blocks.size(); ++b)
-      skipped.awake[b] = !model.bonded[b];
+      if (!model.bonded[b])
+        skipped.awake[b] = Awake::to_all;
     if (model.n_bedrock > 0)
       for (int b = 0; b < model.n_blocks(); ++b)
         skipped.bedrock.push_back(model.is_bedrock(b));
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       {
         const Joint &joint = model.joints[j];
-        // From the first failure on a block looks at all its neighbours: found later, they might
-        // overlap already.
-        if (state.joints[j].failure != FailureKind::none)
+        if (state.joints[j].loosened)
           {
+            const Awake reason =
+              state.joints[j].failure == FailureKind::none ? Awake::to_blocks : Awake::to_all;
             for (const int body : {joint.block, joint.other})
               if (body != base_body && !model.is_bedrock(body))
-                skipped.awake[body] = 1;
+                skipped.awake[body] = std::max(skipped.awake[body], reason);
           }
         if (state.joints[j].released)
           continue;
@@ -105,12 +107,13 @@ namespace hybrid::dda
     // A block that only touches the base with a corner is held by its neighbours while it is not
     // awake.
     for (const auto &pair : touching_base)
-      if (!skipped.awake[pair.first])
+      if (skipped.awake[pair.first] != Awake::to_all)
         skipped.bonded_base.push_back(pair);
     std::sort(skipped.bonded_base.begin(), skipped.bonded_base.end());
     skipped.bonded_base.erase(std::unique(skipped.bonded_base.begin(), skipped.bonded_base.end()),
                               skipped.bonded_base.end());
     detection.set_skipped_pairs(skipped);
+    awake = std::move(skipped.awake);
   }
 
 
@@ -120,7 +123,9 @@ namespace hybrid::dda
     const auto                     start  = std::chrono::steady_clock::now();
     const ContactDetection::Report before = detection.report();
     update_skipped_pairs(state);
-    detection.update(state.geometry, state.contacts);
+    detection.set_was_awake(state.awake);
+    detection.update(state.geometry, state.contacts, state.rest);
+    state.awake.assign(awake.begin(), awake.end());
     ++search_summary.steps;
     search_summary.searches += detection.report().searches - before.searches;
     search_summary.lists += detection.report().builds - before.builds;

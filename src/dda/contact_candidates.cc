@@ -245,8 +245,17 @@ namespace hybrid::dda
       return true;
     if (!lookup.bedrock.empty() && lookup.bedrock[block] && lookup.bedrock[other])
       return true;
-    const bool is_awake = lookup.awake.empty() || lookup.awake[block] || lookup.awake[other];
-    return !is_awake && !neighbour_offset.empty() &&
+    const bool is_awake =
+      lookup.awake.empty() ||
+      std::max(lookup.awake[block], lookup.awake[other]) >= needed(block, other);
+    return !is_awake && are_neighbours(block, other);
+  }
+
+
+
+  bool ContactCandidates::are_neighbours(const int block, const int other) const
+  {
+    return !neighbour_offset.empty() &&
            std::binary_search(neighbours.begin() + neighbour_offset[block],
                               neighbours.begin() + neighbour_offset[block + 1],
                               other);
@@ -254,9 +263,30 @@ namespace hybrid::dda
 
 
 
+  Awake ContactCandidates::needed(const int block, const int other) const
+  {
+    const bool meets_bedrock =
+      !lookup.bedrock.empty() && lookup.bedrock[block] != lookup.bedrock[other];
+    return meets_bedrock ? Awake::to_all : Awake::to_blocks;
+  }
+
+
+
+  bool ContactCandidates::is_first_look(const int body, const int other) const
+  {
+    if (was_awake.empty())
+      return false;
+    if (body == base_body || other == base_body)
+      return was_awake[std::max(body, other)] != Awake::to_all;
+    return std::max(was_awake[body], was_awake[other]) < needed(body, other) &&
+           are_neighbours(body, other);
+  }
+
+
+
   bool ContactCandidates::is_skipped_base_pair(const int block, const int segment) const
   {
-    const bool is_awake = lookup.awake.empty() || lookup.awake[block];
+    const bool is_awake = lookup.awake.empty() || lookup.awake[block] == Awake::to_all;
     return is_awake ? has_pair(lookup.bonded_base, block, segment)
                     : has_first(lookup.bonded_base, block);
   }

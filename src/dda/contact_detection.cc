@@ -31,6 +31,17 @@ namespace hybrid::dda
              std::tie(b.vertex_body, b.vertex, b.edge_body, b.edge);
     }
 
+    /// Before all contacts of the vertex.
+    Contact first_of(const ContactCandidate &pair)
+    {
+      return {pair.vertex_body, pair.vertex, base_body, -1};
+    }
+
+    bool is_of(const Contact &contact, const ContactCandidate &pair)
+    {
+      return contact.vertex_body == pair.vertex_body && contact.vertex == pair.vertex;
+    }
+
     bool same_vertex(const ContactCandidate &a, const ContactCandidate &b)
     {
       return a.vertex_body == b.vertex_body && a.vertex == b.vertex;
@@ -43,13 +54,16 @@ namespace hybrid::dda
     , tolerances(make_tolerances(parameters))
     , candidates(search_distance(tolerances), parameters.margin)
     , selection(tolerances)
+    , watch(tolerances.coincidence())
   {
     assert(parameters.reach > 0. && parameters.margin >= 0.);
   }
 
 
 
-  void ContactDetection::update(const Geometry &geometry, std::vector<Contact> &contacts)
+  void ContactDetection::update(const Geometry       &geometry,
+                                std::vector<Contact> &contacts,
+                                RestState            &rest)
   {
     assert(std::is_sorted(contacts.begin(), contacts.end(), contact_order));
     last.builds += candidates.update(geometry) ? 1 : 0;
@@ -60,19 +74,97 @@ namespace hybrid::dda
         contacts.clear();
         return;
       }
+    watch.look(geometry, rest);
+    if (is_all_settled(contacts, rest))
+      return;
     ++last.searches;
     find_near_blocks(geometry, contacts);
     frames.update(geometry, smooth_angle, near_blocks);
 
     previous.assign(contacts.begin(), contacts.end());
-    select(geometry);
+    select(geometry, rest);
     resolve_corners(geometry);
 
     contacts.clear();
     for (std::size_t i = 0; i < trials.size(); ++i)
       if (!dropped[i])
-        contacts.push_back(trials[i].contact);
+        {
+          Contact &contact = trials[i].contact;
+          if (trials[i].history == ContactTrial::History::none && trials[i].gap < 0. &&
+              candidates.is_first_look(contact.vertex_body, contact.edge_body))
+            contact.rest_gap = trials[i].gap;
+          contacts.push_back(contact);
+        }
+    settle(contacts, rest);
     last.edge_tests = selection.n_edge_tests();
+  }
+
+
+
+  ContactDetection::Group ContactDetection::group_at(const std::size_t begin) const
+  {
+    const std::vector<ContactCandidate> &list = candidates.awake();
+    Group                                group{begin, begin + 1};
+    while (group.end < list.size() && same_vertex(list[begin], list[group.end]))
+      ++group.end;
+    return group;
+  }
+
+
+
+  bool ContactDetection::group_rests(const Group &group) const
+  {
+    for (std::size_t i = group.begin; i < group.end; ++i)
+      {
+        const ContactCandidate &pair = candidates.awake()[i];
+        if (!watch.rests(pair) || candidates.is_first_look(pair.vertex_body, pair.edge_body))
+          return false;
+      }
+    return true;
+  }
+
+
+
+  bool ContactDetection::is_all_settled(const std::vector<Contact> &contacts, RestState &rest) const
+  {
+    const std::vector<ContactCandidate> &list = candidates.awake();
+    std::size_t kept = 0; // contacts of vertices in the list: the others go
+    Group       group;
+    for (std::size_t i = 0; i < list.size(); i = group.end)
+      {
+        group = group_at(i);
+        if (!RestWatch::settled(rest, list[i].vertex_body, list[i].vertex) || !group_rests(group))
+          return false;
+        while (kept < contacts.size() && is_of(contacts[kept], list[i]))
+          ++kept;
+      }
+    return kept == contacts.size();
+  }
+
+
+
+  void ContactDetection::settle(const std::vector<Contact> &contacts, RestState &rest)
+  {
+    const std::vector<ContactCandidate> &list = candidates.awake();
+    auto                                 then = previous.cbegin();
+    auto                                 now  = contacts.cbegin();
+    Group                                group;
+    for (std::size_t i = 0; i < list.size(); i = group.end)
+      {
+        group = group_at(i);
+        while (then != previous.cend() && contact_order(*then, first_of(list[i])))
+          ++then;
+        bool is_same = true;
+        for (; now != contacts.cend() && is_of(*now, list[i]); ++now)
+          {
+            is_same = is_same && then != previous.cend() && is_of(*then, list[i]) &&
+                      then->edge_body == now->edge_body && then->edge == now->edge;
+            then += is_same;
+          }
+        is_same = is_same && (then == previous.cend() || !is_of(*then, list[i]));
+        if (!is_same || !group_rests(group))
+          RestWatch::settled(rest, list[i].vertex_body, list[i].vertex) = 0;
+      }
   }
 
 
@@ -102,7 +194,7 @@ namespace hybrid::dda
 
 
 
-  void ContactDetection::select(const Geometry &geometry)
+  void ContactDetection::select(const Geometry &geometry, RestState &rest)
   {
     const std::vector<ContactCandidate> &list = candidates.awake();
 
@@ -110,44 +202,73 @@ namespace hybrid::dda
     first_of_vertex.assign(geometry.vertices.size(), -1);
     first_of_node.assign(geometry.base_nodes.size(), -1);
     selection.begin_step(geometry, frames);
-    auto old = previous.begin();
-    for (std::size_t i = 0, end; i < list.size(); i = end)
+    auto  old = previous.begin();
+    Group group;
+    for (std::size_t i = 0; i < list.size(); i = group.end)
       {
-        for (end = i + 1; end < list.size() && same_vertex(list[i], list[end]);)
-          ++end;
+        group          = group_at(i);
         const int body = list[i].vertex_body, vertex = list[i].vertex;
+        char     &settled = RestWatch::settled(rest, body, vertex);
         if (frames.corner(body, vertex) != Corner::convex)
-          continue;
-
-        old          = std::lower_bound(old,
-                               previous.end(),
-                               Contact{body, vertex, base_body, -1},
-                               contact_order);
-        auto old_end = old;
-        while (old_end != previous.end() && old_end->vertex_body == body &&
-               old_end->vertex == vertex)
-          ++old_end;
-        selection.begin_vertex(body,
-                               vertex,
-                               previous.data() + (old - previous.begin()),
-                               static_cast<int>(old_end - old));
-
-        for (std::size_t j = i; j < end; ++j)
           {
-            add_body(geometry, list[j]);
-            if (j + 1 == end || list[j + 1].edge_body != list[j].edge_body)
-              {
-                const int n = selection.end_body();
-                if (n == 0 && list[j].edge < 0 &&
-                    is_lost(geometry, body, vertex, list[j].edge_body))
-                  ++last.lost;
-              }
+            settled = 1;
+            continue;
           }
+        old          = std::lower_bound(old, previous.end(), first_of(list[i]), contact_order);
+        auto old_end = old;
+        while (old_end != previous.end() && is_of(*old_end, list[i]))
+          ++old_end;
+        const Contact    *olds  = previous.data() + (old - previous.begin());
+        const int         n_old = static_cast<int>(old_end - old);
         const std::size_t first = trials.size();
-        selection.end_vertex(trials);
+
+        if (settled && group_rests(group))
+          keep(geometry, olds, n_old);
+        else
+          settled = search(geometry, group, olds, n_old);
         if (trials.size() > first)
           (body == base_body ? first_of_node : first_of_vertex)[vertex] = static_cast<int>(first);
       }
+  }
+
+
+
+  void
+  ContactDetection::keep(const Geometry &geometry, const Contact *old_contacts, const int n_old)
+  {
+    for (int k = 0; k < n_old; ++k)
+      {
+        const Contact &c = old_contacts[k];
+        const Vec2     r =
+          position(geometry, c.vertex_body, c.vertex) - position(geometry, c.edge_body, c.edge);
+        const double gap = r.dot(frames.edge(c.edge_body, c.edge).normal);
+        trials.push_back({c, gap, 0., true, ContactTrial::History::same_edge, k});
+      }
+  }
+
+
+
+  bool ContactDetection::search(const Geometry &geometry,
+                                const Group    &group,
+                                const Contact  *old_contacts,
+                                const int       n_old)
+  {
+    const std::vector<ContactCandidate> &list = candidates.awake();
+    const int body = list[group.begin].vertex_body, vertex = list[group.begin].vertex;
+    selection.begin_vertex(body, vertex, old_contacts, n_old);
+    int n_lost = 0;
+    for (std::size_t j = group.begin; j < group.end; ++j)
+      {
+        add_body(geometry, list[j]);
+        if (j + 1 < group.end && list[j + 1].edge_body == list[j].edge_body)
+          continue;
+        const int n = selection.end_body();
+        if (n == 0 && list[j].edge < 0 && is_lost(geometry, body, vertex, list[j].edge_body))
+          ++n_lost;
+      }
+    selection.end_vertex(trials);
+    last.lost += n_lost;
+    return n_lost == 0;
   }
 
 

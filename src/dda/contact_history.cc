@@ -85,5 +85,6 @@ namespace hybrid::dda
     contact.slip         = sign * slip;
     contact.plastic_slip = sign * from.contact->plastic_slip;
     contact.state        = from.contact->state;
+    contact.rest_gap     = from.contact->rest_gap;
   }
 } // namespace hybrid::dda

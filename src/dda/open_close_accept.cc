@@ -92,6 +92,7 @@ namespace hybrid::dda
         contact.slip          = response.now.slip;
         contact.plastic_slip  = response.now.history.plastic_slip;
         contact.state         = response.now.state;
+        contact.rest_gap      = std::min(0., contact.rest_gap + std::max(0., response.now.gap));
       }
     hand_over_contacts(model, state);
   }

@@ -149,9 +149,9 @@ namespace hybrid::dda
         const ContactPlaces start = places(contact, geometry);
         const ContactFrame  frame(contact, start.from_q(contact), start.second - start.first);
         s.old.history.plastic_slip = contact.plastic_slip;
-        s.old.gap                  = frame.gap;
+        s.old.gap                  = frame.gap - contact.rest_gap;
         s.old.slip                 = frame.slip;
-        const JointResponse r      = law.law.respond({frame.gap, frame.slip}, s.old.history);
+        const JointResponse r      = law.law.respond({s.old.gap, frame.slip}, s.old.history);
         s.old.history              = r.history;
         s.old.normal = s.old.elastic_normal = r.normal;
         s.old.shear = s.old.elastic_shear = r.shear;
@@ -282,7 +282,7 @@ namespace hybrid::dda
     const double xi        = std::min(1., std::max(0., frame.edge_position));
     response.weight[0]     = edge_on_base ? 1. - xi : 1.;
     response.weight[1]     = edge_on_base ? xi : 0.;
-    response.now.gap       = frame.gap;
+    response.now.gap       = frame.gap - contact.rest_gap;
     response.now.slip      = frame.slip;
     apply_law(spring, {}, response);
   }

@@ -24,17 +24,19 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, JointState &joint)
   {
-    auto &[points, failure, failure_time, released] = joint;
-    archive(points, failure, failure_time, released);
+    auto &[points, failure, failure_time, loosened, released] = joint;
+    archive(points, failure, failure_time, loosened, released);
   }
 
 
 
   void serialize(Archive &archive, Contact &contact)
   {
-    auto &[vertex_body, vertex, edge_body, edge, edge_position, slip, plastic_slip, state] =
-      contact;
-    archive(vertex_body, vertex, edge_body, edge, edge_position, slip, plastic_slip, state);
+    auto
+      &[vertex_body, vertex, edge_body, edge, edge_position, slip, plastic_slip, state, rest_gap] =
+        contact;
+    archive(
+      vertex_body, vertex, edge_body, edge, edge_position, slip, plastic_slip, state, rest_gap);
   }
 
 
@@ -81,6 +83,14 @@ namespace hybrid::dda
 
 
 
+  void serialize(Archive &archive, RestState &rest)
+  {
+    auto &[vertices, base_nodes, settled_vertices, settled_nodes] = rest;
+    archive(vertices, base_nodes, settled_vertices, settled_nodes);
+  }
+
+
+
   void serialize(Archive &archive, DdaState &state)
   {
     auto &[time,
@@ -88,6 +98,8 @@ namespace hybrid::dda
            blocks,
            joints,
            contacts,
+           awake,
+           rest,
            base_displacement,
            base_force,
            base_contact_force,
@@ -95,7 +107,7 @@ namespace hybrid::dda
            bedrock_static_force,
            boundary_force,
            energy] = state;
-    archive(time, geometry, blocks, joints, contacts, base_displacement, base_force);
+    archive(time, geometry, blocks, joints, contacts, awake, rest, base_displacement, base_force);
     archive(base_contact_force, static_force, bedrock_static_force, boundary_force, energy);
   }
 } // namespace hybrid::dda

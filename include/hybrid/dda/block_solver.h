@@ -15,8 +15,8 @@ namespace hybrid::dda
   public:
     explicit BlockSolver(const Model &block_model);
 
-    /// Solve the step from @p state (whose contact list is brought up to date; nothing else
-    /// changes).
+    /// Solve the step from @p state (whose contact list and awake blocks are brought up to date;
+    /// nothing else changes).
     StepResult solve(DdaState &state, const BaseResponse &base, double dt);
 
     /// Let @p watch be asked before every open-close iteration whether to go on.
@@ -67,7 +67,8 @@ namespace hybrid::dda
     OpenCloseIteration iteration;
     std::vector<std::pair<int, int>>
         touching_base; ///< (block, segment) that share a node at the start
-    int changes = -1;  ///< failed plus released joints when the skip lists were made
+    int changes = -1;  ///< loosened, failed and released joints when the skip lists were made
+    std::vector<Awake> awake; ///< per block, now
 
     SearchSummary search_summary;
 

@@ -43,5 +43,8 @@ namespace hybrid::dda
     double plastic_slip =
       0.; ///< part of the slip that friction has taken; shear force = -k_s (slip - plastic_slip)
     ContactState state = ContactState::open; ///< when last accepted
+    double       rest_gap =
+      0.; ///< gap at which it carries nothing, <= 0 [m]: the overlap that two neighbours of the
+          ///< mesh had when they first looked at each other; rises with the gap, never falls
   };
 } // namespace hybrid::dda

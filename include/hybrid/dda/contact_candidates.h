@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/awake.h>
 #include <hybrid/dda/cell_grid.h>
 #include <hybrid/dda/geometry.h>
 
@@ -25,10 +26,10 @@ namespace hybrid::dda
     std::vector<std::pair<int, int>>
       bonded; ///< blocks with an unreleased joint between them: never candidates
     std::vector<std::pair<int, int>>
-                      bonded_base; ///< (block, first node of base segment) with an unreleased joint
-    std::vector<char> awake; ///< per block: has a released joint or was never bonded; empty: all
-    std::vector<char> bedrock{}; ///< per block: part of the bedrock, whose blocks never meet each
-                                 ///< other; empty: none
+      bonded_base;                ///< (block, first node of base segment) with an unreleased joint
+    std::vector<Awake> awake;     ///< per block; empty: all look at everything
+    std::vector<char>  bedrock{}; ///< per block: part of the bedrock, whose blocks never meet each
+                                  ///< other; empty: none
   };
 
 
@@ -45,8 +46,11 @@ namespace hybrid::dda
    *   - pairs of blocks of the bedrock;
    *   - blocks that share a vertex of the original mesh, unless one of them is
    *     awake: an intact mass has thousands of these, all at distance zero;
-   *   - a block bonded to the base and not awake, with the whole base; when
+   *   - a block bonded to the base and not awake to all, with the whole base; when
    *     awake, with the segments (and their nodes) to which it is still bonded.
+   *     Belts slide for centimetres over the bends of a base of straight segments,
+   *     where corners would catch; that is why a joint that gives way does not
+   *     wake its blocks to the base, nor to blocks of the bedrock.
    *
    * Candidates are sorted by vertex_body, vertex, edge_body, edge, so results
    * do not depend on when the list was built.
@@ -67,6 +71,16 @@ namespace hybrid::dda
 
     /// Build the list if it is no longer good. Returns true if it was built.
     bool update(const Geometry &geometry);
+
+    /// @param awake_then per block: at the search before; empty: all looked at everything.
+    void set_was_awake(const std::vector<Awake> &awake_then)
+    {
+      was_awake.assign(awake_then.begin(), awake_then.end());
+    }
+
+    /// For a pair of the list: true if neighbours of the mesh, or block and base, look at each
+    /// other for the first time.
+    bool is_first_look(int body, int other) const;
 
     /// Pairs of the list that are not asleep, sorted: all that are within the distance, and some
     /// more.
@@ -103,6 +117,11 @@ namespace hybrid::dda
 
     void wake(double moved);
 
+    bool are_neighbours(int block, int other) const;
+
+    /// How much two blocks must be awake to look at each other.
+    Awake needed(int block, int other) const;
+
     bool is_skipped_pair(int block, int other) const;
 
     bool is_skipped_base_pair(int block, int segment) const;
@@ -110,10 +129,11 @@ namespace hybrid::dda
     const double distance;
     const double margin;
 
-    std::vector<int> neighbour_offset, neighbours; ///< rows sorted
-    SkippedPairs     skipped;                      ///< as given
-    SkippedPairs     lookup;                       ///< pairs sorted, blocks in both orders
-    bool             is_outdated = true;
+    std::vector<int>   neighbour_offset, neighbours; ///< rows sorted
+    SkippedPairs       skipped;                      ///< as given
+    SkippedPairs       lookup;                       ///< pairs sorted, blocks in both orders
+    std::vector<Awake> was_awake;                    ///< per block; empty: all
+    bool               is_outdated = true;
 
     std::vector<ContactCandidate> candidates, awake_pairs;
     std::vector<double>           apart_when_built; ///< per candidate [m]; 0 inside the body

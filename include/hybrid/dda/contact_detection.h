@@ -3,6 +3,7 @@
 
 #include <hybrid/dda/contact_candidates.h>
 #include <hybrid/dda/contact_selection.h>
+#include <hybrid/dda/rest_watch.h>
 
 #include <utility>
 #include <vector>
@@ -17,7 +18,8 @@ namespace hybrid::dda
    * and old contacts only, never on when the list was built. Pairs of the list
    * sleep until they can have come near enough (ContactCandidates); while all
    * sleep, so does the search, and blocks without an awake pair cost nothing
-   * but the look at how far they have moved.
+   * but the look at how far they have moved. The same holds for what lies
+   * still (RestWatch): it keeps the contacts that it has.
    *
    * Rules, in the order in which they are applied:
    *
@@ -58,6 +60,10 @@ namespace hybrid::dda
    *    position. When a vertex leaves an edge and another one continues it
    *    (normals within 10 degrees, same height), slip, plastic slip and state
    *    go with it; edge_position is that on the new edge. Others are dropped.
+   * 9. *First look*: neighbours of the mesh that have slept may overlap a little when
+   *    one of them wakes (joints give way before they fail). They start from there
+   *    without force (rest_gap): a spring that is loaded when it is made would throw
+   *    them apart.
    */
   class ContactDetection
   {
@@ -84,12 +90,25 @@ namespace hybrid::dda
       candidates.set_skipped_pairs(skipped);
     }
 
+    /// Blocks that were awake at the search before; see ContactCandidates.
+    void set_was_awake(const std::vector<Awake> &awake_then)
+    {
+      candidates.set_was_awake(awake_then);
+    }
+
     /**
      * Replace @p contacts by those of the coming step, sorted by vertex_body,
-     * vertex, edge_body, edge. @p contacts must be sorted so on entry.
-     * Allocates nothing once the lists have grown.
+     * vertex, edge_body, edge. @p contacts must be sorted so on entry, and @p rest
+     * is what the last call left. Allocates nothing once the lists have grown.
      */
-    void update(const Geometry &geometry, std::vector<Contact> &contacts);
+    void update(const Geometry &geometry, std::vector<Contact> &contacts, RestState &rest);
+
+    /// The same with a search for every vertex, at rest or not.
+    void update(const Geometry &geometry, std::vector<Contact> &contacts)
+    {
+      RestState unknown;
+      update(geometry, contacts, unknown);
+    }
 
     /// What the last update() found and did.
     struct Report
@@ -115,7 +134,32 @@ namespace hybrid::dda
     /// Blocks that are in awake pairs or in contacts: only their outlines are looked at.
     void find_near_blocks(const Geometry &geometry, const std::vector<Contact> &contacts);
 
-    void select(const Geometry &geometry);
+    /// Near pairs of one vertex, [begin, end) of the awake candidates.
+    struct Group
+    {
+      std::size_t begin, end;
+    };
+
+    /// The group that begins at an awake candidate.
+    Group group_at(std::size_t begin) const;
+
+    /// True if all that is near the vertex rests and was there at the search before.
+    bool group_rests(const Group &group) const;
+
+    /// True if no vertex needs a search: @p contacts stay as they are.
+    bool is_all_settled(const std::vector<Contact> &contacts, RestState &rest) const;
+
+    /// Mark vertices at rest whose contacts are those of the step before.
+    void settle(const std::vector<Contact> &contacts, RestState &rest);
+
+    void select(const Geometry &geometry, RestState &rest);
+
+    /// The contacts that one vertex had, as trials. They pass all tests of its own.
+    void keep(const Geometry &geometry, const Contact *old_contacts, int n_old);
+
+    /// Search for the contacts of one vertex. Returns false if it is lost inside a block.
+    bool
+    search(const Geometry &geometry, const Group &group, const Contact *old_contacts, int n_old);
 
     void add_body(const Geometry &geometry, const ContactCandidate &candidate);
 
@@ -136,6 +180,7 @@ namespace hybrid::dda
     const ContactTolerances tolerances;
     ContactCandidates       candidates;
     ContactSelection        selection;
+    RestWatch               watch;
     OutlineFrames           frames;
 
     std::vector<Contact>      previous;                       ///< contacts of the step before

@@ -9,10 +9,13 @@ namespace hybrid::dda
   /**
    * Bond of a joint after a step: failure is complete when both ends are broken,
    * and counts as tensile if one of them is torn. A failed joint that has slid or
-   * opened by a tenth of its length is released: vertex contacts take over. Bedding planes are not
-   * counted.
+   * opened by a tenth of its length is released: vertex contacts take over. From the
+   * failure on it is loosened: its blocks look at all their neighbours. So is a
+   * joint of the body that has slid or opened by 1/400 of its length before (not in
+   * the static stage: the section takes its place there, in large steps).
+   * Bedding planes are not counted.
    *
-   * @param time at the end of the step [s]
+   * @param time at the end of the step [s]; negative: in the static stage
    */
   void update_failure(const Joint &joint, double time, JointState &state);
 } // namespace hybrid::dda

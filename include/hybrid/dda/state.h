@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/awake.h>
 #include <hybrid/dda/block.h>
 #include <hybrid/dda/contact.h>
 #include <hybrid/dda/geometry.h>
 #include <hybrid/dda/joint_law.h>
+#include <hybrid/dda/rest_state.h>
 #include <hybrid/restart/archive_forward.h>
 
 #include <Eigen/Core>
@@ -42,8 +44,9 @@ namespace hybrid::dda
   {
     SpringState points[2];
     FailureKind failure      = FailureKind::none;
-    double      failure_time = 0.;    ///< [s]; negative: in the static stage
-    bool        released     = false; ///< slid or opened so far that vertex contacts took over
+    double      failure_time = 0.; ///< [s]; negative: in the static stage
+    bool        loosened = false;  ///< its blocks look at all their neighbours, see joint_failure.h
+    bool        released = false;  ///< slid or opened so far that vertex contacts took over
   };
 
 
@@ -86,6 +89,8 @@ namespace hybrid::dda
     std::vector<BlockState> blocks;
     std::vector<JointState> joints;
     std::vector<Contact>    contacts;
+    std::vector<Awake>      awake;              ///< per block, at the last search
+    RestState               rest;               ///< what lies still
     Eigen::VectorXd         base_displacement;  ///< (x0, y0, x1, ...) [m], since the static state
     Eigen::VectorXd         base_force;         ///< on the base nodes [N/m], now
     Eigen::VectorXd         base_contact_force; ///< contacts' part of it [N/m], see Springs
@@ -103,5 +108,6 @@ namespace hybrid::dda
   void serialize(restart::Archive &archive, BlockState &block);
   void serialize(restart::Archive &archive, BlockEnergy &energy);
   void serialize(restart::Archive &archive, Geometry &geometry);
+  void serialize(restart::Archive &archive, RestState &rest);
   void serialize(restart::Archive &archive, DdaState &state);
 } // namespace hybrid::dda

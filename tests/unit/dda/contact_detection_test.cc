@@ -234,7 +234,9 @@ namespace
     g.base_nodes = {{-1., 0.}, {1.5, 0.}, {4., 0.}};
     ContactDetection detection(parameters);
     detection.set_neighbours({0, 1, 3, 4}, {1, 0, 2, 1});
-    SkippedPairs skipped{{{0, 1}, {1, 2}}, {{0, 0}, {1, 0}, {1, 1}, {2, 1}}, {0, 0, 0}};
+    SkippedPairs skipped{{{0, 1}, {1, 2}},
+                         {{0, 0}, {1, 0}, {1, 1}, {2, 1}},
+                         {Awake::no, Awake::no, Awake::no}};
     detection.set_skipped_pairs(skipped);
     Contacts contacts;
     detection.update(g, contacts);
@@ -242,7 +244,7 @@ namespace
 
     skipped.bonded      = {{0, 1}}; // joint between 1 and 2 released
     skipped.bonded_base = {{0, 0}, {1, 0}, {1, 1}};
-    skipped.awake       = {0, 1, 1};
+    skipped.awake       = {Awake::no, Awake::to_all, Awake::to_all};
     detection.set_skipped_pairs(skipped);
     detection.update(g, contacts);
     for (const Contact &c : contacts)
@@ -258,6 +260,122 @@ namespace
     detection.set_skipped_pairs(skipped);
     detection.update(g, contacts);
     EXPECT_EQ(detection.report().builds, builds) << "nothing changed, nothing built";
+  }
+
+  TEST(ContactDetection, NeighboursThatOverlapAtTheirFirstLookStartWithoutForce)
+  {
+    constexpr double overlap = 0.004;
+    const Geometry   g       = blocks({square(0., 0.), square(0.1, 1. - overlap)});
+    ContactDetection detection(parameters);
+    detection.set_neighbours({0, 1, 2}, {1, 0});
+    Contacts contacts;
+    detection.set_skipped_pairs({{}, {}, {Awake::no, Awake::no}});
+    detection.set_was_awake({Awake::no, Awake::no});
+    detection.update(g, contacts);
+    EXPECT_TRUE(contacts.empty()) << "neighbours that sleep";
+
+    detection.set_skipped_pairs({{}, {}, {Awake::no, Awake::to_blocks}});
+    detection.update(g, contacts);
+    ASSERT_FALSE(contacts.empty());
+    for (const Contact &c : contacts)
+      EXPECT_NEAR(c.rest_gap, -overlap, 1e-12);
+
+    detection.set_was_awake({Awake::no, Awake::to_blocks});
+    detection.update(g, contacts);
+    for (const Contact &c : contacts)
+      EXPECT_NEAR(c.rest_gap, -overlap, 1e-12) << "a contact keeps it";
+
+    contacts.clear();
+    detection.update(g, contacts);
+    ASSERT_FALSE(contacts.empty());
+    for (const Contact &c : contacts)
+      EXPECT_EQ(c.rest_gap, 0.) << "an overlap that comes about later is pushed out";
+  }
+
+  TEST(ContactDetection, BlockWhoseJointHasGivenWayStillDoesNotLookAtTheBase)
+  {
+    Geometry g   = blocks({square(0., -0.004), square(1.02, -0.004)});
+    g.base_nodes = {{-1., 0.}, {1., 0.}, {4., 0.}};
+    ContactDetection detection(parameters);
+    detection.set_neighbours({0, 1, 2}, {1, 0});
+    Contacts     contacts;
+    SkippedPairs skipped{{}, {{0, 0}, {1, 1}}, {Awake::to_blocks, Awake::no}};
+    detection.set_skipped_pairs(skipped);
+    detection.set_was_awake({Awake::to_blocks, Awake::no});
+    detection.update(g, contacts);
+    for (const Contact &c : contacts)
+      EXPECT_TRUE(c.vertex_body != base_body && c.edge_body != base_body);
+
+    skipped.awake = {Awake::to_blocks, Awake::to_all};
+    detection.set_skipped_pairs(skipped);
+    detection.update(g, contacts);
+    const Contact *corner = find(contacts, 4, base_body, 0);
+    EXPECT_EQ(corner, nullptr) << "the second block begins beyond the first segment";
+    EXPECT_EQ(find(contacts, 5, base_body, 1), nullptr) << "still bonded to its own segment";
+  }
+
+  TEST(ContactDetection, FirstLookAtTheBaseStartsWithoutForceToo)
+  {
+    Geometry g   = blocks({square(0.9, -0.004)});
+    g.base_nodes = {{-1., 0.}, {1., 0.}, {4., 0.}};
+    ContactDetection detection(parameters);
+    detection.set_neighbours({0, 0}, {});
+    Contacts contacts;
+    detection.set_skipped_pairs({{}, {{0, 1}}, {Awake::to_all}});
+    detection.set_was_awake({Awake::to_blocks});
+    detection.update(g, contacts);
+    const Contact *corner = find(contacts, 0, base_body, 0);
+    ASSERT_NE(corner, nullptr) << "over the segment to which it was never bonded";
+    EXPECT_NEAR(corner->rest_gap, -0.004, 1e-12);
+  }
+
+  // ------------------------------------------------------------- rest
+
+  TEST(ContactDetection, WhatLiesStillIsNotSearchedAgain)
+  {
+    Geometry g   = blocks({square(0., 0.), square(0., 1.), square(3., 0.), square(3., 1.)});
+    g.base_nodes = {{-1., 0.}, {2., 0.}, {5., 0.}};
+    ContactDetection detection(parameters);
+    RestState        rest;
+    Contacts         contacts;
+    for (int step = 0; step < 3; ++step)
+      detection.update(g, contacts, rest);
+    const Contacts found    = contacts;
+    const long     searches = detection.report().searches;
+    ASSERT_EQ(found.size(), 12u) << "six for each stack";
+
+    detection.update(g, contacts, rest);
+    EXPECT_EQ(detection.report().searches, searches) << "all rests";
+    expect_equal(contacts, found);
+
+    move_block(g, 3, {0., 1e-3});
+    detection.update(g, contacts, rest);
+    EXPECT_EQ(detection.report().searches, searches + 1);
+    Contacts all;
+    ContactDetection(parameters).update(g, all);
+    EXPECT_LT(detection.report().edge_tests, 30) << "only what is near block 3";
+    ASSERT_EQ(contacts.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      EXPECT_EQ(key(contacts[i]), key(all[i]));
+  }
+
+  TEST(ContactDetection, SlowCreepIsNoRest)
+  {
+    Geometry         g = blocks({square(0., 0.), square(0.2, 1.)});
+    ContactDetection detection(parameters);
+    RestState        rest;
+    Contacts         contacts;
+    for (int step = 0; step < 3000; ++step)
+      {
+        move_block(g, 1, {-1e-4 * step / 1500., 0.});
+        detection.update(g, contacts, rest);
+      }
+    Contacts all;
+    ContactDetection(parameters).update(g, all);
+    ASSERT_EQ(contacts.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      EXPECT_EQ(key(contacts[i]), key(all[i]))
+        << "the upper block has crept beyond the lower one's end";
   }
 
   // ------------------------------------------------------------- cost

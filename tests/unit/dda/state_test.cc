@@ -81,12 +81,14 @@ namespace hybrid::dda
       joint.points[1].gap   = 2.;
       joint.failure         = FailureKind::shear;
       joint.failure_time    = 3.;
+      joint.loosened        = true;
       joint.released        = true;
       const JointState copy = copied(joint);
       EXPECT_EQ(copy.points[0].gap, 1.);
       EXPECT_EQ(copy.points[1].gap, 2.);
       EXPECT_EQ(copy.failure, FailureKind::shear);
       EXPECT_EQ(copy.failure_time, 3.);
+      EXPECT_TRUE(copy.loosened);
       EXPECT_TRUE(copy.released);
     }
 
@@ -94,7 +96,7 @@ namespace hybrid::dda
 
     TEST(State, ContactIsStoredWhole)
     {
-      Contact       contact{1, 2, 3, 4, 5., 6., 7., ContactState::locked};
+      Contact       contact{1, 2, 3, 4, 5., 6., 7., ContactState::locked, -8.};
       const Contact copy = copied(contact);
       EXPECT_EQ(copy.vertex_body, 1);
       EXPECT_EQ(copy.vertex, 2);
@@ -104,6 +106,7 @@ namespace hybrid::dda
       EXPECT_EQ(copy.slip, 6.);
       EXPECT_EQ(copy.plastic_slip, 7.);
       EXPECT_EQ(copy.state, ContactState::locked);
+      EXPECT_EQ(copy.rest_gap, -8.);
     }
 
 
@@ -136,6 +139,8 @@ namespace hybrid::dda
       state.joints.resize(2);
       state.joints[1].released   = true;
       state.contacts             = {{1, 2, 3, 4, 5., 6., 7., ContactState::locked}};
+      state.awake                = {Awake::no, Awake::to_blocks};
+      state.rest                 = {{{1., 2.}}, {{3., 4.}}, {1}, {0}};
       state.base_displacement    = Eigen::VectorXd::Constant(2, 3.);
       state.base_force           = Eigen::VectorXd::Constant(2, 4.);
       state.base_contact_force   = Eigen::VectorXd::Constant(2, 5.);
@@ -152,6 +157,11 @@ namespace hybrid::dda
       EXPECT_EQ(copy.blocks.at(0).rotation, 2.);
       EXPECT_TRUE(copy.joints.at(1).released);
       EXPECT_EQ(copy.contacts.at(0).plastic_slip, 7.);
+      EXPECT_EQ(copy.awake, state.awake);
+      EXPECT_EQ(copy.rest.vertices, state.rest.vertices);
+      EXPECT_EQ(copy.rest.base_nodes, state.rest.base_nodes);
+      EXPECT_EQ(copy.rest.settled_vertices, state.rest.settled_vertices);
+      EXPECT_EQ(copy.rest.settled_nodes, state.rest.settled_nodes);
       EXPECT_EQ(copy.base_displacement, state.base_displacement);
       EXPECT_EQ(copy.base_force, state.base_force);
       EXPECT_EQ(copy.base_contact_force, state.base_contact_force);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace hybrid::dda
+{
+  /// What a block looks at besides the bodies that it never shared a vertex with.
+  enum class Awake : char
+  {
+    no,        ///< nothing: all its joints hold
+    to_blocks, ///< neighbours of the mesh: a joint of its has given way
+    to_all     ///< the base too: a joint of its has failed, or it was never bonded
+  };
+} // namespace hybrid::dda
