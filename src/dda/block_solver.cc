@@ -40,6 +40,13 @@ namespace hybrid::dda
       }
     detection.set_neighbours(offset, list);
 
+    is_on_belt.assign(model.blocks.size(), 0);
+    for (const Joint &joint : model.joints)
+      if (joint.kind == JointKind::belt)
+        for (const int body : {joint.block, joint.other})
+          if (body != base_body)
+            is_on_belt[body] = 1;
+
     std::map<std::pair<double, double>, int> node_at;
     for (int k = 0; k < model.n_base_nodes(); ++k)
       node_at[{model.initial.base_nodes[k].x(), model.initial.base_nodes[k].y()}] = k;
@@ -91,11 +98,12 @@ namespace hybrid::dda
         const Joint &joint = model.joints[j];
         if (state.joints[j].loosened)
           {
-            const Awake reason =
-              state.joints[j].failure == FailureKind::none ? Awake::to_blocks : Awake::to_all;
+            const bool has_failed = state.joints[j].failure != FailureKind::none;
             for (const int body : {joint.block, joint.other})
               if (body != base_body && !model.is_bedrock(body))
-                skipped.awake[body] = std::max(skipped.awake[body], reason);
+                skipped.awake[body] =
+                  std::max(skipped.awake[body],
+                           has_failed || !is_on_belt[body] ? Awake::to_all : Awake::to_blocks);
           }
         if (state.joints[j].released)
           continue;

@@ -92,7 +92,8 @@ namespace hybrid::dda
         contact.slip          = response.now.slip;
         contact.plastic_slip  = response.now.history.plastic_slip;
         contact.state         = response.now.state;
-        contact.rest_gap      = std::min(0., contact.rest_gap + std::max(0., response.now.gap));
+        if (contact.rest_gap + response.now.gap >= 0.) // they have parted
+          contact.rest_gap = 0.;
       }
     hand_over_contacts(model, state);
   }

@@ -66,8 +66,9 @@ namespace hybrid::dda
     ContactDetection   detection;
     OpenCloseIteration iteration;
     std::vector<std::pair<int, int>>
-        touching_base; ///< (block, segment) that share a node at the start
-    int changes = -1;  ///< loosened, failed and released joints when the skip lists were made
+                      touching_base; ///< (block, segment) that share a node at the start
+    std::vector<char> is_on_belt;    ///< per block
+    int changes = -1; ///< loosened, failed and released joints when the skip lists were made
     std::vector<Awake> awake; ///< per block, now
 
     SearchSummary search_summary;

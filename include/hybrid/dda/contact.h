@@ -44,7 +44,7 @@ namespace hybrid::dda
       0.; ///< part of the slip that friction has taken; shear force = -k_s (slip - plastic_slip)
     ContactState state = ContactState::open; ///< when last accepted
     double       rest_gap =
-      0.; ///< gap at which it carries nothing, <= 0 [m]: the overlap that two neighbours of the
-          ///< mesh had when they first looked at each other; rises with the gap, never falls
+      0.; ///< gap above which it carries nothing, <= 0 [m]: the overlap that neighbours of the mesh
+          ///< had when they first looked at each other, and a little more; 0 once they part
   };
 } // namespace hybrid::dda

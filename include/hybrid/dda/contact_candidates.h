@@ -48,9 +48,10 @@ namespace hybrid::dda
    *     awake: an intact mass has thousands of these, all at distance zero;
    *   - a block bonded to the base and not awake to all, with the whole base; when
    *     awake, with the segments (and their nodes) to which it is still bonded.
-   *     Belts slide for centimetres over the bends of a base of straight segments,
-   *     where corners would catch; that is why a joint that gives way does not
-   *     wake its blocks to the base, nor to blocks of the bedrock.
+   *     A belt slides for centimetres over the bends of a base of straight segments,
+   *     where corners would catch: a joint that has given way does not wake a block
+   *     on the belt to the base (nor to blocks of the bedrock). A block that
+   *     touches the base with a corner only is woken: it may be squeezed into it.
    *
    * Candidates are sorted by vertex_body, vertex, edge_body, edge, so results
    * do not depend on when the list was built.

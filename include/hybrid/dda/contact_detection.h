@@ -61,9 +61,10 @@ namespace hybrid::dda
    *    (normals within 10 degrees, same height), slip, plastic slip and state
    *    go with it; edge_position is that on the new edge. Others are dropped.
    * 9. *First look*: neighbours of the mesh that have slept may overlap a little when
-   *    one of them wakes (joints give way before they fail). They start from there
-   *    without force (rest_gap): a spring that is loaded when it is made would throw
-   *    them apart.
+   *    one of them wakes (joints give way before they fail). They carry nothing
+   *    (rest_gap) until they overlap more, by extension(): a spring that is loaded
+   *    when it is made would throw them apart, and one at its limit would
+   *    open and close with every tremor.
    */
   class ContactDetection
   {
