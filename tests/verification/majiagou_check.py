@@ -13,6 +13,8 @@ Asked of the elastic run, which must be right to tell slip from error:
   - the peaks at the ground agree with an independent 2D solution (majiagou_fem.py) within FEM_TOLERANCE; where the
     1D column (majiagou_column.py) differs by more than COLUMN_TOLERANCE, the difference is thereby two-dimensional;
   - what is left at the end (mean over the last REST seconds) is below REST_PART of the peak.
+Asked of the run: peaks at the ground within COLUMN_TOLERANCE of the 1D column, or a column that would not slip by itself under
+its own weight and shaking: what slips there is then driven by its neighbours along the sliding surface, in two dimensions.
 What is left in the run itself is therefore due to slip: friction loss, slip under the boreholes and the joints that failed
 are reported, with cost and accelerations.
 """
@@ -24,7 +26,7 @@ import sys
 import numpy as np
 
 import majiagou_fem
-from majiagou_column import Scene, compare_boreholes, compare_monitors, peak, print_table
+from majiagou_column import Belt, Scene, compare_boreholes, compare_monitors, peak, print_table
 from run_data import RunData
 
 ENERGY_RESIDUAL = 0.01
@@ -122,6 +124,20 @@ def judge_elastic(scene, judgement):
     print_table(elements, "2D elements")
 
 
+def judge_columns(scene, judgement):
+    """Peaks at the ground against the 1D column, or why the difference is two-dimensional."""
+    for row in compare_boreholes(scene):
+        if row.depth != 0.0:
+            continue
+        place = row.place.split(",")[0]
+        belt = Belt(scene, *scene.run.attribute("profiles/" + place, "position")[:2])
+        judgement.ask(
+            abs(row.ratio() - 1) <= COLUMN_TOLERANCE or not belt.slips_by_itself(),
+            "run, %s: peak at the ground %.3g mm, 1D column %.3g mm, ratio %.2f; %s"
+            % (place, 1e3 * abs(row.run), 1e3 * abs(row.column), row.ratio(), belt),
+        )
+
+
 def report_slip(profiles, scene):
     loss = scene.run.get("energy/friction_loss")[-1]
     print("slip: friction took %.4g J/m" % loss)
@@ -156,6 +172,7 @@ def check(directory, elastic):
     for place in (elastic, directory):
         judge_completion(read_summary(place), judgement)
     judge_elastic(Scene(elastic), judgement)
+    judge_columns(scene, judgement)
     report_slip(judge_profiles(scene.run, "run", judgement), scene)
     report(read_summary(directory))
     print_table(compare_boreholes(scene) + compare_monitors(scene))

@@ -39,6 +39,42 @@ def read_parameters(file_name):
     return values
 
 
+class Belt:
+    """Would a column slip by itself? An infinite slope of the ground above it, inclined as the sliding surface there.
+
+    Stresses on the belt [Pa]: static = W sin(b) cos(b), strength = c + W cos(b)^2 tan(phi), W the weight of the column
+    over its area; dynamic = largest shear stress of the elastic column. reserve = strength - static: a column with
+    dynamic < reserve does not slip; one with reserve < 0 does not stand without its neighbours.
+    """
+
+    def __init__(self, scene, x, ground):
+        column, slip = scene.column(x, ground), scene.slip_elevation(x)
+        half = 10.0  # [m]
+        incline = np.arctan((scene.slip_elevation(x + half) - scene.slip_elevation(x - half)) / (2 * half))
+        gravity = float(scene.parameters["Gravity/Acceleration"])
+        weight = sum(l.soil.density * gravity * (l.top - l.bottom) for l in column.layers[:-1])
+        section = "Materials/%s/" % scene.parameters[
+            "Blocks/" + ("Saturated belt material" if slip < scene.water else "Belt material")]
+        friction = np.radians(float(scene.parameters[section + "Friction angle"]))
+        self.static = weight * np.sin(incline) * np.cos(incline)
+        self.strength = float(scene.parameters[section + "Cohesion"]) + weight * np.cos(incline) ** 2 * np.tan(friction)
+        self.dynamic = np.abs(column.shear_stress(slip, scene.acceleration, scene.time[1])).max()
+        self.reserve = self.strength - self.static
+
+    def slips_by_itself(self):
+        return 0 <= self.reserve <= self.dynamic
+
+    def __str__(self):
+        return "belt of the column: static %.0f kPa, strength %.0f kPa, earthquake %.1f kPa: %s" % (
+            1e-3 * self.static,
+            1e-3 * self.strength,
+            1e-3 * self.dynamic,
+            "cannot stand without its neighbours"
+            if self.reserve < 0
+            else ("slips" if self.slips_by_itself() else "does not slip"),
+        )
+
+
 class Soil:
     """Density [kg/m3] and shear modulus [Pa] of a material of the scene."""
 
@@ -67,6 +103,15 @@ class Layer:
         return u * c + tau / (modulus * k) * s, tau * c - u * modulus * k * s
 
 
+def transform(acceleration, dt):
+    """(omega [rad/s], padded length, spectrum) of a motion."""
+    quiet = 60.0  # the column rings on; what is left after so many seconds may wrap around [s]
+    padded = 1 << int(np.ceil(np.log2(len(acceleration) + quiet / dt)))
+    omega = 2 * np.pi * np.fft.rfftfreq(padded, dt)
+    omega[0] = 1e-3 * omega[1]  # relative displacement and stress have a finite static limit
+    return omega, padded, np.fft.rfft(acceleration, padded)
+
+
 class Column:
     """Layers from the ground down; joints are (elevation [m], shear stiffness [Pa/m])."""
 
@@ -80,28 +125,47 @@ class Column:
             for top, bottom, stiffness in zip(tops, bottoms, [k for _, k in cuts] + [None]):
                 self.pieces.append((layer, top, top - bottom, stiffness))
 
+    def states(self, omega):
+        """(piece, (u, tau) at its top) from the ground down, last (None, those at the foot); omega > 0 [rad/s]. The motion
+        of the ground is 1."""
+        state = (np.ones_like(omega, dtype=complex), np.zeros_like(omega, dtype=complex))
+        for piece in self.pieces:
+            yield piece, state
+            layer, _, thickness, stiffness = piece
+            u, tau = layer.transfer(state, omega, thickness)
+            state = (u + (tau / stiffness if stiffness else 0), tau)
+        yield None, state
+
     def motion(self, elevations, omega):
         """Displacement over the outcrop's at these elevations and, last, at the foot; omega > 0 [rad/s]."""
-        state = (np.ones_like(omega, dtype=complex), np.zeros_like(omega, dtype=complex))
         found = {}
-        for layer, top, thickness, stiffness in self.pieces:
+        for piece, state in self.states(omega):
+            if piece is None:
+                break
+            layer, top, thickness, _ = piece
             for z in elevations:
                 if z not in found and top - thickness - 1e-9 <= z <= top + 1e-9:
                     found[z] = layer.transfer(state, omega, top - z)[0]
-            u, tau = layer.transfer(state, omega, thickness)
-            state = (u + (tau / stiffness if stiffness else 0), tau)
-        # the wave that comes up, u + tau / (i w Z) = 2 u_up, is the outcrop's motion
-        outcrop = state[0] + state[1] / (1j * omega * self.layers[-1].soil.impedance())
+        outcrop = self.outcrop(state, omega)
         return [found[z] / outcrop for z in elevations] + [state[0] / outcrop]
+
+    def outcrop(self, foot, omega):
+        """The outcrop's motion from (u, tau) at the foot: u + tau / (i w Z) = 2 u_up, u_up the wave that comes up."""
+        return foot[0] + foot[1] / (1j * omega * self.layers[-1].soil.impedance())
+
+    def shear_stress(self, boundary, acceleration, dt):
+        """History [Pa] of tau where one layer ends, at the elevation boundary [m]."""
+        omega, padded, spectrum = transform(acceleration, dt)
+        for piece, state in self.states(omega):
+            if piece is not None and abs(piece[1] - boundary) < 1e-6:
+                tau = state[1]
+        ratio = tau / self.outcrop(state, omega)
+        return np.fft.irfft(ratio * spectrum / -(omega**2), padded)[: len(acceleration)]
 
     def histories(self, elevations, acceleration, dt):
         """Per elevation (displacement relative to the foot, relative velocity, absolute acceleration)."""
+        omega, padded, spectrum = transform(acceleration, dt)
         n = len(acceleration)
-        quiet = 60.0  # the column rings on; what is left after so many seconds may wrap around [s]
-        padded = 1 << int(np.ceil(np.log2(n + quiet / dt)))
-        spectrum = np.fft.rfft(acceleration, padded)
-        omega = 2 * np.pi * np.fft.rfftfreq(padded, dt)
-        omega[0] = 1e-3 * omega[1]  # the relative displacement has a finite static limit
         *points, foot = self.motion(elevations, omega)
         result = []
         for point in points:

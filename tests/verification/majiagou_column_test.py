@@ -5,7 +5,7 @@ import sys
 
 import numpy as np
 
-from majiagou_column import Column, Layer, Soil
+from majiagou_column import Column, Layer, Soil, transform
 
 OMEGA = 2 * np.pi * np.linspace(0.05, 20, 400)
 
@@ -42,9 +42,23 @@ def elastic_joint():
     return largest_error(column, [height], [1 / outcrop])
 
 
+def stress_under_a_layer():
+    """Stress at the foot of a layer, -G k sin(kH) times the motion of its surface."""
+    top, rock, height, dt = soil(2000.0, 2e7), soil(2500.0, 2e10), 25.0, 0.005
+    time = np.arange(0, 8, dt)
+    shaking = np.exp(-(((time - 3) / 1) ** 2)) * np.sin(2 * np.pi * 1.3 * time)
+    omega, padded, spectrum = transform(shaking, dt)
+    k = omega * np.sqrt(top.density / top.shear_modulus)
+    surface = 1 / (np.cos(k * height) + 1j * top.impedance() / rock.impedance() * np.sin(k * height))
+    stress = -top.shear_modulus * k * np.sin(k * height) * surface
+    expected = np.fft.irfft(stress * spectrum / -(omega**2), padded)[: len(time)]
+    found = Column([Layer(height, 0.0, top, 0.0), Layer(0.0, -1e-9, rock, 0.0)]).shear_stress(0.0, shaking, dt)
+    return np.abs(found - expected).max() / np.abs(expected).max()
+
+
 def main():
     failed = 0
-    for case, tolerance in ((damped_layer, 1e-9), (elastic_joint, 1e-6)):
+    for case, tolerance in ((damped_layer, 1e-9), (elastic_joint, 1e-6), (stress_under_a_layer, 1e-9)):
         error = case()
         print("%s: largest error %.2e, allowed %.0e" % (case.__name__, error, tolerance))
         failed += int(error > tolerance)
