@@ -75,6 +75,29 @@ namespace hybrid::dda
 
 
 
+  std::vector<Awake> BlockSolver::awake_blocks(const DdaState &state) const
+  {
+    std::vector<Awake> now(model.blocks.size(), Awake::no);
+    for (std::size_t b = 0; b < now.size(); ++b)
+      if (!model.bonded[b])
+        now[b] = Awake::to_all;
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+      {
+        const JointState &joint = state.joints[j];
+        if (!joint.loosened)
+          continue;
+        for (const int body : {model.joints[j].block, model.joints[j].other})
+          if (body != base_body && !model.is_bedrock(body))
+            {
+              const bool to_all = joint.failure != FailureKind::none || !is_on_belt[body];
+              now[body]         = std::max(now[body], to_all ? Awake::to_all : Awake::to_blocks);
+            }
+      }
+    return now;
+  }
+
+
+
   void BlockSolver::update_skipped_pairs(const DdaState &state)
   {
     int now = 0;
@@ -86,25 +109,13 @@ namespace hybrid::dda
     changes = now;
 
     SkippedPairs skipped;
-    skipped.awake.assign(model.blocks.size(), Awake::no);
-    for (std::size_t b = 0; b < model.blocks.size(); ++b)
-      if (!model.bonded[b])
-        skipped.awake[b] = Awake::to_all;
+    skipped.awake = awake = awake_blocks(state);
     if (model.n_bedrock > 0)
       for (int b = 0; b < model.n_blocks(); ++b)
         skipped.bedrock.push_back(model.is_bedrock(b));
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       {
         const Joint &joint = model.joints[j];
-        if (state.joints[j].loosened)
-          {
-            const bool has_failed = state.joints[j].failure != FailureKind::none;
-            for (const int body : {joint.block, joint.other})
-              if (body != base_body && !model.is_bedrock(body))
-                skipped.awake[body] =
-                  std::max(skipped.awake[body],
-                           has_failed || !is_on_belt[body] ? Awake::to_all : Awake::to_blocks);
-          }
         if (state.joints[j].released)
           continue;
         if (joint.other == base_body)
@@ -121,7 +132,6 @@ namespace hybrid::dda
     skipped.bonded_base.erase(std::unique(skipped.bonded_base.begin(), skipped.bonded_base.end()),
                               skipped.bonded_base.end());
     detection.set_skipped_pairs(skipped);
-    awake = std::move(skipped.awake);
   }
 
 

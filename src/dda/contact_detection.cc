@@ -159,7 +159,8 @@ namespace hybrid::dda
           {
             is_same = is_same && then != previous.cend() && is_of(*then, list[i]) &&
                       then->edge_body == now->edge_body && then->edge == now->edge;
-            then += is_same;
+            if (is_same)
+              ++then;
           }
         is_same = is_same && (then == previous.cend() || !is_of(*then, list[i]));
         if (!is_same || !group_rests(group))

@@ -73,6 +73,8 @@ namespace hybrid::dda
 
     SearchSummary search_summary;
 
+    std::vector<Awake> awake_blocks(const DdaState &state) const;
+
     void update_skipped_pairs(const DdaState &state);
   };
 } // namespace hybrid::dda
