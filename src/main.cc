@@ -147,7 +147,8 @@ namespace
     output::Log      log(std::cout, output::standard_output_is_terminal());
     if (command.action == Action::resume)
       log.info("Resumed before the first checkpoint: the run begins anew");
-    const auto simulation = make_simulation(command.target, scene, log);
+    const auto         simulation = make_simulation(command.target, scene, log);
+    const Interruption interruption; // before anything is written
     if (command.action != Action::check)
       prepare_directory(scene, force, log);
     simulation->print_card();
@@ -157,7 +158,6 @@ namespace
         log.info("The scene can be run.");
         return 0;
       }
-    const Interruption interruption;
     return run_guarded(scene.output.directory, [&] { return simulation->run(interruption); });
   }
 
