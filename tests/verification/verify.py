@@ -4,15 +4,18 @@
 
     verify.py HYBRID CASE WORK_DIR            exit code 1 and a sentence if a number is out of tolerance
     verify.py HYBRID CASE WORK_DIR --figure   also draws doc/verification/CASE.png from this run
+    verify.py HYBRID CASE WORK_DIR -s "Section/Name=value" ...   a further case: other parameters in all runs
 
 CASE is the name of parameters/verification/CASE.prm and of tests/verification/cases/CASE.py, a module with
 
     check(case)         runs the scene (case.run) and asks for numbers (case.near, case.below)
     draw(case, figure)  optional: draws what check() computed into a matplotlib figure
 
-Numbers at default settings are those of the scene: overrides are for variants (other angles, finer steps).
+Numbers at default settings are those of the scene: overrides are for variants (other angles, finer steps). Closed
+forms take their numbers from the run (scene_numbers.py), so that they hold for further cases too.
 """
 
+import argparse
 import importlib
 import pathlib
 import sys
@@ -22,20 +25,31 @@ sys.path[:0] = [str(ROOT / "src/output/plot"), str(ROOT / "tests"), str(ROOT / "
 
 from run_data import RunData  # noqa: E402 (needs the path above)
 from run_hybrid import run_hybrid  # noqa: E402
+from scene_numbers import assignments, read  # noqa: E402
 
 
 class Case:
     """One verification case: its runs, and the judgement of their numbers."""
 
-    def __init__(self, binary, name, work):
+    def __init__(self, binary, name, work, overrides=()):
         self.binary, self.name, self.work = binary, name, pathlib.Path(work)
         self.scene = ROOT / "parameters/verification" / (name + ".prm")
+        self.further = dict(split(override) for override in overrides)  # parameters of a further case, in all runs
         self.failures, self.asked = [], 0
 
-    def run(self, variant="default", *overrides, expect=0):
-        """RunData of the scene with overrides ("Section/Name=value"), made in WORK_DIR/variant."""
+    def run(self, variant="default", *overrides, expect=0, mesh=None):
+        """RunData of the scene with overrides ("Section/Name=value"), made in WORK_DIR/variant.
+
+        mesh: {"Angle": 20.0}, changes to Mesh/Numbers of the scene.
+        """
         directory = self.work / variant
-        code, output, errors, command = run_hybrid(self.binary, self.scene, directory, overrides)
+        changed = dict(self.further, **dict(split(override) for override in overrides))
+        if mesh:
+            numbers = changed.get("Mesh/Numbers", read(self.scene).get("Mesh/Numbers", ""))
+            numbers = dict(assignments(numbers), **mesh)
+            changed["Mesh/Numbers"] = "; ".join("%s = %.15g" % pair for pair in numbers.items())
+        code, output, errors, command = run_hybrid(
+            self.binary, self.scene, directory, ["%s=%s" % pair for pair in changed.items()])
         if code != expect:
             sys.exit("error: %s ended with code %d\n%s%s" % (command, code, output[-2000:], errors[-2000:]))
         return RunData(str(directory)) if expect == 0 else None
@@ -60,6 +74,12 @@ class Case:
         self._ask(bool(fulfilled), what)
 
 
+def split(override):
+    """("Section/Name", "value") of "Section/Name=value"."""
+    path, value = override.split("=", 1)
+    return path.strip(), value.strip()
+
+
 def draw(case, module):
     import matplotlib
 
@@ -72,13 +92,16 @@ def draw(case, module):
 
 
 def main():
-    arguments = [a for a in sys.argv[1:] if a != "--figure"]
-    if len(arguments) != 3:
-        sys.exit(__doc__)
-    case = Case(*arguments)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    for name in ("hybrid", "case", "work_dir"):
+        parser.add_argument(name)
+    parser.add_argument("--figure", action="store_true")
+    parser.add_argument("-s", dest="overrides", action="append", default=[])
+    arguments = parser.parse_args()
+    case = Case(arguments.hybrid, arguments.case, arguments.work_dir, arguments.overrides)
     module = importlib.import_module(case.name)
     module.check(case)
-    if "--figure" in sys.argv:
+    if arguments.figure:
         draw(case, module)
     if not case.asked:
         sys.exit("error: the case asked for nothing")

@@ -2,14 +2,26 @@
 """Layers that slip on bedding planes: two sliding blocks with springs, one on the other, and the dashpots of their sides."""
 
 import numpy as np
+from scene_numbers import Numbers
 
-WIDTH, HEIGHT, DENSITY, YOUNG, POISSON, GRAVITY = 1000.0, 5.0, 2500.0, 6e9, 0.25, 9.81
-STIFFNESS, COHESION, INITIAL, TAN_PHI = 3e7, 1e4, 2e4, np.tan(np.radians(20.0))
-NORMAL = DENSITY * GRAVITY * HEIGHT * np.array([2.0, 1.0]) + INITIAL  # below the middle, below the top layer [Pa]
-STRENGTH = COHESION + NORMAL * TAN_PHI
 PLANES = ("bedding_2", "bedding_1")
 
 shown = {}
+
+
+class Layers:
+    """Two equal layers; arrays: below the middle, below the top layer."""
+
+    def __init__(self, run):
+        n = Numbers(run)
+        rock, height, self.width = n.material("rock"), n.mesh("Top height"), n.mesh("Width")
+        self.weight = rock.density * n.gravity() * height  # of a layer [Pa]
+        self.normal = self.weight * np.array([2.0, 1.0]) + n.number("Bedding planes/Initial normal stress")  # [Pa]
+        self.strength = n.number("Bedding planes/Cohesion") + self.normal * np.tan(
+            np.radians(n.number("Bedding planes/Friction angle")))
+        self.stiffness = n.number("Bedding planes/Shear stiffness")
+        self.mass = rock.density * height * self.width
+        self.dashpots = 2 * height * rock.density * rock.speed("P")
 
 
 def exponential(a):
@@ -21,16 +33,14 @@ def exponential(a):
     return result
 
 
-def closed_form(time, base, refine=10):
+def closed_form(layers, time, base, refine=10):
     """Slip of both planes [m] and dissipated energy [J/m] for the base's displacement, linear between its samples.
 
     Each plane sticks (spring) or slips (force at its strength); while both stay as they are the motion is linear and its
     steps are exact.
     """
-    stretch = YOUNG * (1 - POISSON) / ((1 + POISSON) * (1 - 2 * POISSON))
-    mass = DENSITY * HEIGHT * WIDTH
-    dashpots = 2 * HEIGHT * np.sqrt(DENSITY * stretch)
-    spring = STIFFNESS * WIDTH
+    mass, dashpots, spring = layers.mass, layers.dashpots, layers.stiffness * layers.width
+    limit = layers.strength * layers.width
     dt = (time[1] - time[0]) / refine
     # state: u_1, u_2, v_1, v_2, then known: u_b, its slope, force on layer 1 and 2
     jumps = np.array([[1.0, 0, 0, 0, -1.0, 0], [-1.0, 1.0, 0, 0, 0, 0]])  # of the planes
@@ -56,35 +66,36 @@ def closed_form(time, base, refine=10):
             if sticks not in steps:
                 steps[sticks] = step_of(sticks)
             # a plane that sticks pulls with spring (jump - slip), one that slips with its strength
-            force = np.where(sticks, -spring * slip, np.array(sign) * STRENGTH * WIDTH)
+            force = np.where(sticks, -spring * slip, np.array(sign) * limit)
             x[6:] = force @ onto
             x = steps[sticks] @ x
             for plane in range(2):
                 jump, rate = jumps[plane] @ x[:6], rates[plane] @ x[:6]
                 before = slip[plane]
-                if sign[plane] == 0 and spring * abs(jump - slip[plane]) > STRENGTH[plane] * WIDTH:
+                if sign[plane] == 0 and spring * abs(jump - slip[plane]) > limit[plane]:
                     sign[plane] = int(np.sign(jump - slip[plane]))
                 if sign[plane] != 0:
-                    slip[plane] = jump - sign[plane] * STRENGTH[plane] / STIFFNESS
+                    slip[plane] = jump - sign[plane] * limit[plane] / spring
                     if rate * sign[plane] < 0:
                         sign[plane] = 0
-                loss += STRENGTH[plane] * WIDTH * abs(slip[plane] - before)
+                loss += limit[plane] * abs(slip[plane] - before)
         result.append(slip.copy())
     return np.array(result), loss
 
 
 def check(case):
     run = case.run()
+    layers = Layers(run)
     base = run.history("input/displacement")[:, 0]
-    expected, loss = closed_form(run.time, base)
+    expected, loss = closed_form(layers, run.time, base)
     audits = run.file["bedding/time"][:]
     shown.update(time=run.time, audits=audits, curves={})
     extent = np.ptp(expected[:, 0])
     for k, (name, layer) in enumerate(zip(PLANES, ("middle", "top"))):
         normal = run.file["bedding/%s/normal_stress" % name][0]
-        case.near("normal stress at rest below the %s layer" % layer, normal.mean(), NORMAL[k], 1e-3, "Pa")
+        case.near("normal stress at rest below the %s layer" % layer, normal.mean(), layers.normal[k], 1e-3, "Pa")
         case.below("its scatter over a layer's weight (found with cells of constant stress, one row a layer)",
-                   np.ptp(normal) / (DENSITY * GRAVITY * HEIGHT), 0.1)
+                   np.ptp(normal) / layers.weight, 0.1)
         found = run.file["bedding/%s/slip" % name][:].mean(axis=1)
         form = np.interp(audits, run.time, expected[:, k])
         if k == 0:

@@ -2,19 +2,20 @@
 """Layers on elastic bedding planes: two masses between springs, with the dashpots of their sides."""
 
 import numpy as np
-
-WIDTH, HEIGHT, DENSITY, YOUNG, POISSON = 1000.0, 5.0, 2500.0, 6e9, 0.25
-SHEAR_STIFFNESS = 3e6
+from scene_numbers import Numbers
 
 shown = {}
 
 
-def closed_form(time, base):
-    """Displacement of middle and top layer [m] for the base's, linear between the samples: exact by the matrix exponential."""
-    stretch = YOUNG * (1 - POISSON) / ((1 + POISSON) * (1 - 2 * POISSON))
-    mass = DENSITY * HEIGHT * WIDTH
-    dashpots = 2 * HEIGHT * np.sqrt(DENSITY * stretch)
-    spring = SHEAR_STIFFNESS * WIDTH
+def closed_form(numbers, time, base):
+    """Displacement of middle and top layer [m] for the base's, linear between the samples: exact by the matrix exponential.
+
+    Both layers are equally high.
+    """
+    rock, height, width = numbers.material("rock"), numbers.mesh("Top height"), numbers.mesh("Width")
+    mass = rock.density * height * width
+    dashpots = 2 * height * rock.density * rock.speed("P")
+    spring = numbers.number("Bedding planes/Shear stiffness") * width
     stiffness = spring * np.array([[2.0, -1.0], [-1.0, 1.0]])
     dt = time[1] - time[0]
     # x = (u_1, u_2, u_1', u_2'), x' = A x + b u_b; b, its slope: appended states, so one exponential is exact
@@ -39,7 +40,7 @@ def closed_form(time, base):
 def check(case):
     run = case.run()
     base = run.history("input/displacement")[:, 0]
-    expected = closed_form(run.time, base)
+    expected = closed_form(Numbers(run), run.time, base)
     shown.update(time=run.time, curves={})
     for k, name in enumerate(("middle", "top")):
         found = run.history("monitors/%s/displacement" % name)[:, 0] - base

@@ -7,25 +7,30 @@ and above it the slab slides with s'' = (a - a_c) (cos b + sin b tan phi).
 """
 
 import numpy as np
+from scene_numbers import Numbers
+from slope import uphill
 
-GRAVITY, DENSITY, HEIGHT, COHESION = 9.81, 2000.0, 2.0, 5e3  # SI
-SLOPE, PHI = np.radians(25.0), np.radians(30.0)
 
-
-def critical_acceleration():
-    b, mu, weight = SLOPE, np.tan(PHI), DENSITY * GRAVITY * HEIGHT
-    return (COHESION + weight * (np.cos(b) * mu - np.sin(b))) / (DENSITY * HEIGHT * (np.cos(b) + np.sin(b) * mu))
+class Slope:
+    def __init__(self, run):
+        numbers = Numbers(run)
+        b, seam, density = np.radians(numbers.mesh("Angle")), numbers.material("seam"), numbers.material("mass").density
+        mu, mass = np.tan(seam.friction), density * numbers.mesh("Height")  # mass per area [kg/m2]
+        weight = mass * numbers.gravity()
+        self.rate = np.cos(b) + np.sin(b) * mu  # acceleration of the slide over that above the critical one [-]
+        self.critical = (seam.cohesion + weight * (np.cos(b) * mu - np.sin(b))) / (mass * self.rate)  # [m/s2]
+        self.peak = numbers.number("Motion/Peak")
 
 
 def slip(run):
-    return run.relative_displacement("slab") @ np.array([-np.cos(SLOPE), -np.sin(SLOPE)])
+    return -run.relative_displacement("slab") @ uphill(run)
 
 
-def closed_form(time, peak):
+def closed_form(time, slope):
     """Slip [m] of a rigid slab under the ramp of smooth_ramp.txt scaled to the peak [m/s2]."""
     fine = np.linspace(0.0, time[-1], 20001)
-    excess = peak * 0.5 * (1 - np.cos(np.pi * np.minimum(fine, 2.0) / 2)) - critical_acceleration()
-    rate = np.maximum(excess, 0.0) * (np.cos(SLOPE) + np.sin(SLOPE) * np.tan(PHI))
+    excess = slope.peak * 0.5 * (1 - np.cos(np.pi * np.minimum(fine, 2.0) / 2)) - slope.critical
+    rate = np.maximum(excess, 0.0) * slope.rate
     h = fine[1]
     v = np.concatenate([[0.0], np.cumsum(0.5 * h * (rate[1:] + rate[:-1]))])
     s = np.concatenate([[0.0], np.cumsum(0.5 * h * (v[1:] + v[:-1]))])
@@ -33,13 +38,13 @@ def closed_form(time, peak):
 
 
 def check(case):
-    critical, scene_peak = critical_acceleration(), 1.984
-    case.below("peak of the scene over 1.02 of the critical acceleration, less 1", scene_peak / (1.02 * critical) - 1, 1e-3)
-    case.curves = {}
-    for part in (0.98, 1.02):
-        peak = scene_peak if part == 1.02 else part * critical
-        run = case.run() if part == 1.02 else case.run("holds", "Motion/Peak=%.10g" % peak)
-        case.curves[part] = run.time, slip(run), closed_form(run.time, peak)
+    slides = case.run()
+    slope = Slope(slides)
+    case.below("peak of the scene over 1.02 of the critical acceleration, less 1", slope.peak / (1.02 * slope.critical) - 1,
+               1e-3)
+    holds = case.run("holds", "Motion/Peak=%.10g" % (0.98 * slope.critical))
+    case.curves = {part: (run.time, slip(run), closed_form(run.time, Slope(run))) for part, run in
+                   ((0.98, holds), (1.02, slides))}
     time, found, _ = case.curves[0.98]
     case.below("slip after the ramp at 0.98 of the critical acceleration", np.ptp(found[time > 2.5]), 1e-6, "m")
     time, found, expected = case.curves[1.02]
@@ -47,7 +52,7 @@ def check(case):
     steady = time > 2.2
     rate = 2 * np.polyfit(time[steady], found[steady], 2)[0]
     case.near("critical acceleration from the acceleration of the slide",
-              scene_peak - rate / (np.cos(SLOPE) + np.sin(SLOPE) * np.tan(PHI)), critical, 0.02, "m/s2")
+              slope.peak - rate / slope.rate, slope.critical, 0.02, "m/s2")
 
 
 def draw(case, figure):

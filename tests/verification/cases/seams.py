@@ -4,26 +4,23 @@
 import numpy as np
 from slope import down, slide
 
-ANGLE, FRICTION = 30.0, 15.0  # deg
-
 
 def check(case):
-    case.whole = case.run("one_edge", "Mesh/Numbers=Angle = 30; Base pieces = 1")
-    expected = down(case.whole, "block", ANGLE)
+    case.whole = case.run("one_edge", mesh={"Base pieces": 1})
+    expected = down(case.whole, "block")
     case.seams = {}
     for pieces in (47, 15, 150):
-        run = case.run() if pieces == 47 else case.run("pieces_%d" % pieces,
-                                                       "Mesh/Numbers=Angle = 30; Base pieces = %d" % pieces)
-        case.seams[pieces] = down(run, "block", ANGLE)
+        run = case.run() if pieces == 47 else case.run("pieces_%d" % pieces, mesh={"Base pieces": pieces})
+        case.seams[pieces] = down(run, "block")
         difference = np.abs(case.seams[pieces] - expected).max() / expected[-1]
         case.below("largest difference from one edge, %d edges" % pieces, difference, 1e-6)
-        case.near("slide over %d edges" % pieces, case.seams[pieces][-1], slide(run.time[-1], ANGLE, FRICTION), 0.003, "m")
+        case.near("slide over %d edges" % pieces, case.seams[pieces][-1], slide(run)[-1], 0.003, "m")
 
 
 def draw(case, figure):
     path, difference = figure.subplots(1, 2)
-    time, whole = case.whole.time, down(case.whole, "block", ANGLE)
-    path.plot(time, slide(time, ANGLE, FRICTION), color="0.6", linewidth=4, label="closed form")
+    time, whole = case.whole.time, down(case.whole, "block")
+    path.plot(time, slide(case.whole), color="0.6", linewidth=4, label="closed form")
     for pieces, found in sorted(case.seams.items()):
         path.plot(time, found, label="%d edges" % pieces)
         difference.plot(time, np.abs(found - whole) / whole[-1], label="%d edges" % pieces)

@@ -13,18 +13,20 @@ Down slip begins when the first becomes positive, and ends when the velocity is 
 import os
 
 import numpy as np
+from scene_numbers import Numbers
+from slope import uphill
 
-GRAVITY, ANGLE, FRICTION = 9.81, 15.0, 30.0  # m/s2, deg, deg
 SUBSTEPS = 20  # per step of the run
 
 
-def newmark_slip(time, acceleration):
+def newmark_slip(time, acceleration, numbers):
     """Slip [m] down the slope at the given times; the acceleration [m/s2] is linear between them."""
-    b, mu = np.radians(ANGLE), np.tan(np.radians(FRICTION))
+    g, b = numbers.gravity(), np.radians(numbers.mesh("Angle"))
+    mu = np.tan(numbers.material(numbers.text("Blocks/Material")).friction)
     fine = np.concatenate([np.linspace(t0, t1, SUBSTEPS, endpoint=False) for t0, t1 in zip(time, time[1:])] + [time[-1:]])
     ground = np.interp(fine, time, acceleration)
-    down = GRAVITY * (np.sin(b) - np.cos(b) * mu) + ground * (np.cos(b) + np.sin(b) * mu)
-    up = GRAVITY * (np.sin(b) + np.cos(b) * mu) + ground * (np.cos(b) - np.sin(b) * mu)
+    down = g * (np.sin(b) - np.cos(b) * mu) + ground * (np.cos(b) + np.sin(b) * mu)
+    up = g * (np.sin(b) + np.cos(b) * mu) + ground * (np.cos(b) - np.sin(b) * mu)
     slip, v, s = np.zeros_like(fine), 0.0, 0.0
     for k in range(len(fine) - 1):
         s, v = advance(s, v, fine[k + 1] - fine[k], (down[k], down[k + 1]), (up[k], up[k + 1]))
@@ -66,11 +68,10 @@ def sine_record(path, duration=8.0, frequency=1.5, peak=5.0):
 
 def slips(case, run):
     """Time, slip of the run and of the closed form down the slope [m]."""
-    b = np.radians(ANGLE)
-    relative = run.relative_displacement("block") @ np.array([-np.cos(b), -np.sin(b)])
+    relative = -run.relative_displacement("block") @ uphill(run)
     time = np.concatenate([[0.0], run.time])
     ground = np.concatenate([[0.0], run.history("input/acceleration")[:, 0]])
-    return run.time, relative, newmark_slip(time, ground)[1:]
+    return run.time, relative, newmark_slip(time, ground, Numbers(run))[1:]
 
 
 def check(case):

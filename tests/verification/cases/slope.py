@@ -2,18 +2,22 @@
 """What the cases of blocks on a slope share: closed form of a slide, distance down the slope."""
 
 import numpy as np
-
-GRAVITY = 9.81  # m/s2
-
-
-def slide(t, angle, friction):
-    """Distance [m] that a rigid block slides from rest in the time t [s]; angles in degrees."""
-    a, phi = np.radians(angle), np.radians(friction)
-    return 0.5 * GRAVITY * max(np.sin(a) - np.cos(a) * np.tan(phi), 0.0) * t**2
+from scene_numbers import Numbers
 
 
-def down(run, name, angle):
-    """History of a monitor's displacement [m] down a slope of the given angle [deg] that rises to the right."""
-    a = np.radians(angle)
-    displacement = run.history("monitors/" + name + "/displacement")
-    return -displacement @ np.array([np.cos(a), np.sin(a)])
+def slide(run):
+    """Distance [m] that a rigid block has slid from rest at the times of the run."""
+    numbers = Numbers(run)
+    a, phi = np.radians(numbers.mesh("Angle")), numbers.material(numbers.text("Blocks/Material")).friction
+    return 0.5 * numbers.gravity() * max(np.sin(a) - np.cos(a) * np.tan(phi), 0.0) * run.time**2
+
+
+def uphill(run):
+    """Unit vector up the plane, which rises to the right."""
+    a = np.radians(Numbers(run).mesh("Angle"))
+    return np.array([np.cos(a), np.sin(a)])
+
+
+def down(run, name):
+    """History of a monitor's displacement [m] down the slope."""
+    return -run.history("monitors/" + name + "/displacement") @ uphill(run)

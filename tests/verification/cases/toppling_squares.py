@@ -7,7 +7,7 @@ lies apart). Not each block alone: the one at the lower front corner is squeezed
 
 import numpy as np
 from slope import down, slide
-from unit_squares import ANGLE, FRICTION, mean
+from unit_squares import mean
 
 FINE = 2e-4  # s
 
@@ -30,8 +30,7 @@ def check(case):
 def draw(case, figure):
     axes = figure.subplots()
     for step, run in case.curves.items():
-        axes.plot(run.time, down(run, "block", ANGLE), label="dt = %g s" % step)
-        time = run.time
-    axes.plot(time, slide(time, ANGLE, FRICTION), color="0.6", linestyle=":", label="rigid slide")
+        axes.plot(run.time, down(run, "block"), label="dt = %g s" % step)
+    axes.plot(run.time, slide(run), color="0.6", linestyle=":", label="rigid slide")
     axes.set(xlabel="time [s]", ylabel="top block of 10 x 5, down the slope [m]", title="topples: no closed form")
     axes.legend()
