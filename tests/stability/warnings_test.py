@@ -14,16 +14,16 @@ SOFT_LAYER = "parameters/verification/soft_layer.prm"
 TRIANGLES = "parameters/verification/bedrock_triangles.prm"
 FALL = "parameters/hard/penalty.prm"
 HALVES = "Mesh/Numbers=Width = 10; Height = 20; Block height = 10; Resolution/h = {:.9g}"
-LAYERS = "Mesh/Numbers=Width = 10; Height = 60; Layer height = 40; Resolution/h = {:.9g}"
-STRIP = "Mesh/Numbers=Width = 3; Height = 60; Resolution/h = {:.9g}"
+LAYERS = "Mesh/Numbers=Width = 40; Height = 500; Layer height = 400; Resolution/h = {:.9g}"
+STRIP = "Mesh/Numbers=Width = 12; Height = 240; Resolution/h = {:.9g}"
 
 # scene, setting with its value, a value that is too large or small, the warning with the values that would do
 CASES = [
     (COLUMN, "Time/Time step={:.9g}", 0.02, r"the time step \S+ s has fewer than 20 points per period of \S+ Hz; (\S+) s would do"),
     (COLUMN, HALVES, 10, r"the continuum resolves \S+ Hz .* energy up to \S+ Hz; cells of at most (\S+) m would do"),
     (COLUMN, HALVES, 10, r"the sliding mass resolves \S+ Hz .* energy up to \S+ Hz; blocks of at most (\S+) m would do"),
-    (SOFT_LAYER, LAYERS, 40, r"the continuum resolves \S+ Hz .*; cells of at most (\S+) m would do"),
-    (TRIANGLES, STRIP, 10, r"the bedrock resolves \S+ Hz .*; blocks of at most (\S+) m would do"),
+    (SOFT_LAYER, LAYERS, 400, r"the continuum resolves \S+ Hz .*; cells of at most (\S+) m would do"),
+    (TRIANGLES, STRIP, 40, r"the bedrock resolves \S+ Hz .*; blocks of at most (\S+) m would do"),
     (FALL, "Blocks/Penalty ratio={:.9g}", 1.04, r"the penalty ratio 1.04 makes .* so soft .*; (\S+) to (\S+) would do"),
     (FALL, "Blocks/Penalty ratio={:.9g}", 40000, r"the penalty ratio 40000 makes .* so stiff .*; (\S+) to (\S+) would do"),
 ]

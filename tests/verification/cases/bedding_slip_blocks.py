@@ -2,52 +2,61 @@
 """A plane that slips in triangles of bedrock: waves above and below it, after d'Alembert (Miller 1978 with a free surface)."""
 
 import numpy as np
-
-DENSITY, YOUNG, POISSON, GRAVITY = 2000.0, 1e9, 0.0, 9.81
-SPEED = np.sqrt(YOUNG / (2 * (1 + POISSON)) / DENSITY)
-IMPEDANCE = DENSITY * SPEED
-BELOW, ABOVE, MIDDLE, CELL = 10.0, 12.5, 70.0, 1.25
-STIFFNESS, COHESION, INITIAL, TAN_PHI = 1e9, 1e4, 2e4, np.tan(np.radians(10.0))
-NORMAL = DENSITY * GRAVITY * ABOVE + INITIAL
-STRENGTH = COHESION + NORMAL * TAN_PHI
+from scene_numbers import Numbers
 
 shown = {}
 
 
-def closed_form(time, upgoing, refine=20):
+class Plane:
+    def __init__(self, run):
+        n = Numbers(run)
+        rock = n.material("rock")
+        self.speed = rock.speed("S")
+        self.impedance = rock.density * self.speed
+        self.cell, self.middle = n.mesh("Resolution/h"), n.mesh("Width") / 2  # [m]
+        self.below, self.above = n.mesh("Base height"), n.mesh("Middle height") + n.mesh("Top height")  # layers [m]
+        self.specific_weight = rock.density * n.gravity()
+        self.normal = self.specific_weight * self.above + n.number("Bedding planes/Initial normal stress")
+        self.strength = n.number("Bedding planes/Cohesion") + self.normal * np.tan(
+            np.radians(n.number("Bedding planes/Friction angle")))
+        self.stiffness = n.number("Bedding planes/Shear stiffness")
+
+
+def closed_form(plane, time, upgoing, refine=20):
     """Times, slip [m] of the lower side against the upper one, velocity of the ground [m/s], for the wave at the base."""
     dt = (time[1] - time[0]) / refine
     t = np.arange(refine * len(time) + 1) * dt
-    v_up = np.interp(t - BELOW / SPEED, np.concatenate([[0.0], time]), np.concatenate([[0.0], upgoing]), left=0.0)
-    delay = int(round(2 * ABOVE / SPEED / dt))
-    rate = 2 * STIFFNESS / IMPEDANCE
+    v_up = np.interp(t - plane.below / plane.speed, np.concatenate([[0.0], time]), np.concatenate([[0.0], upgoing]), left=0.0)
+    delay = int(round(2 * plane.above / plane.speed / dt))
+    rate = 2 * plane.stiffness / plane.impedance
     decay = np.exp(-rate * dt)
     lag = (1 - decay) / (rate * dt)
     stress, slip, up = np.zeros_like(t), np.zeros_like(t), np.zeros_like(t)  # up: v of the wave that leaves the plane upwards
     back = lambda i: up[i - delay] if i >= delay else 0.0
     for i in range(1, len(t)):
         v0, v1 = v_up[i - 1] - back(i - 1), v_up[i] - back(i)
-        trial = stress[i - 1] * decay + IMPEDANCE * (v0 * (lag - decay) + v1 * (1 - lag))
-        stress[i] = np.clip(trial, -STRENGTH, STRENGTH)
+        trial = stress[i - 1] * decay + plane.impedance * (v0 * (lag - decay) + v1 * (1 - lag))
+        stress[i] = np.clip(trial, -plane.strength, plane.strength)
         slip[i] = slip[i - 1]
         if trial != stress[i]:
-            jump = dt * (v0 + v1 - (stress[i - 1] + stress[i]) / IMPEDANCE)
-            slip[i] += jump - (stress[i] - stress[i - 1]) / STIFFNESS
-        up[i] = stress[i] / IMPEDANCE + back(i)
-    ground = 2 * np.interp(t - ABOVE / SPEED, t, up, left=0.0)
+            jump = dt * (v0 + v1 - (stress[i - 1] + stress[i]) / plane.impedance)
+            slip[i] += jump - (stress[i] - stress[i - 1]) / plane.stiffness
+        up[i] = stress[i] / plane.impedance + back(i)
+    ground = 2 * np.interp(t - plane.above / plane.speed, t, up, left=0.0)
     return t, slip, ground
 
 
 def check(case):
     run = case.run()
+    plane = Plane(run)
     upgoing = 0.5 * run.history("input/velocity")[:, 0]  # half the outcrop motion
-    t, slip, ground = closed_form(run.time, upgoing)
+    t, slip, ground = closed_form(plane, run.time, upgoing)
     normal = run.file["bedding/bedding_2/normal_stress"][0]
-    case.near("normal stress at rest", normal.mean(), NORMAL, 1e-3, "Pa")
+    case.near("normal stress at rest", normal.mean(), plane.normal, 1e-3, "Pa")
     case.below("its scatter over the weight of one row of cells (blocks of constant stress)",
-               np.ptp(normal) / (DENSITY * GRAVITY * CELL), 0.2)
+               np.ptp(normal) / (plane.specific_weight * plane.cell), 0.2)
     x = run.file["bedding/bedding_2/position"][:, 0]
-    points = np.abs(x - MIDDLE) < 3.0
+    points = np.abs(x - plane.middle) < 2.4 * plane.cell
     found = -run.file["bedding/bedding_2/slip"][:, points].mean(axis=1)
     audits = run.file["bedding/time"][:]
     expected = np.interp(audits, t, slip)

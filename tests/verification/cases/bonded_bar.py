@@ -2,18 +2,20 @@
 """Plane pulse through bonded blocks: v(y, t) = v_base(t - y / c), c = sqrt(E / rho) for nu = 0."""
 
 import numpy as np
-
-DENSITY, E, STATION = 2000.0, 200e6, 40.0  # kg/m3, Pa, m
+from scene_numbers import Numbers
 
 
 def check(case):
-    case.speed = np.sqrt(E / DENSITY)
-    case.run_data = case.run()
-    time, base, station = histories(case.run_data, 1)
-    case.histories = time, base, station
-    judge(case, "blocks of 1 m", time, base, station, STATION / case.speed)
-    fine = case.run("fine", "Mesh/Numbers=Width = 1; Height = 80; Resolution/h = 0.5", "Monitors/Points=station: 0.5, 40")
-    judge(case, "blocks of 0.5 m", *histories(fine, 1), STATION / case.speed)
+    run = case.run()
+    numbers = Numbers(run)
+    case.speed, case.station = numbers.material("rock").speed("P"), numbers.point("station")[1]
+    case.histories = histories(run, 1)
+    travel = case.station / case.speed
+    judge(case, "blocks of the scene", *case.histories, travel)
+    width, size = numbers.mesh("Width"), numbers.mesh("Resolution/h")
+    fine = case.run("fine", "Monitors/Points=station: %.10g, %.10g" % (width / 4, case.station),
+                    mesh={"Width": width / 2, "Resolution/h": size / 2})
+    judge(case, "blocks of half the size", *histories(fine, 1), travel)
 
 
 def histories(run, component):
@@ -42,16 +44,16 @@ def peak(time, v):
 
 
 def draw(case, figure):
-    draw_pulse(case, figure, STATION)
+    draw_pulse(case, figure)
 
 
-def draw_pulse(case, figure, station_height):
-    """case.histories over the input, delayed by the travel time to station_height [m] at case.speed [m/s]."""
+def draw_pulse(case, figure):
+    """case.histories over the input, delayed by the travel time to case.station [m] at case.speed [m/s]."""
     axes = figure.subplots()
     time, base, station = case.histories
     axes.plot(time, 1e3 * base, color="C1", label="base (input)")
-    axes.plot(time + station_height / case.speed, 1e3 * base, color="0.6", linewidth=4,
-              label="closed form at %g m" % station_height)
-    axes.plot(time, 1e3 * station, color="C0", label="hybrid at %g m (then the reflection from the top)" % station_height)
+    axes.plot(time + case.station / case.speed, 1e3 * base, color="0.6", linewidth=4,
+              label="closed form at %g m" % case.station)
+    axes.plot(time, 1e3 * station, color="C0", label="hybrid at %g m (then the reflection from the top)" % case.station)
     axes.set(xlabel="time [s]", ylabel="velocity [mm/s]", xlim=(0, time[-1]))
     axes.legend()

@@ -4,16 +4,14 @@
 The first trough is judged: it is through before the waves from the sides and the reflection from the top arrive.
 """
 
-import numpy as np
 from bonded_bar import draw_pulse, histories, peak
-
-DENSITY, E, STATION = 2000.0, 160e6, 14.0  # kg/m3, Pa, m
+from scene_numbers import Numbers
 
 
 def check(case):
     run = case.run()
-    case.speed = np.sqrt(0.5 * E / DENSITY)
-    travel = STATION / case.speed
+    case.speed, case.station = Numbers(run).material("rock").speed("S"), Numbers(run).point("station")[1]
+    travel = case.station / case.speed
     case.histories = time, base, station = histories(run, 0)
     t0, v0 = peak(time, -base)
     direct = time < t0 + 1.5 * travel
@@ -23,4 +21,4 @@ def check(case):
 
 
 def draw(case, figure):
-    draw_pulse(case, figure, STATION)
+    draw_pulse(case, figure)

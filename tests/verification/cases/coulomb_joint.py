@@ -6,40 +6,46 @@ slip rate. Within the strength the joint is a spring, at the strength tau is the
 """
 
 import numpy as np
-
-DENSITY, YOUNG, POISSON, WIDTH, PLANE, BEFORE, BEHIND = 2000.0, 5e9, 0.25, 10.0, 300.0, 10.0, 310.0
-SHEAR = YOUNG / (2 * (1 + POISSON))
-SPEED = np.sqrt(SHEAR / DENSITY)
-IMPEDANCE = DENSITY * SPEED
-STRENGTH = 2000.0 + 10000.0 * np.tan(np.radians(30.0))
-SEPARATION = 0.5  # the incident wave has passed BEFORE, the reflected one has not arrived
+from scene_numbers import Numbers
 
 shown = {}
 
 
-def joint(time, velocity, stiffness, refine=20):
-    """Stress and slip of the joint for the upgoing velocity; exact exponential steps of the spring."""
-    t = np.linspace(time[0], time[-1], refine * (len(time) - 1) + 1)
-    v = np.interp(t, time, velocity)
-    dt = t[1] - t[0]
-    rate = 2 * stiffness / IMPEDANCE
-    decay = np.exp(-rate * dt)
-    stress, slip = np.zeros_like(t), np.zeros_like(t)
-    for i in range(1, len(t)):
-        # tau' = rate (Z v - tau) with v linear over the step, then the plastic corrector
+class Joint:
+    def __init__(self, run):
+        n = Numbers(run)
+        rock, plane = n.material("rock"), "Bedding planes/"
+        self.speed = rock.speed("S")
+        self.impedance = rock.density * self.speed
+        self.stiffness = n.number(plane + "Shear stiffness")
+        self.strength = n.number(plane + "Cohesion") + n.number(plane + "Initial normal stress") * np.tan(
+            np.radians(n.number(plane + "Friction angle")))
+        self.width, self.place = n.mesh("Width"), n.mesh("First plane")
+        self.before, self.behind = (n.point(name)[0] for name in ("before", "behind"))
+
+    def response(self, time, velocity, refine=20):
+        """Stress and slip for the upgoing velocity; exact exponential steps of the spring."""
+        t = np.linspace(time[0], time[-1], refine * (len(time) - 1) + 1)
+        v = np.interp(t, time, velocity)
+        dt, z = t[1] - t[0], self.impedance
+        rate = 2 * self.stiffness / z
+        decay = np.exp(-rate * dt)
         lag = (1 - decay) / (rate * dt)
-        trial = stress[i - 1] * decay + IMPEDANCE * (v[i - 1] * (lag - decay) + v[i] * (1 - lag))
-        stress[i] = np.clip(trial, -STRENGTH, STRENGTH)
-        slip[i] = slip[i - 1]
-        if trial != stress[i]:
-            # slip takes the jump that the spring does not
-            jump = dt * (v[i - 1] + v[i] - (stress[i - 1] + stress[i]) / IMPEDANCE)
-            slip[i] += jump - (stress[i] - stress[i - 1]) / stiffness
-    return t, stress, slip
+        stress, slip = np.zeros_like(t), np.zeros_like(t)
+        for i in range(1, len(t)):
+            # tau' = rate (Z v - tau) with v linear over the step, then the plastic corrector
+            trial = stress[i - 1] * decay + z * (v[i - 1] * (lag - decay) + v[i] * (1 - lag))
+            stress[i] = np.clip(trial, -self.strength, self.strength)
+            slip[i] = slip[i - 1]
+            if trial != stress[i]:
+                # slip takes the jump that the spring does not
+                jump = dt * (v[i - 1] + v[i] - (stress[i - 1] + stress[i]) / z)
+                slip[i] += jump - (stress[i] - stress[i - 1]) / self.stiffness
+        return t, stress, slip
 
-
-def energy(time, rate):
-    return IMPEDANCE * np.trapezoid(rate**2, time) if hasattr(np, "trapezoid") else IMPEDANCE * np.trapz(rate**2, time)
+    def energy(self, time, rate):
+        squares = rate**2
+        return self.impedance * np.sum(0.5 * (squares[1:] + squares[:-1]) * np.diff(time))
 
 
 def half_cycles(slip):
@@ -55,51 +61,57 @@ def half_cycles(slip):
     return np.diff(turns + [extreme])
 
 
-def compare(case, name, stiffness, *overrides):
+def compare(case, name, *overrides):
     run = case.run(name, *overrides)
+    joint = Joint(run)
     upgoing = 0.5 * run.file["input/velocity"][:][: len(run.time), 1]  # half the outcrop motion
-    t, stress, slip = joint(run.time, upgoing, stiffness)
+    t, stress, slip = joint.response(run.time, upgoing)
     v = np.interp(t, run.time, upgoing)
     behind = run.history("monitors/behind/velocity")[:, 1]
-    before = run.history("monitors/before/velocity")[:, 1]
-    before = np.where(run.time > SEPARATION, before, 0.0)
-    case.near(name + ": transmitted energy", energy(run.time, behind), energy(t, stress / IMPEDANCE), 0.02, "J/m2")
-    case.near(name + ": reflected energy", energy(run.time, before), energy(t, v - stress / IMPEDANCE), 0.02, "J/m2")
+    incident = np.interp(run.time - joint.before / joint.speed, run.time, upgoing, left=0.0)
+    reflected = run.history("monitors/before/velocity")[:, 1] - incident
+    case.near(name + ": transmitted energy", joint.energy(run.time, behind), joint.energy(t, stress / joint.impedance),
+              0.02, "J/m2")
+    case.near(name + ": reflected energy", joint.energy(run.time, reflected),
+              joint.energy(t, v - stress / joint.impedance), 0.02, "J/m2")
     loss = np.sum(0.5 * (stress[1:] + stress[:-1]) * np.diff(slip))
-    case.near(name + ": dissipated energy", run.file["energy/bedding_loss"][-1] / WIDTH, loss, 0.02, "J/m2")
+    case.near(name + ": dissipated energy", run.file["energy/bedding_loss"][-1] / joint.width, loss, 0.02, "J/m2")
     # the left side moves against the right one (Bedding planes: tangent upwards, left against right)
     found = run.file["bedding/bedding_1/slip"][:].mean(axis=1)
     measured, expected = half_cycles(found), half_cycles(slip)
     case.true(name + ": %d half cycles slip, closed form %d" % (len(measured), len(expected)),
               len(measured) == len(expected))
     for k in np.flatnonzero(np.abs(expected) > 0.1 * np.abs(expected).max()):
-        case.near(name + ": slip of half cycle %d" % (k + 1), measured[k], expected[k], 0.02, "m")
+        if len(measured) == len(expected):
+            case.near(name + ": slip of half cycle %d" % (k + 1), measured[k], expected[k], 0.02, "m")
     case.below(name + ": energy residual", run.summary["energy_residual"], 1e-6)
-    return run, t, v, stress, slip, behind, found
+    return run, joint, t, v, stress, slip, behind, found
 
 
 def check(case):
-    run, t, v, stress, slip, behind, found = compare(case, "default", 1e9)
-    shown.update(time=run.time, behind=behind, t=t, v=v, stress=stress, slip=slip, found=found,
+    run, joint, t, v, stress, slip, behind, found = compare(case, "default")
+    shown.update(joint=joint, time=run.time, behind=behind, t=t, v=v, stress=stress, slip=slip, found=found,
                  slip_time=run.file["bedding/time"][:])
-    stiff = compare(case, "stiff", 1e10, "Bedding planes/Shear stiffness=1e10", "Bedding planes/Normal stiffness=1e10")
-    clipped = np.clip(IMPEDANCE * stiff[2], -STRENGTH, STRENGTH)
-    case.near("stiff: energy of the clipped incident stress", energy(stiff[0].time, stiff[5]),
-              energy(stiff[1], clipped / IMPEDANCE), 0.02, "J/m2")
+    stiffness = "%.10g" % (10 * joint.stiffness)
+    run, joint, t, v, _, _, behind, _ = compare(case, "stiff", "Bedding planes/Shear stiffness=" + stiffness,
+                                                "Bedding planes/Normal stiffness=" + stiffness)
+    clipped = np.clip(joint.impedance * v, -joint.strength, joint.strength)
+    case.near("stiff: energy of the clipped incident stress", joint.energy(run.time, behind),
+              joint.energy(t, clipped / joint.impedance), 0.02, "J/m2")
 
 
 def draw(case, figure):
+    joint, arrival = shown["joint"], shown["joint"].place / shown["joint"].speed
     upper, lower = figure.subplots(2, 1, sharex=True)
-    delay = (BEHIND - PLANE) / SPEED
-    arrival = PLANE / SPEED
-    upper.plot(shown["t"] + arrival, 1e-3 * IMPEDANCE * shown["v"], color="0.7", label="incident")
-    upper.plot(shown["time"] - delay, 1e-3 * IMPEDANCE * shown["behind"], label="transmitted, program")
+    delay = (joint.behind - joint.place) / joint.speed
+    upper.plot(shown["t"] + arrival, 1e-3 * joint.impedance * shown["v"], color="0.7", label="incident")
+    upper.plot(shown["time"] - delay, 1e-3 * joint.impedance * shown["behind"], label="transmitted, program")
     upper.plot(shown["t"] + arrival, 1e-3 * shown["stress"], "k--", lw=0.8, label="transmitted, closed form")
     upper.set_ylabel("shear stress [kPa]")
     upper.legend(loc="upper right")
     lower.plot(shown["slip_time"], 1e6 * shown["found"], label="program")
     lower.plot(shown["t"] + arrival, 1e6 * shown["slip"], "k--", lw=0.8, label="closed form")
-    lower.set_xlim(0.25, 0.85)
+    lower.set_xlim(arrival - 0.1, shown["time"][-1])
     lower.set_xlabel("time [s]")
     lower.set_ylabel("slip [$\\mu$m]")
     lower.legend(loc="upper right")

@@ -8,13 +8,12 @@ import numpy as np
 
 
 class Layer:
-    def __init__(self, thickness, density, young, poisson, wave):
-        """wave: "S" or "P"; thickness [m], density [kg/m3], young [Pa]."""
-        shear = young / (2 * (1 + poisson))
-        self.thickness, self.density = thickness, density
-        self.modulus = shear if wave == "S" else 2 * shear * (1 - poisson) / (1 - 2 * poisson)
-        self.speed = np.sqrt(self.modulus / density)
-        self.impedance = density * self.speed
+    def __init__(self, thickness, material, wave):
+        """wave: "S" or "P"; thickness [m], material of scene_numbers."""
+        self.thickness, self.density = thickness, material.density
+        self.modulus = material.shear_modulus if wave == "S" else material.oedometer
+        self.speed = np.sqrt(self.modulus / self.density)
+        self.impedance = self.density * self.speed
 
     def wave_number(self, omega, alpha=0.0, beta=0.0):
         return np.sqrt(self.density * (omega**2 - 1j * alpha * omega) / (self.modulus * (1 + 1j * beta * omega)))
