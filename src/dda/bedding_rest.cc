@@ -3,8 +3,8 @@
 #include <hybrid/dda/bedrock_blocks.h>
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/model_builder.h>
-#include <hybrid/dda/open_close_iteration.h>
 #include <hybrid/dda/start_accelerations.h>
+#include <hybrid/dda/static_steps.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +18,8 @@ namespace hybrid::dda
     using scene::SceneParameters;
     using scene::SectionMesh;
 
-    constexpr double load_part       = 1e-3; ///< of loads and strengths in the model at rest
-    constexpr double target_residual = 1e-9;
-    constexpr double first_step      = 0.0156; ///< pseudo time step [s]
-    constexpr double smallest_step   = 1e-5;
-    constexpr double largest_step    = 1e3;
-    constexpr double growth          = 4.;
-    constexpr int    maximum_steps   = 200;
+    constexpr double     load_part = 1e-3; ///< of loads and strengths in the model at rest
+    constexpr StaticPace pace{4., 200};
 
 
 
@@ -72,14 +67,9 @@ namespace hybrid::dda
     /// The bedrock alone, in triangles on a fixed base, with a part of its strengths.
     SceneParameters scene_at_rest(SceneParameters scene)
     {
-      scene.bedrock                      = scene::BedrockModel::triangles;
-      scene.continuum.base               = scene::BaseBoundary::fixed;
-      scene.continuum.rayleigh_stiffness = 0.;
-      scene.blocks.enabled               = false;
-      scene.blocks.damping_ratio         = 0.;
-      scene.blocks.tolerance             = 0.1 * target_residual;
-      scene.time.newmark                 = Newmark::preset("shi");
-      scene.time.dynamic_coefficient     = 1.;
+      scene.bedrock        = scene::BedrockModel::triangles;
+      scene.continuum.base = scene::BaseBoundary::fixed;
+      scene.blocks.enabled = false;
       scene.edge_loads.tractions.clear();
       scene.bedding.cohesion *= load_part;
       scene.bedding.tensile_strength *= load_part;
@@ -101,7 +91,7 @@ namespace hybrid::dda
         std::vector<Vec2> nodes;
         for (const int node : blocks.base)
           nodes.push_back(mesh.nodes[node]);
-        model = build_model(mesh, scene, nodes);
+        model = static_problem(build_model(mesh, scene, nodes));
         for (const BoundaryEdge &edge : model.boundary)
           add_roller(edge);
         model.boundary.clear();
@@ -125,8 +115,11 @@ namespace hybrid::dda
       /// What the mass of another model puts on the bedrock.
       void load_mass(const Model &other, const DdaState &settled);
 
-      /// Implicit steps from rest, as those of the mass's static stage. @return true at rest.
-      bool settle();
+      /// @return true at rest
+      bool settle()
+      {
+        return take_static_steps(model, state, pace).equilibrium;
+      }
 
       /// Tractions of the planes, and what they do.
       std::map<EndKey, Traction> tractions(BeddingRest &result) const;
@@ -239,37 +232,6 @@ namespace hybrid::dda
             });
           load(nearest->block, 0.5 * (nearest->from + nearest->to), force);
         }
-    }
-
-
-
-    bool RestModel::settle()
-    {
-      OpenCloseIteration iteration;
-      BaseResponse       base;
-      base.displacement = state.base_displacement;
-      int steps         = 0;
-      for (double dt = first_step; steps < maximum_steps && dt >= smallest_step;)
-        {
-          for (BlockState &block : state.blocks)
-            {
-              block.velocity.setZero();
-              block.acceleration.setZero();
-              block.contact_acceleration.setZero();
-            }
-          const StepResult step = iteration.solve(model, state, base, dt);
-          if (!step.converged)
-            {
-              dt /= 4.;
-              continue;
-            }
-          iteration.accept(model, state);
-          ++steps;
-          if (step.unbalanced <= target_residual)
-            return true;
-          dt = std::min(largest_step, growth * dt);
-        }
-      return false;
     }
 
 

@@ -138,6 +138,15 @@ namespace hybrid::dda
 
   StepResult BlockSolver::solve(DdaState &state, const BaseResponse &base, const double dt)
   {
+    if (model.n_mass() > 0) // joints carry all loads of the bedrock
+      search_contacts(state);
+    return iteration.solve(model, state, base, dt);
+  }
+
+
+
+  void BlockSolver::search_contacts(DdaState &state)
+  {
     const auto                     start  = std::chrono::steady_clock::now();
     const ContactDetection::Report before = detection.report();
     update_skipped_pairs(state);
@@ -149,6 +158,5 @@ namespace hybrid::dda
     search_summary.lists += detection.report().builds - before.builds;
     search_summary.time +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return iteration.solve(model, state, base, dt);
   }
 } // namespace hybrid::dda
