@@ -12,7 +12,9 @@ namespace hybrid::dda
     constexpr int swept_limit  = 40; ///< iterations with sweeps before a factor is made
     constexpr int factor_limit = 12; ///< iterations with an old factor before a new one is made
     constexpr int hard_limit   = 2000;
-  } // namespace
+    constexpr int few_failures = 2; ///< of old factors in a row, after which they are passed over
+    constexpr int retry_every  = 8; ///< matrices, to see if an old factor serves again
+  }                                 // namespace
 
 
 
@@ -35,7 +37,7 @@ namespace hybrid::dda
 
   void LinearSolver::serialize(restart::Archive &archive, const BlockMatrix &matrix)
   {
-    archive(use_factor, factor_is_current);
+    archive(use_factor, factor_is_current, failures, passed_over);
     factor.serialize(archive, matrix);
   }
 
@@ -222,6 +224,16 @@ namespace hybrid::dda
 
 
 
+  bool LinearSolver::is_worth_trying()
+  {
+    if (factor_is_current || failures < few_failures)
+      return true;
+    passed_over = (passed_over + 1) % retry_every;
+    return passed_over == 0;
+  }
+
+
+
   LinearSolver::Result LinearSolver::solve(const BlockMatrix     &matrix,
                                            const Eigen::VectorXd &b,
                                            const Eigen::VectorXd &scale,
@@ -245,9 +257,14 @@ namespace hybrid::dda
                         : solve_swept(matrix.symmetric, target, x);
     };
     use_factor = use_factor && factor.ready(matrix.n_blocks());
-    result     = attempt(use_factor ? factor_limit : swept_limit);
-    if (result.converged)
-      return result;
+    if (!use_factor || is_worth_trying())
+      {
+        result = attempt(use_factor ? factor_limit : swept_limit);
+        if (use_factor && !factor_is_current)
+          failures = result.converged ? 0 : failures + 1;
+        if (result.converged)
+          return result;
+      }
 
     const int spent    = result.iterations;
     bool      factored = false;

@@ -19,7 +19,8 @@ namespace hybrid::dda
    *
    * Preconditioner: a symmetric Gauss-Seidel sweep where inertia dominates (small
    * steps, soft joints), or a sparse factor of an earlier matrix, kept until it
-   * serves badly (static stage, stiff joints). The choice follows iteration
+   * serves badly (static stage, stiff joints); where hundreds of contacts change from one
+   * matrix to the next an old factor is mostly passed over. The choice follows iteration
    * counts only, so results are deterministic. Preconditioner of the base:
    * BaseBand.
    */
@@ -92,6 +93,8 @@ namespace hybrid::dda
     SparseFactor    factor;
     bool            use_factor        = false;
     bool            factor_is_current = false;
+    int             failures          = 0; ///< of old factors, in a row
+    int             passed_over       = 0; ///< old factors since one was last tried
     Eigen::VectorXd unknown, r, dual_r, p, dual_p, q, t, dual_t, shadow, z; ///< work
 
     void precondition(const BlockMatrix &matrix, const Eigen::VectorXd &residual);
@@ -106,6 +109,9 @@ namespace hybrid::dda
     Result stabilised_gradients(System &system, int limit);
 
     Result solve_swept(bool symmetric, const Target &target, Eigen::VectorXd &x);
+
+    /// True if a try with the factor there is promises more than a new one.
+    bool is_worth_trying();
 
     Result solve_with_factor(const BlockMatrix &matrix, const Target &target, Eigen::VectorXd &x);
   };
