@@ -51,6 +51,22 @@ namespace
     EXPECT_LT((x - expected).norm(), 1e-9 * expected.norm());
     return result;
   }
+
+  /// Springs of stiffness k between the first of every @p step pairs of blocks.
+  void
+  stiffen(BlockMatrix &m, const double k, const std::size_t first = 0, const std::size_t step = 1)
+  {
+    for (std::size_t s = first; s < m.pairs.size(); s += step)
+      {
+        Vec6 a = Vec6::Zero(), b = Vec6::Zero();
+        a << 1., 0.5, 0.1, 0.2, 0.3, 0.4;
+        b << 1., 0.4, -0.1, 0.1, 0.3, 0.2;
+        m.diagonal[m.pairs[s][0]] += k * a * a.transpose();
+        m.diagonal[m.pairs[s][1]] += k * b * b.transpose();
+        m.off_diagonal[s] -= k * a * b.transpose();
+        m.lower[s] -= k * b * a.transpose();
+      }
+  }
 } // namespace
 
 
@@ -83,26 +99,40 @@ TEST(LinearSolver, no_right_hand_side_no_iterations)
 
 TEST(LinearSolver, stiff_springs_need_a_factor_which_is_kept)
 {
-  BlockMatrix m       = random_block_matrix(60, 0);
-  const auto  stiffen = [&](const double k) {
-    for (std::size_t s = 0; s < m.pairs.size(); ++s)
-      {
-        Vec6 a = Vec6::Zero(), b = Vec6::Zero();
-        a << 1., 0.5, 0.1, 0.2, 0.3, 0.4;
-        b << 1., 0.4, -0.1, 0.1, 0.3, 0.2;
-        m.diagonal[m.pairs[s][0]] += k * a * a.transpose();
-        m.diagonal[m.pairs[s][1]] += k * b * b.transpose();
-        m.off_diagonal[s] -= k * a * b.transpose();
-        m.lower[s] -= k * b * a.transpose();
-      }
-  };
-  stiffen(1e5);
+  BlockMatrix m = random_block_matrix(60, 0);
+  stiffen(m, 1e5);
   LinearSolver solver;
   EXPECT_TRUE(check(solver, m, nullptr).factored);
-  stiffen(1e3); // one percent: the old factor still serves
+  stiffen(m, 1e3); // one percent: the old factor still serves
   const LinearSolver::Result second = check(solver, m, nullptr);
   EXPECT_FALSE(second.factored);
   EXPECT_LE(second.iterations, 25);
+}
+
+
+
+// Many contacts change from one matrix to the next, then few: old factors are not tried, then serve
+// again.
+TEST(LinearSolver, old_factors_that_fail_are_passed_over)
+{
+  LinearSolver solver;
+  const auto   solve = [&](const std::size_t first, const double more) {
+    BlockMatrix m = random_block_matrix(60, 0);
+    stiffen(m, 1e5, first, 3);
+    stiffen(m, more);
+    return check(solver, m, nullptr);
+  };
+  solve(0, 0.);
+  for (const std::size_t first : {1, 2})
+    EXPECT_GT(solve(first, 0.).iterations, 12);
+  const LinearSolver::Result passed_over = solve(0, 0.);
+  EXPECT_TRUE(passed_over.factored);
+  EXPECT_LE(passed_over.iterations, 2);
+
+  int factored = 0;
+  for (int k = 0; k < 20; ++k)
+    factored += solve(0, 1e-3 * k).factored ? 1 : 0;
+  EXPECT_LT(factored, 8);
 }
 
 
