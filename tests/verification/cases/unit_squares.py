@@ -44,11 +44,12 @@ def mean(run):
 
 
 def columns(run):
-    """Mean distance of the two blocks of each column [m], from the lowest column up."""
-    first = run.get("section/blocks_offsets").astype(int)[:20]
+    """Mean distance of the blocks of each column [m], from the lowest column up."""
+    count = int(Numbers(run).mesh("Columns"))
+    first = run.get("section/blocks_offsets").astype(int)[: len(slid(run))]
     points = run.get("section/blocks_points").reshape(-1, 2)
-    place = [points[k : k + 4].mean(axis=0)[0] for k in first]
-    return slid(run)[np.argsort(place)].reshape(10, 2).mean(axis=1)
+    place = [points[k : k + 4].mean(axis=0) @ uphill(run) for k in first]
+    return slid(run)[np.argsort(place)].reshape(count, -1).mean(axis=1)
 
 
 def draw(case, figure):
