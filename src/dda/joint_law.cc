@@ -126,6 +126,24 @@ namespace hybrid::dda
 
 
 
+  double JointLaw::largest_opening(const double damage) const
+  {
+    const double elastic  = strength.tensile / k_n;
+    const double critical = std::max(elastic, critical_opening());
+    // The linear softening branch has this damage where g = a g_c / (1 - D + a).
+    const double a = elastic / std::max(critical - elastic, 1e-300);
+    return std::min(critical, a * critical / (1. - damage + a));
+  }
+
+
+
+  double JointLaw::tensile_strength(const double damage) const
+  {
+    return damage > 0. ? (1. - damage) * k_n * largest_opening(damage) : strength.tensile;
+  }
+
+
+
   JointLaw::Fading JointLaw::fading(const double damage) const
   {
     if (!std::isfinite(strength.residual_cohesion))
@@ -191,9 +209,38 @@ namespace hybrid::dda
     r.elastic_shear = -k_s * (kinematics.slip - r.history.plastic_slip);
 
     const double dashpot = damping.ratio * (1. - r.history.damage) * k_n;
-    r.normal -= dashpot * (kinematics.gap - damping.gap);
-    r.normal_by_gap += dashpot;
+    const double viscous = -dashpot * (kinematics.gap - damping.gap);
+    if (viscous < 0.)
+      resist_opening(viscous, dashpot, r.history.damage > history.damage, r);
+    else
+      {
+        r.normal += viscous;
+        r.normal_by_gap += dashpot;
+      }
     return r;
+  }
+
+
+
+  void JointLaw::resist_opening(const double   viscous,
+                                const double   dashpot,
+                                const bool     cracks,
+                                JointResponse &r) const
+  {
+    // While it cracks the spring alone takes all that the bond can bear.
+    if (cracks)
+      return;
+    const double limit = -tensile_strength(r.history.damage);
+    if (r.elastic_normal + viscous >= limit)
+      {
+        r.normal += viscous;
+        r.normal_by_gap += dashpot;
+      }
+    else if (r.elastic_normal > limit)
+      {
+        r.normal        = limit;
+        r.normal_by_gap = 0.;
+      }
   }
 
 
@@ -270,10 +317,7 @@ namespace hybrid::dda
     if (history.damage <= 0. || strength.tensile <= 0.)
       return 0.;
     const double elastic  = strength.tensile / k_n;
-    const double critical = std::max(elastic, critical_opening());
-    // Largest opening g of the linear softening branch that gives this damage.
-    const double a        = elastic / std::max(critical - elastic, 1e-300);
-    const double gap      = std::min(critical, a * critical / (1. - history.damage + a));
+    const double gap      = largest_opening(history.damage);
     const double traction = (1. - history.damage) * k_n * gap;
     return 0.5 * strength.tensile * elastic +
            0.5 * (strength.tensile + traction) * (gap - elastic) - 0.5 * traction * gap;

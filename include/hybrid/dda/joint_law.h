@@ -32,7 +32,11 @@ namespace hybrid::dda
    * Stiffness-proportional damping of a joint's springs over one step, by
    * backward differences: the springs act with their elastic stretch plus
    * beta_K / dt of its change. The slider is in series with spring and dashpot,
-   * so the traction is continuous where sticking turns into slip.
+   * so the traction is continuous where sticking turns into slip. Likewise the
+   * tension of spring and dashpot together is never above the tensile strength
+   * that damage has left: the dashpot bears what the spring leaves of it.
+   * Damage follows the opening alone, so the fracture energy is that of the law
+   * at any rate.
    */
   struct JointDamping
   {
@@ -176,6 +180,12 @@ namespace hybrid::dda
 
     double damage_at(double gap) const;
 
+    /// Opening of the softening branch at which the bond had got this damage [m].
+    double largest_opening(double damage) const;
+
+    /// Tension that a bond with this damage bears [Pa]: F_t, or what is left of it.
+    double tensile_strength(double damage) const;
+
     /// Openings between which the residual cohesion fades [m].
     struct Fading
     {
@@ -197,6 +207,10 @@ namespace hybrid::dda
 
     /// Normal traction, damage and normal tangent without damping.
     void normal_response(double gap, JointResponse &response) const;
+
+    /// Add what the dashpot bears while a joint opens: @p viscous < 0 [Pa], as far as the strength
+    /// allows. @param dashpot its tangent [Pa/m]
+    void resist_opening(double viscous, double dashpot, bool cracks, JointResponse &response) const;
 
     /// Shear of a joint whose trial traction exceeds its strength. @p spring with damping [Pa/m].
     void slide(double trial, double spring, const Strain &at, JointResponse &response) const;

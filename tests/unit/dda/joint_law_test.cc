@@ -215,6 +215,88 @@ TEST(JointLaw, fracture_loss_is_the_area_between_loading_and_unloading)
 }
 
 
+TEST(JointLaw, damped_bond_breaks_at_its_strength_at_any_rate)
+{
+  const JointLaw law      = softening();
+  const double   critical = 2. * 10. / 1e4, elastic = 1e4 / k_n; // m
+  for (const double ratio : {0., 0.1, 1., 10., 100.})
+    for (const double step : {0.02 * elastic, 0.5 * elastic, 7. * elastic})
+      {
+        JointHistory history;
+        double       gap = 0., peak = 0., work = 0., viscous = 0.;
+        double       elastic_before = 0.;
+        while (gap < critical)
+          {
+            const JointResponse r = law.respond({gap + step, 0.}, history, {ratio, gap, 0.});
+            const JointResponse e = law.respond({gap + step, 0.}, history);
+            EXPECT_EQ(r.elastic_normal, e.normal);
+            EXPECT_EQ(r.history.damage, e.history.damage);
+            EXPECT_LE(r.normal, e.normal); // the dashpot resists
+            viscous += (e.normal - r.normal) * step;
+            work -= 0.5 * (elastic_before + e.normal) * step;
+            elastic_before = e.normal;
+            peak           = std::max(peak, -r.normal);
+            history        = r.history;
+            gap += step;
+          }
+        EXPECT_LE(peak, 1e4 * (1. + 1e-12)) << ratio << ' ' << step;
+        if (step < elastic)
+          {
+            EXPECT_NEAR(peak, 1e4, 0.01 * 1e4) << ratio << ' ' << step;
+            EXPECT_NEAR(work, 10., 0.01 * 10.);
+          }
+        EXPECT_NEAR(law.fracture_loss(history), 10., 1e-8);
+        EXPECT_TRUE(law.broken_in_tension(history));
+        EXPECT_GE(viscous, 0.);
+        EXPECT_LE(viscous, 1e4 * elastic); // less than the area between F_t and the spring
+      }
+}
+
+
+
+TEST(JointLaw, tangent_of_a_damped_bond_is_the_derivative_of_its_traction)
+{
+  const JointLaw law      = softening();
+  const double   elastic  = 1e4 / k_n;
+  JointHistory   damaged  = law.respond({2e-4, 0.}, {}).history; // bears less than F_t
+  const double   left     = -law.respond({2e-4, 0.}, damaged).normal;
+  const auto     traction = [&](const double gap, const JointHistory &h, const double start) {
+    return law.respond({gap, 0.}, h, {3., start, 0.});
+  };
+  struct Case
+  {
+    double       gap, start;
+    JointHistory history;
+    double       expected; // Pa, compression positive
+  };
+  const Case cases[] = {
+    {-2e-6, -1e-6, {}, k_n * 5e-6},                      // closes
+    {-1e-6, -1.1e-6, {}, k_n * (1e-6 - 3e-7)},           // unloads
+    {-1e-6, -1e-5, {}, -1e4},                            // unloads fast
+    {0.2 * elastic, 0.1 * elastic, {}, -0.5e4},          // opens
+    {0.5 * elastic, 0.2 * elastic, {}, -1e4},            // faster than the bond bears
+    {0.5 * elastic, 0.6 * elastic, {}, -0.2e4},          // closes in tension
+    {2. * elastic, 0.5 * elastic, {}, 0.},               // cracks
+    {1e-4, 0.99e-4, damaged, -0.5 * left * (1. + 0.03)}, // opens again
+    {1e-4, 0., damaged, -left},                          // likewise, fast
+    {3e-4, 1e-4, damaged, 0.},                           // cracks on
+    {1e-4, 1.01e-4, damaged, -0.5 * left * (1. - 0.03)}, // closes again
+  };
+  for (const Case &c : cases)
+    {
+      const double        h     = 1e-6 * elastic;
+      const JointResponse r     = traction(c.gap, c.history, c.start);
+      const double        slope = (traction(c.gap - h, c.history, c.start).normal -
+                            traction(c.gap + h, c.history, c.start).normal) /
+                           (2. * h);
+      EXPECT_NEAR(r.normal_by_gap, slope, 1e-4 * k_n) << c.gap << ' ' << c.start;
+      const double expected =
+        c.expected == 0. ? law.respond({c.gap, 0.}, c.history).normal : c.expected;
+      EXPECT_NEAR(r.normal, expected, 1e-9 * 1e4) << c.gap << ' ' << c.start;
+    }
+}
+
+
 
 TEST(JointLaw, tensile_damage_takes_its_part_of_the_cohesion)
 {

@@ -5,6 +5,7 @@ import numpy as np
 from scene_numbers import Numbers
 
 STRENGTHS = (20e3, 100e3)  # of the variants [Pa]
+DAMPING = (0.05, 0.2)  # of variants, of critical at the damping frequency
 
 
 class Sample:
@@ -14,6 +15,7 @@ class Sample:
         self.joints = int(np.ceil(self.length / numbers.mesh("Resolution/h") - 1e-9))  # on the base
         self.mass = numbers.material("sample").density * numbers.mesh("Height")  # per area [kg/m2]
         self.strength = numbers.material("joint").tensile_strength
+        self.fracture_energy = self.length * numbers.number("Blocks/Fracture energy")  # of the base [J/m]
 
 
 def stresses(run):
@@ -40,6 +42,22 @@ def check(case):
         rising = time < 0.9 * time[np.argmax(stress)]
         inertia = mass * down[rising]
         case.below("stress less inertia, before failure, over F_t", np.abs(stress[rising] - inertia).max() / strength, 0.01)
+    check_damped(case)
+
+
+def check_damped(case):
+    """A damped bond bears F_t and takes G_f, however fast it is pulled: what its dashpot takes comes on top."""
+    case.damped = {}
+    for ratio in DAMPING:
+        run = case.run("damped_%g" % ratio, "Blocks/Damping ratio=%g" % ratio)
+        sample, name = Sample(run), "damped by %g: " % ratio
+        time, stress, _ = case.damped[ratio] = stresses(run)
+        case.near(name + "peak tensile stress", stress.max(), sample.strength, 0.01, "Pa")
+        case.below(name + "largest stress above F_t, over F_t", max(0.0, stress.max() / sample.strength - 1), 1e-9)
+        case.true(name + "all joints of the base have failed in tension", run.summary["joints"]["tensile"] == sample.joints)
+        case.near(name + "energy of fracture", run.file["energy/fracture_loss"][-1], sample.fracture_energy, 1e-6, "J/m")
+        case.true(name + "the dashpots have taken energy", run.file["energy/blocks_damping_loss"][-1] > 0)
+        case.below(name + "residual of the energy audit", run.summary["energy_residual"], 1e-3)
 
 
 def draw(case, figure):
@@ -49,6 +67,8 @@ def draw(case, figure):
         before = case.mass * down < strength
         axes.plot(time[before], case.mass * down[before] / 1e3, color="0.7", linewidth=4, zorder=0)
         axes.axhline(strength / 1e3, color=line.get_color(), linestyle=":")
+    for (ratio, (time, stress, _)), style in zip(case.damped.items(), ("--", ":")):
+        axes.plot(time, stress / 1e3, color="k", linewidth=1, linestyle=style, label="F_t = 50 kPa, damped by %g" % ratio)
     axes.plot([], [], color="0.7", linewidth=4, label="inertia of the sample / area")
     axes.set(xlabel="time [s]", ylabel="mean tensile stress [kPa]")
     axes.legend()
