@@ -169,20 +169,26 @@ namespace hybrid::continuum
                                           const std::vector<double> &u1)
   {
     // Newmark's identity takes the work Dp . W [(1 - gamma) t_0 + gamma t_1] from the joints, and
-    // its own term has -(gamma - 1/2) Dp . W Dt: together Dp . W (t_1 - Dt / 2). Slip dissipates by
-    // the traction at the end, which the strength allows; a point that breaks loses its elastic
-    // energy, half of Dp t_0.
+    // its own term has -(gamma - 1/2) Dp . W Dt: together Dp . W (t_0 + t_1) / 2. Of that the
+    // planes lose, with the traction at the end that the strength allows: by slip tau_1 Ds, by
+    // opening and closing nothing (o sigma = 0), and where a point breaks the elastic energy F_t^2
+    // / (2 k_n) of the tension and (tau_0 - tau_1)^2 / (2 k_s) of the shear traction that it drops.
+    // What remains depends on the step: it is the scheme's.
     tractions(u0, state.jump, t);
     tractions(u1, now, t1);
-    Energy energy;
-    for (std::size_t i = 0; i < t.size(); ++i)
+    const JointStiffness &k = bedding.stiffness();
+    Energy                energy;
+    for (std::size_t i = 0; i < broken.size(); ++i)
       {
-        const double work = bedding.points()[i / 2].length * (now[i] - state.jump[i]);
-        const bool   breaks =
-          i % 2 == 0 && broken[i / 2] && !state.broken[i / 2] && !rest_broken[i / 2];
-        const double part = breaks ? 0.5 : 0.;
-        energy.loss += work * (t1[i] - part * (t1[i] - t[i]));
-        energy.integration += (part - 0.5) * work * (t1[i] - t[i]);
+        const std::size_t n = 2 * i, s = n + 1;
+        const double      slip = now[s] - state.jump[s], opened = now[n] - state.jump[n];
+        double            loss = slip * t1[s];
+        if (broken[i] && !state.broken[i] && !rest_broken[i])
+          loss += 0.5 * (t[s] - t1[s]) * (t[s] - t1[s]) / k.shear +
+                  (now[n] > 0. ? 0.5 * solver.cut_off() * solver.cut_off() / k.normal : 0.);
+        const double work = 0.5 * (slip * (t[s] + t1[s]) + opened * (t[n] + t1[n]));
+        energy.loss += bedding.points()[i].length * loss;
+        energy.integration += bedding.points()[i].length * (work - loss);
       }
     for (std::size_t i = 0; i < state.path.size(); ++i)
       state.path[i] += std::abs(now[2 * i + 1] - state.jump[2 * i + 1]);

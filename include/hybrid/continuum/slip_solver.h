@@ -67,6 +67,12 @@ namespace hybrid::continuum
       return count;
     }
 
+    /// Tension at which a point breaks: F_t, at most c / tan phi [Pa].
+    double cut_off() const
+    {
+      return strength.tension;
+    }
+
   private:
     void guess(const Problem &problem, const std::vector<char> &broken);
     bool solve_limits(const Problem &problem, const std::vector<char> &broken);

@@ -102,3 +102,39 @@ TEST(BeddingSlip, strong_planes_are_elastic_joints)
   EXPECT_EQ(s.displacement, t.displacement);
   EXPECT_EQ(t.energy.bedding_loss, 0.);
 }
+
+
+TEST(BeddingSlip, a_plane_that_opens_loses_the_energy_of_its_cut_off_only)
+{
+  auto scene                          = parameters(2e4);
+  scene.continuum.sides               = scene::SideBoundary::roller;
+  scene.bedding.normal_stiffness      = 1e9;
+  scene.bedding.initial_normal_stress = 1e5;
+  scene.motion.angle                  = 90.;
+  std::vector<double> a;
+  for (int i = 0; i <= 200; ++i)
+    a.push_back(30. * std::sin(0.1 * M_PI * i)); // 10 Hz
+  const scene::Motion shaking(5e-3, a);
+  for (const double dt : {1e-3, 2e-3})
+    {
+      Continuum continuum(section(), scene, shaking, MPI_COMM_WORLD);
+      auto      state  = continuum.initial_state();
+      int       opened = 0, closed = 0;
+      bool      open = false;
+      while (state.time < 0.5)
+        {
+          ASSERT_TRUE(continuum.step(state, dt));
+          const auto values = continuum.bedding_values(state, continuum.slipping_planes()[0]);
+          opened += !open && values.opening[0] > 0.;
+          closed += open && values.opening[0] == 0.;
+          open = values.opening[0] > 0.;
+          // open: no traction; closed again: compression only, the tensile strength is lost
+          const double most_tension = opened > 0 ? 0. : 2e4;
+          EXPECT_GE(values.normal_stress[0], -most_tension - 1e-3);
+          EXPECT_LE(open ? values.normal_stress[0] : 0., 1e-3);
+        }
+      EXPECT_GE(opened, 2);
+      EXPECT_GE(closed, 1);
+      EXPECT_NEAR(state.energy.bedding_loss, 60. * 2e4 * 2e4 / (2. * 1e9), 1e-6);
+    }
+}
