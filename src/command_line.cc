@@ -24,6 +24,31 @@ namespace hybrid
 
 
 
+  namespace
+  {
+    /// One command line does one thing.
+    void choose(const Action action, const std::string &word, Action &chosen)
+    {
+      if (chosen != Action::run && chosen != action)
+        throw InputError("'" + word +
+                         "' cannot be combined with another action; give one of "
+                         "--check, --resume, --print-parameters and plot");
+      chosen = action;
+    }
+
+
+
+    /// @throws InputError for a word that is an option without its dashes.
+    void refuse_bare_option(const std::string &word)
+    {
+      for (const char *option : {"check", "resume", "force", "help", "print-parameters"})
+        if (word == option)
+          throw InputError("'" + word + "' is no action; did you mean '--" + word + "'?");
+    }
+  } // namespace
+
+
+
   CommandLine parse_command_line(const int argc, const char *const *argv)
   {
     CommandLine              result;
@@ -42,13 +67,13 @@ namespace hybrid
             result.overrides.push_back(words[i]);
           }
         else if (word == "--check")
-          result.action = Action::check;
+          choose(Action::check, word, result.action);
         else if (word == "--resume")
-          result.action = Action::resume;
+          choose(Action::resume, word, result.action);
         else if (word == "--force")
           result.force = true;
         else if (word == "--print-parameters")
-          result.action = Action::print_parameters;
+          choose(Action::print_parameters, word, result.action);
         else if (word == "plot" && targets.empty() && result.action == Action::run)
           result.action = Action::plot;
         else if (word == "compare" || word == "study")
@@ -62,6 +87,8 @@ namespace hybrid
       return {};
     if (result.action == Action::print_parameters)
       return result;
+    if (targets.size() > 1)
+      refuse_bare_option(targets[0]);
     if (targets.size() != 1)
       throw InputError(targets.empty()
                          ? "no parameter file or directory is named; see hybrid --help"

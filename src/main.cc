@@ -107,7 +107,7 @@ namespace
         if (!text.empty() && text.back() == '.')
           text.pop_back();
         throw std::runtime_error(text + "; the results up to the last flush are in '" + directory +
-                                 "', and 'hybrid --resume " + directory +
+                                 "', and '" + resume_command(directory) +
                                  "' goes on once the cause is removed");
       }
   }
@@ -134,6 +134,21 @@ namespace
 
 
 
+  /// What a run would be refused for, though the scene is sound.
+  void warn_of_earlier_run(const std::string &directory, output::Log &log)
+  {
+    try
+      {
+        refuse_earlier_run(directory);
+      }
+    catch (const InputError &error)
+      {
+        log.warning(error.what());
+      }
+  }
+
+
+
   int run_scene(const CommandLine            &command,
                 const scene::SceneParameters &scene,
                 int                          &argc,
@@ -142,6 +157,7 @@ namespace
     const bool force = command.force || command.action == Action::resume;
     if (command.action == Action::run && !force)
       refuse_earlier_run(scene.output.directory);
+    check_directory(scene.output.directory);
     prepare_process();
     const MpiSession session(argc, argv);
     output::Log      log(std::cout, output::standard_output_is_terminal());
@@ -155,6 +171,7 @@ namespace
     simulation->print_memory(command.action != Action::check);
     if (command.action == Action::check)
       {
+        warn_of_earlier_run(scene.output.directory, log);
         log.info("The scene can be run.");
         return 0;
       }

@@ -2,11 +2,15 @@
 #include <hybrid/checkpoint.h>
 #include <hybrid/output/atomic_file.h>
 #include <hybrid/output/history_file.h>
+#include <hybrid/restart/durable_file.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/scene_reader.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <unistd.h>
 
 namespace hybrid
 {
@@ -18,12 +22,10 @@ namespace hybrid
     constexpr const char *files[] = {"summary.json", "run.h5", "log.txt", "params.used.prm"};
 
     /// And what some leave besides.
-    constexpr const char *other_files[] = {"run.h5.tmp",
-                                           "blocks.pvd",
+    constexpr const char *other_files[] = {"blocks.pvd",
                                            "joints.pvd",
                                            "continuum.pvd",
-                                           "checkpoint/state.bin",
-                                           "checkpoint/state.bin.tmp"};
+                                           "checkpoint/state.bin"};
 
 
 
@@ -31,6 +33,13 @@ namespace hybrid
     {
       std::error_code error;
       return fs::exists(path, error);
+    }
+
+
+
+    std::string parameters_file(const std::string &directory)
+    {
+      return directory + "/params.used.prm";
     }
 
 
@@ -58,21 +67,38 @@ namespace hybrid
 
 
 
+    /// A file, and what a kill has left of its next version.
+    void remove_versions(const std::string &file)
+    {
+      remove_file(file);
+      remove_file(restart::temporary_name(file));
+    }
+
+
+
+    bool is_picture(const fs::path &file)
+    {
+      const std::string name     = file.filename().string();
+      const fs::path    finished = file.extension() == ".tmp" ? file.stem() : file.filename();
+      for (const char *part : {"blocks_", "joints_", "continuum_"})
+        if (name.rfind(part, 0) == 0 && finished.extension() == ".vtu")
+          return true;
+      return false;
+    }
+
+
+
     /// Only what hybrid has written; whatever else the user keeps there stays.
     void remove_run(const std::string &directory)
     {
       for (const char *file : files)
-        remove_file(directory + "/" + file);
+        remove_versions(directory + "/" + file);
       for (const char *file : other_files)
-        remove_file(directory + "/" + file);
+        remove_versions(directory + "/" + file);
       std::error_code error;
       for (const auto &entry : fs::directory_iterator(directory + "/vtu", error))
-        {
-          const std::string name = entry.path().filename().string();
-          for (const char *part : {"blocks_", "joints_", "continuum_"})
-            if (name.rfind(part, 0) == 0 && entry.path().extension() == ".vtu")
-              remove_file(entry.path());
-        }
+        if (is_picture(entry.path()))
+          remove_file(entry.path());
     }
 
 
@@ -89,13 +115,46 @@ namespace hybrid
 
 
 
+  std::string resume_command(const std::string &directory)
+  {
+    const bool plain =
+      directory.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                  "/._-+,:=@%") == std::string::npos;
+    return "hybrid --resume " + (plain ? directory : "\"" + directory + "\"");
+  }
+
+
+
   void refuse_earlier_run(const std::string &directory)
   {
-    if (holds_run(directory))
+    if (!holds_run(directory))
+      return;
+    const std::string rest = "replace it with the option --force, or name another directory with "
+                             "-s Output/Directory=...";
+    if (!exists(parameters_file(directory)))
       throw InputError("Output/Directory: '" + directory +
-                       "' holds an earlier run; continue that with 'hybrid --resume " + directory +
-                       "', replace it with the option --force, or name another directory with -s "
-                       "Output/Directory=...");
+                       "' holds an earlier run that cannot be continued, as it has no "
+                       "params.used.prm; " +
+                       rest);
+    throw InputError("Output/Directory: '" + directory +
+                     "' holds an earlier run; continue that with '" + resume_command(directory) +
+                     "', " + rest);
+  }
+
+
+
+  void check_directory(const std::string &directory)
+  {
+    fs::path place = directory;
+    while (!place.empty() && !exists(place.string()))
+      place = place == place.parent_path() ? fs::path() : place.parent_path();
+    if (place.empty())
+      place = ".";
+    const std::string cannot = "Output/Directory: cannot write into '" + directory + "': ";
+    if (!fs::is_directory(place))
+      throw InputError(cannot + "'" + place.string() + "' is a file");
+    if (access(place.c_str(), W_OK) != 0)
+      throw InputError(cannot + "'" + place.string() + "': " + std::strerror(errno));
   }
 
 
@@ -116,7 +175,7 @@ namespace hybrid
 
   void write_parameters(const scene::SceneParameters &scene)
   {
-    output::write_atomically(scene.output.directory + "/params.used.prm", scene.used_prm);
+    output::write_atomically(parameters_file(scene.output.directory), scene.used_prm);
   }
 
 
@@ -124,7 +183,10 @@ namespace hybrid
   scene::SceneParameters read_scene_of_run(const std::string              &directory,
                                            const std::vector<std::string> &overrides)
   {
-    const std::string file = directory + "/params.used.prm";
+    const std::string file = parameters_file(directory);
+    if (fs::is_regular_file(directory))
+      throw InputError("'" + directory +
+                       "' is a file; --resume takes the output directory of a run");
     if (!fs::is_regular_file(file))
       throw InputError("'" + directory + "' holds no run that could be resumed: there is no '" +
                        file + "'");

@@ -11,10 +11,13 @@
 #include <hybrid/output/progress.h>
 #include <hybrid/output/scene_card.h>
 #include <hybrid/output/static_progress.h>
+#include <hybrid/run_directory.h>
 #include <hybrid/scene/doubtful_values.h>
+#include <hybrid/scene/geometry_warnings.h>
 #include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/mesh_check.h>
 #include <hybrid/scene/section_mesh_reader.h>
+#include <hybrid/scene/settings_without_effect.h>
 #include <hybrid/scene/unit_check.h>
 #include <hybrid/simulation_run.h>
 
@@ -161,7 +164,11 @@ namespace hybrid
       log.warning(warning);
     for (const std::string &warning : scene::unit_warnings(mesh, scene))
       log.warning(warning);
-    for (const std::string &warning : scene::doubtful_values(scene))
+    for (const std::string &warning : scene::geometry_warnings(mesh, scene))
+      log.warning(warning);
+    for (const std::string &warning : scene::doubtful_values(scene, input.motion))
+      log.warning(warning);
+    for (const std::string &warning : scene::settings_without_effect(mesh, scene))
       log.warning(warning);
     for (const std::string &warning : card.warnings)
       log.warning(warning);
@@ -307,8 +314,8 @@ namespace hybrid
     if (!settle(interruption))
       {
         log.info("Interrupted in the static stage: there are no results and no checkpoint yet; to "
-                 "begin anew: hybrid --resume " +
-                 scene.output.directory);
+                 "begin anew: " +
+                 resume_command(scene.output.directory));
         return RunStatus::interrupted;
       }
     run.summary.timings["static_stage"] = seconds_since(start);
@@ -421,7 +428,7 @@ namespace hybrid
       summary.energy_residual);
     log.info(text);
     if (status == RunStatus::interrupted)
-      log.info("Interrupted; to continue: hybrid --resume " + scene.output.directory);
+      log.info("Interrupted; to continue: " + resume_command(scene.output.directory));
   }
 
 

@@ -91,6 +91,20 @@ namespace hybrid
 
 
 
+  void Simulation::warn_of_missing_pictures(const Run &run) const
+  {
+    const std::vector<std::string> files = run.recorder.missing_pictures();
+    if (files.empty())
+      return;
+    const bool one = files.size() == 1;
+    log.warning(std::to_string(files.size()) + (one ? " picture" : " pictures") +
+                " of the part before " + (one ? "is" : "are") + " gone from '" +
+                scene.output.directory + "'" + (one ? ", " : ", the first is ") + files.front() +
+                ": the .pvd files list the others, and all other results go on");
+  }
+
+
+
   RunStatus Simulation::resume(const restart::CheckpointContent &checkpoint,
                                const Interruption               &interruption)
   {
@@ -117,6 +131,7 @@ namespace hybrid
                     ? ", the end of the run (a later one: -s \"Time/End time=...\")"
                     : "");
     log.info(text);
+    warn_of_missing_pictures(run);
     const RunStatus status = advance(run, interruption);
     finish(run, status);
     return status;

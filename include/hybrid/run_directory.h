@@ -9,8 +9,14 @@
 
 namespace hybrid
 {
+  /// What to type to go on with the run in @p directory.
+  std::string resume_command(const std::string &directory);
+
   /// @throws InputError if an earlier run is there; says what can be done.
   void refuse_earlier_run(const std::string &directory);
+
+  /// @throws InputError if no run could write into @p directory, or make it. Writes nothing.
+  void check_directory(const std::string &directory);
 
   /**
    * Make the output directory of a new run, with log.txt and params.used.prm.

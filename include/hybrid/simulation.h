@@ -101,6 +101,9 @@ namespace hybrid
 
     std::uint64_t layout(Run &run);
 
+    /// Of a run that goes on: somebody has deleted pictures.
+    void warn_of_missing_pictures(const Run &run) const;
+
     void say_why(const dda::StepResult &result, double time) const;
   };
 } // namespace hybrid

@@ -13,17 +13,9 @@ namespace hybrid::continuum
     std::vector<Material> materials_of_regions(const scene::SectionMesh     &mesh,
                                                const scene::SceneParameters &scene)
     {
-      const auto           &table = scene.continuum.region_material;
       std::vector<Material> result;
       for (const auto &region : mesh.bedrock_region_names)
-        {
-          auto found = table.find(region);
-          if (found == table.end())
-            found = table.find("*");
-          if (found == table.end())
-            throw InputError("Continuum/Material: region '" + region + "' of the mesh has none.");
-          result.push_back(scene.material(found->second, "Continuum/Material"));
-        }
+        result.push_back(scene.bedrock_material(region));
       return result;
     }
 

@@ -78,7 +78,7 @@ namespace hybrid::continuum
       {
         std::ostringstream text;
         text << what << " at (" << position.x() << ", " << position.y()
-             << ") m lies outside the bedrock.";
+             << ") m lies outside the bedrock";
         throw InputError(text.str());
       }
     return {cell, nodes->values(local)};

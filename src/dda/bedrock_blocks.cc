@@ -101,8 +101,12 @@ namespace hybrid::dda
           const int              region = mesh.bedrock_region[layer.second.front()];
           for (const int c : layer.second)
             if (mesh.bedrock_region[c] != region)
-              throw InputError(
-                "Model/Bedrock = layers: a layer must lie in one region of the mesh");
+              {
+                const Vec2 &x = mesh.nodes[mesh.bedrock_cells[c][0]];
+                throw InputError("Model/Bedrock = layers: the layer at (" + std::to_string(x.x()) +
+                                 ", " + std::to_string(x.y()) +
+                                 ") m lies in two regions of the mesh; it must lie in one");
+              }
           std::size_t on_base = 0;
           for (std::size_t k = 0; k < loop.size(); ++k)
             on_base += base.count(sorted(loop[k], loop[(k + 1) % loop.size()]));
@@ -112,7 +116,13 @@ namespace hybrid::dda
               blocks.region.push_back(region);
             }
           else if (on_base < base.size())
-            throw InputError("Model/Bedrock = layers: the line base must lie along one layer");
+            {
+              const Vec2 &x = mesh.nodes[loop[0]];
+              throw InputError("Model/Bedrock = layers: the layer at (" + std::to_string(x.x()) +
+                               ", " + std::to_string(x.y()) +
+                               ") m has only a part of the line base; each layer must be one "
+                               "surface of the mesh from side to side");
+            }
           else
             blocks.base = upper_boundary(mesh, loop);
         }

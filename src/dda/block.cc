@@ -2,10 +2,19 @@
 #include <hybrid/dda/block.h>
 #include <hybrid/scene/input_error.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace hybrid::dda
 {
+  namespace
+  {
+    constexpr double most_joints = 5.; ///< the material's compliance over a sound share of joints
+  }
+
+
+
   Mat6 mass_matrix(const BlockProperties &block, const double rotation)
   {
     const double c = std::cos(rotation), s = std::sin(rotation);
@@ -36,9 +45,18 @@ namespace hybrid::dda
     const double stretch =
       1. / (material.lame_lambda() + material.shear_modulus()) - joints.stretch;
     if (shear <= 0. || stretch <= 0.)
-      throw InputError(
-        "Blocks/Penalty ratio: the joints alone are softer than the material '" + material.name +
-        "', so no block stiffness gives its wave speeds; increase the penalty ratio");
+      {
+        // The joints' compliance falls as the ratio grows.
+        const double factor =
+          std::max(joints.shear * material.shear_modulus(),
+                   joints.stretch * (material.lame_lambda() + material.shear_modulus()));
+        std::ostringstream text;
+        text.precision(3);
+        text << "Blocks/Penalty ratio: the joints alone are softer than the material '"
+             << material.name << "', so no block stiffness gives its wave speeds; a ratio "
+             << most_joints * factor << " times as large would do";
+        throw InputError(text.str());
+      }
 
     const double    g = 1. / shear, bulk = 1. / stretch;
     Eigen::Matrix3d d = Eigen::Matrix3d::Zero();

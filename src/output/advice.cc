@@ -88,4 +88,29 @@ namespace hybrid::output
               : " makes contacts and joints so stiff that they cost iterations and cut steps") +
            "; " + number(smallest) + " to " + number(largest) + " would do";
   }
+
+
+  std::string threads_warning(const int threads, const int processors)
+  {
+    if (processors < 1 || threads <= processors)
+      return "";
+    return "Parallel/Threads = " + std::to_string(threads) + " is more than the " +
+           std::to_string(processors) + (processors == 1 ? " processor" : " processors") +
+           " of this machine, which makes the run slower";
+  }
+
+
+  std::string pictures_warning(const scene::OutputParameters &output,
+                               const scene::TimeParameters   &time)
+  {
+    constexpr double most = 3000.;
+    if (!(output.picture_interval > 0.))
+      return "";
+    const double count = time.end_time / std::max(output.picture_interval, time.time_step);
+    if (!(count > most))
+      return "";
+    return "Output/Picture interval = " + number(output.picture_interval) + " s makes " +
+           number(std::floor(count)) + " pictures of each part; " +
+           number(rounded_down(time.end_time / 500.)) + " s makes about 500";
+  }
 } // namespace hybrid::output

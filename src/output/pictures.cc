@@ -57,6 +57,18 @@ namespace hybrid::output
 
 
 
+  std::vector<std::string> Pictures::missing_files() const
+  {
+    std::vector<std::string> files;
+    for (const PvdSeries *series : {block_series.get(), joint_series.get(), continuum_series.get()})
+      if (series != nullptr)
+        for (const std::string &file : series->missing_files())
+          files.push_back(file);
+    return files;
+  }
+
+
+
   void Pictures::add_blocks(const coupling::CoupledState &state)
   {
     const dda::Geometry &g = state.blocks.geometry;

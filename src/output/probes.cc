@@ -119,11 +119,11 @@ namespace hybrid::output
         {
           probe.point = continuum->add_point(x, name);
         }
-      catch (const InputError &)
+      catch (const InputError &error)
         {
           block = nearest_block(x);
           if (block < 0)
-            throw;
+            throw InputError(error.what() + std::string(model != nullptr ? " and the blocks" : ""));
         }
     else if (block < 0)
       block = nearest_block(x);

@@ -47,6 +47,8 @@ namespace hybrid::output
                       "  <Collection>\n";
     for (std::size_t k = 0; k < times.size(); ++k)
       {
+        if (missing.count(k) > 0)
+          continue;
         char number[32];
         std::snprintf(number, sizeof(number), "%.17g", times[k]);
         xml += "    <DataSet timestep=\"" + std::string(number) + "\" part=\"0\" file=\"" +
@@ -61,7 +63,22 @@ namespace hybrid::output
   void PvdSeries::serialize(restart::Archive &archive)
   {
     archive(times);
-    if (archive.is_reading())
-      write_pvd();
+    if (!archive.is_reading())
+      return;
+    missing.clear();
+    for (std::size_t k = 0; k < times.size(); ++k)
+      if (!std::filesystem::exists(directory + "/" + file_of(k)))
+        missing.insert(k);
+    write_pvd();
+  }
+
+
+
+  std::vector<std::string> PvdSeries::missing_files() const
+  {
+    std::vector<std::string> files;
+    for (const std::size_t k : missing)
+      files.push_back(file_of(k));
+    return files;
   }
 } // namespace hybrid::output

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/doubtful_values.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -51,13 +52,13 @@ namespace hybrid::scene
     {
       if (value == 0. || is_within(quantity, value))
         return;
-      const std::string unit = quantity.unit;
-      std::string       text = section + "/" + quantity.name + " = " + number(value) + " " + unit +
+      const std::string unit = *quantity.unit == '\0' ? "" : " " + std::string(quantity.unit);
+      std::string       text = section + "/" + quantity.name + " = " + number(value) + unit +
                          " is doubtful: expected is " +
                          (std::isinf(quantity.highest)
                             ? "at least " + number(quantity.lowest)
                             : number(quantity.lowest) + " to " + number(quantity.highest)) +
-                         " " + unit;
+                         unit;
       for (const Unit &other : quantity.others)
         if (is_within(quantity, value * other.size))
           {
@@ -105,19 +106,121 @@ namespace hybrid::scene
     const Quantity rayleigh_mass      = {"Rayleigh mass", "1/s", 0., 4. * M_PI, {}};
     const Quantity rayleigh_stiffness = {"Rayleigh stiffness", "s", 0., 1. / M_PI, {}};
 
+    const Quantity weight_density = {"Weight density",
+                                     "kg/m3",
+                                     50., // buoyant
+                                     12000.,
+                                     {{"t/m3", 1000.}, {"kN/m3", 1000. / standard_gravity}}};
+
+    const Quantity poisson_ratio = {"Poisson ratio", "", 0., 0.5, {}};
+
+    // Barton's rock joints have 0.1 to 100 GPa/m, soft seams less.
+    const std::vector<Unit> stiffness_units = {{"GPa/m", 1e9}, {"MPa/m", 1e6}, {"kPa/m", 1e3}};
+    const Quantity normal_stiffness = {"Normal stiffness", "Pa/m", 1e5, 1e14, stiffness_units};
+    const Quantity shear_stiffness  = {"Shear stiffness", "Pa/m", 1e5, 1e14, stiffness_units};
+
+    const Quantity softening_slip  = {"Softening slip", "m", 0., 5., {{"mm", 1e-3}}};
+    const Quantity fracture_energy = {"Fracture energy", "N/m", 0., 1e5, {}};
+    const Quantity tolerance       = {"Tolerance", "", 0., 1e-4, {}};
+
+    const Quantity displacement_ratio = {"Maximum displacement ratio", "", 0., 0.5, {}};
+
+    // Critical damping at 1 Hz: beta_K w / 2 is one with beta_K = ratio / (pi frequency).
+    const Quantity damping_per_frequency = {"Damping ratio / Damping frequency", "s", 0., 1., {}};
+
+    const Quantity weibull_modulus  = {"Modulus shape", "", 1., infinity, {}};
+    const Quantity weibull_strength = {"Strength shape", "", 1., infinity, {}};
+
+    // The largest record so far has 40 m/s2 (Iwate-Miyagi 2008).
+    const Quantity peak = {"Peak", "m/s2", 0., 50., {{"cm/s2", 0.01}}};
+
     const Quantity gravity = {"Acceleration", "m/s2", 1.5, 2000., {{"g", standard_gravity}}};
   } // namespace
 
 
 
-  std::vector<std::string> doubtful_values(const SceneParameters &scene)
+  namespace
+  {
+    void look_at_planes(const BeddingParameters &planes, std::vector<std::string> &warnings)
+    {
+      const std::string section = "Bedding planes";
+      if (planes.names.empty())
+        return;
+      look_at(section, normal_stiffness, planes.normal_stiffness, warnings);
+      look_at(section, shear_stiffness, planes.shear_stiffness, warnings);
+      if (!planes.slips)
+        return;
+      look_at(section, friction_angle, planes.friction_angle, warnings);
+      look_at(section, cohesion, planes.cohesion, warnings);
+      look_at(section, tensile_strength, planes.tensile_strength, warnings);
+    }
+
+
+    void look_at_blocks(const SceneParameters &scene, std::vector<std::string> &warnings)
+    {
+      if (!scene.has_blocks())
+        return;
+      const BlockParameters &blocks = scene.blocks;
+      look_at("Blocks", softening_slip, blocks.softening_slip, warnings);
+      look_at("Blocks", fracture_energy, blocks.fracture_energy, warnings);
+      look_at("Blocks",
+              damping_per_frequency,
+              blocks.damping_ratio / blocks.damping_frequency,
+              warnings);
+      look_at("Blocks", tolerance, blocks.tolerance, warnings);
+      look_at("Heterogeneity", weibull_modulus, scene.heterogeneity.modulus_shape, warnings);
+      look_at("Heterogeneity", weibull_strength, scene.heterogeneity.strength_shape, warnings);
+      look_at("Time", displacement_ratio, scene.time.maximum_displacement_ratio, warnings);
+    }
+
+
+    /// Samples of a record that are far apart, or all zero.
+    void look_at_record(const SceneParameters    &scene,
+                        const Motion             &motion,
+                        std::vector<std::string> &warnings)
+    {
+      constexpr double coarse = 0.2; // [s]: nothing above 2.5 Hz
+      if (scene.motion.type != "text" && scene.motion.type != "at2")
+        return;
+      if (motion.time_step() > coarse)
+        warnings.push_back(scene.motion.file + ": the samples are " + number(motion.time_step()) +
+                           " s apart, expected is at most " + number(coarse) +
+                           " s; if the times were meant in ms, divide them by 1000");
+      if (motion.peak_acceleration() == 0. && scene.motion.peak != 0.)
+        warnings.push_back(scene.motion.file + ": all accelerations are zero, nothing shakes");
+    }
+
+
+    /// The peak as given or as recorded. Centrifuges shake as much harder as they pull.
+    void look_at_peak(const SceneParameters    &scene,
+                      const Motion             &motion,
+                      std::vector<std::string> &warnings)
+    {
+      Quantity allowed = peak;
+      allowed.highest *= std::max(1., scene.environment.gravity / standard_gravity);
+      const double found = motion.peak_acceleration();
+      if (scene.motion.peak >= 0. || scene.motion.file.empty())
+        look_at("Motion", allowed, found, warnings);
+      else if (!is_within(allowed, found))
+        warnings.push_back(scene.motion.file + ": the peak of " + number(found) +
+                           " m/s2 is doubtful: expected is 0 to " + number(allowed.highest) +
+                           " m/s2; if it was meant in cm/s2, set Motion/Unit = cm/s2");
+    }
+  } // namespace
+
+
+
+  std::vector<std::string> doubtful_values(const SceneParameters &scene, const Motion &motion)
   {
     std::vector<std::string> warnings;
     for (const auto &[name, material] : scene.materials)
       {
         const std::string section = "Materials/" + name;
         look_at(section, density, material.density, warnings);
+        if (material.weight_density > 0.)
+          look_at(section, weight_density, material.weight_density, warnings);
         look_at(section, young_modulus, material.young_modulus, warnings);
+        look_at(section, poisson_ratio, material.poisson_ratio, warnings);
         look_at(section, friction_angle, material.friction_angle, warnings);
         look_at(section, cohesion, material.cohesion, warnings);
         look_at(section, tensile_strength, material.tensile_strength, warnings);
@@ -126,6 +229,10 @@ namespace hybrid::scene
     look_at("Continuum", rayleigh_mass, scene.continuum.rayleigh_mass, warnings);
     look_at("Continuum", rayleigh_stiffness, scene.continuum.rayleigh_stiffness, warnings);
     look_at("Gravity", gravity, scene.environment.gravity, warnings);
+    look_at_planes(scene.bedding, warnings);
+    look_at_blocks(scene, warnings);
+    look_at_peak(scene, motion, warnings);
+    look_at_record(scene, motion, warnings);
     return warnings;
   }
 } // namespace hybrid::scene

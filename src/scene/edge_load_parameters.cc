@@ -34,6 +34,12 @@ namespace hybrid::scene
     if (!scene.edge_loads.tractions.empty() && !scene.blocks.enabled)
       throw table.error("Edge loads/Tractions",
                         "they act on blocks, and Model/Blocks = none has none");
+    constexpr double largest = 1e12; // [Pa]: the modulus of diamond
+    for (const EdgeTraction &load : scene.edge_loads.tractions)
+      if (!(load.traction.cwiseAbs().maxCoeff() <= largest))
+        throw table.error("Edge loads/Tractions",
+                          "the traction of '" + load.name + "' must be at most " +
+                            number_text(largest) + " [Pa]");
     for (const EdgeTraction &load : scene.edge_loads.tractions)
       if (!(load.lower.x() <= load.upper.x() && load.lower.y() <= load.upper.y()))
         throw table.error("Edge loads/Tractions",

@@ -25,7 +25,7 @@ namespace hybrid::scene
       "Level",
       {"none", environment.water_level},
       "m",
-      ParameterRange::any(),
+      ParameterRange::closed(-1e5, 1e5),
       "Elevation of the water; blocks and belt that start below it have their saturated "
       "materials.");
     water.choice<WaterMethod>(

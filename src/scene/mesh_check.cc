@@ -4,6 +4,7 @@
 #include <hybrid/scene/mesh_check.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -169,6 +170,61 @@ namespace hybrid::scene
     }
 
 
+    /// Which way the bedrock is bounded by a line, on the whole.
+    struct Side
+    {
+      const char *name;
+      int         axis;    ///< 0: x, 1: y
+      double      outward; ///< sign of the outward normal there
+      const char *words;
+    };
+
+    constexpr Side sides[] = {{"base", 1, -1., "below"},
+                              {"left", 0, -1., "on the left"},
+                              {"right", 0, 1., "on the right"}};
+
+    /// base, left and right must be where their names say.
+    void check_sides(const SectionMesh &mesh)
+    {
+      std::map<Edge, Vec2> normal; // outward, of boundary edges, times their length
+      for (const auto &cell : mesh.bedrock_cells)
+        for (int i = 0; i < 4; ++i)
+          {
+            const int  a = cell[i], b = cell[(i + 1) % 4];
+            const Vec2 along       = mesh.nodes[b] - mesh.nodes[a];
+            normal[sorted({a, b})] = Vec2(along.y(), -along.x());
+          }
+      for (const Side &side : sides)
+        {
+          Vec2        sum = Vec2::Zero(), centre = Vec2::Zero();
+          const auto &edges = mesh.lines.at(side.name);
+          for (const Edge &edge : edges)
+            {
+              sum += normal.at(sorted(edge));
+              centre += middle(mesh, edge) / double(edges.size());
+            }
+          if (!(sum[side.axis] * side.outward >= std::abs(sum[1 - side.axis])))
+            throw InputError("The line " + std::string(side.name) + ", centred at " + at(centre) +
+                             ", does not bound the bedrock " + side.words +
+                             ": look whether two lines are interchanged.");
+        }
+    }
+
+
+    /// A region that only Continuum/Materials knows is misspelt.
+    void check_regions(const SectionMesh &mesh, const SceneParameters &scene)
+    {
+      const auto &known = mesh.bedrock_region_names;
+      std::string list;
+      for (const std::string &name : known)
+        list += (list.empty() ? "" : ", ") + name;
+      for (const auto &entry : scene.continuum.region_material)
+        if (entry.first != "*" && std::count(known.begin(), known.end(), entry.first) == 0)
+          throw InputError("Continuum/Materials: the mesh has no region '" + entry.first +
+                           "'; it has " + list + ".");
+    }
+
+
     /// A bedrock node and another node of a block at the same place: the mesher did not join the
     /// two.
     void check_shared_nodes(const SectionMesh &mesh)
@@ -202,6 +258,9 @@ namespace hybrid::scene
       {
         check_cells(mesh);
         check_bedrock_lines(mesh);
+        if (scene.environment.gravity > 0.) // without it a column may lie on its side
+          check_sides(mesh);
+        check_regions(mesh, scene);
         if (scene.mesh.polygons_file.empty())
           check_shared_nodes(mesh);
       }

@@ -182,15 +182,18 @@ namespace hybrid::scene
       throw InputError(file,
                        0,
                        "found " + std::to_string(rows.size()) +
-                         " samples; a motion needs at least two rows of time and acceleration.");
+                         (rows.size() == 1 ? " sample" : " samples") +
+                         "; a motion needs at least two rows of time and acceleration.");
     std::vector<double> t, a;
     for (const TableRow &row : rows)
       {
         if (row.fields.size() != 2)
-          throw InputError(file,
-                           row.line,
-                           "found " + std::to_string(row.fields.size()) +
-                             " columns; expected time [s] and acceleration.");
+          throw wrong_columns(row,
+                              "time [s] and acceleration" +
+                                std::string(upper_case(file).rfind(".AT2") + 4 == file.size()
+                                              ? ", or Motion/Type = at2 for a file of PEER"
+                                              : ""),
+                              file);
         t.push_back(to_number(row.fields[0], "a time [s]", file, row.line));
         a.push_back(to_acceleration(row.fields[1], unit, file, row.line));
       }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/parameter_lines.h>
 #include <hybrid/scene/parameter_values.h>
+#include <hybrid/scene/text_table.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -41,8 +44,10 @@ namespace hybrid::scene
     void Scanner::scan(const std::string &file)
     {
       std::ifstream in(file);
-      if (!in || std::filesystem::is_directory(file))
-        throw InputError("parameter file '" + file + "' cannot be read");
+      if (std::filesystem::is_directory(file))
+        throw InputError("'" + file + "' is a directory, not a parameter file");
+      if (!in)
+        throw InputError("parameter file '" + file + "' cannot be read: " + std::strerror(errno));
 
       files.push_back(std::filesystem::weakly_canonical(file).string());
       std::vector<OpenSection> open;
@@ -52,6 +57,7 @@ namespace hybrid::scene
       while (std::getline(in, text))
         {
           ++line;
+          check_text(text, file, line);
           text = trim(text.substr(0, text.find('#')));
           if (!continued)
             first_line = line;

@@ -2,6 +2,7 @@
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/nearest_name.h>
 #include <hybrid/scene/parameter_values.h>
+#include <hybrid/scene/text_table.h>
 
 #include <algorithm>
 #include <charconv>
@@ -151,6 +152,7 @@ namespace hybrid::scene
     bool                        header_may_come = true;
     for (int line = 1; std::getline(in, text); ++line)
       {
+        check_text(text, file, line);
         text = trim(text.substr(0, text.find('#')));
         if (text.empty())
           continue;

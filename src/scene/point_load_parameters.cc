@@ -32,5 +32,11 @@ namespace hybrid::scene
     if (!scene.point_loads.loads.empty() && scene.continuum_model == ContinuumModel::none)
       throw table.error("Point loads/Forces",
                         "they act on the bedrock, and Model/Continuum = none has none");
+    constexpr double largest = 1e15; // [N/m]
+    for (const PointLoad &load : scene.point_loads.loads)
+      if (!(load.peak.cwiseAbs().maxCoeff() <= largest))
+        throw table.error("Point loads/Forces",
+                          "the force of '" + load.name + "' must be at most " +
+                            number_text(largest) + " [N/m]");
   }
 } // namespace hybrid::scene

@@ -47,10 +47,7 @@ namespace hybrid::scene
       for (const TableRow &row : rows)
         {
           if (row.fields.size() < 3 || row.fields.size() > 4)
-            throw InputError(file,
-                             row.line,
-                             "found " + std::to_string(row.fields.size()) +
-                               " columns; expected block, x, y and optionally region.");
+            throw wrong_columns(row, "block, x, y and optionally region", file);
           const std::string region =
             row.fields.size() == 4 && !row.fields[3].empty() ? row.fields[3] : "sliding_mass";
           if (region != "sliding_mass" &&
@@ -213,6 +210,18 @@ namespace hybrid::scene
         for (auto &edge : edges)
           edge = {number[edge[0]], number[edge[1]]};
     }
+
+
+    /// A surface that runs up and down the same vertical line.
+    void check_fold(const Vec2        &before,
+                    const Vec2        &x,
+                    const Vec2        &after,
+                    const std::string &file,
+                    const int          line)
+    {
+      if (side(before, x, after) == 0 && (x - before).dot(after - x) < 0.)
+        throw InputError(file, line, "the surface folds back on itself" + at(x) + ".");
+    }
   } // namespace
 
 
@@ -256,8 +265,11 @@ namespace hybrid::scene
     if (!rows.empty() && is_header(rows.front()))
       rows.erase(rows.begin());
     if (rows.size() < 2)
-      throw InputError(
-        file, 0, "found " + std::to_string(rows.size()) + " points; a surface needs at least two.");
+      throw InputError(file,
+                       0,
+                       "found " + std::to_string(rows.size()) +
+                         (rows.size() == 1 ? " point" : " points") +
+                         "; a surface needs at least two.");
 
     auto &edges = mesh.lines["sliding_surface"];
     edges.clear();
@@ -266,10 +278,7 @@ namespace hybrid::scene
       {
         const TableRow &row = rows[i];
         if (row.fields.size() != 2)
-          throw InputError(file,
-                           row.line,
-                           "found " + std::to_string(row.fields.size()) +
-                             " columns; expected x, y.");
+          throw wrong_columns(row, "x, y", file);
         const Vec2 x(to_number(row.fields[0], "x [m]", file, row.line),
                      to_number(row.fields[1], "y [m]", file, row.line));
         if (i > 0)
@@ -282,6 +291,8 @@ namespace hybrid::scene
                                  "surface must run from left to right.");
             if (x == mesh.nodes.back())
               throw InputError(file, row.line, "the point is the same as the one before.");
+            if (i > 1)
+              check_fold(mesh.nodes[mesh.nodes.size() - 2], mesh.nodes.back(), x, file, row.line);
             edges.push_back({first_node + int(i) - 1, first_node + int(i)});
           }
         mesh.nodes.push_back(x);

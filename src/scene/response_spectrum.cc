@@ -104,10 +104,7 @@ namespace hybrid::scene
     for (const TableRow &row : read_text_table(file))
       {
         if (row.fields.size() != 2)
-          throw InputError(file,
-                           row.line,
-                           "found " + std::to_string(row.fields.size()) + " columns; expected " +
-                             what + " and a spectral acceleration.");
+          throw wrong_columns(row, what + " and a spectral acceleration", file);
         const double x = to_number(row.fields[0], what, file, row.line);
         const double y = to_number(row.fields[1], "a spectral acceleration", file, row.line);
         if (x == 0. && !by_frequency)

@@ -11,7 +11,8 @@ namespace hybrid::scene
     if (found == continuum.region_material.end())
       found = continuum.region_material.find("*");
     if (found == continuum.region_material.end())
-      throw InputError("Continuum/Materials: region '" + region + "' of the mesh has none");
+      throw InputError("Continuum/Materials: the region '" + region +
+                       "' of the mesh has no material");
     return material(found->second, "Continuum/Materials");
   }
 

@@ -2,6 +2,7 @@
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/text_table.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -53,6 +54,7 @@ namespace hybrid::scene
     std::string           text;
     for (int line = 1; std::getline(stream, text); ++line)
       {
+        check_text(text, file, line);
         std::vector<std::string> fields = split_fields(text);
         if (!fields.empty())
           rows.push_back({line, std::move(fields)});
@@ -60,6 +62,35 @@ namespace hybrid::scene
     if (stream.bad())
       throw InputError(file, 0, "the file cannot be read.");
     return rows;
+  }
+
+
+  void check_text(std::string &text, const std::string &file, const int line)
+  {
+    if (line == 1 && text.rfind("\xef\xbb\xbf", 0) == 0)
+      text.erase(0, 3);
+    if (text.find('\0') != std::string::npos)
+      throw InputError(file,
+                       line,
+                       "the file is no plain text (it has a zero byte here); save it as text in "
+                       "UTF-8 or ASCII.");
+  }
+
+
+  InputError
+  wrong_columns(const TableRow &row, const std::string &expected, const std::string &file)
+  {
+    const std::size_t n = row.fields.size();
+    std::string       sentence =
+      "found " + std::to_string(n) + (n == 1 ? " column" : " columns") + "; expected " + expected;
+    double     value;
+    const bool has_number =
+      std::any_of(row.fields.begin(), row.fields.end(), [&](const std::string &field) {
+        return parse_number(field, value);
+      });
+    if (!has_number)
+      sentence += " (a line of words must start with #)";
+    return {file, row.line, sentence + "."};
   }
 
 

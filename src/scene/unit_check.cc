@@ -152,10 +152,11 @@ namespace hybrid::scene
         "the section " + corners(box) + " is " + length(extent) + " large, more than " +
         length(large_section) +
         "; coordinates are read as metres: " + in_unit(extent, "millimetres", 0.001));
-    else if (has_waves(scene) && extent < small_section)
+    const double small = has_waves(scene) ? small_section : smallest_section;
+    if (extent < small)
       warnings.push_back(
         "the section " + corners(box) + " is " + length(extent) + " large, less than " +
-        length(small_section) +
+        length(small) +
         "; coordinates are read as metres: " + in_unit(extent, "kilometres", 1000.));
     warn_of_blocks(mesh, warnings);
     return warnings;

@@ -37,4 +37,11 @@ namespace hybrid::output
    * nothing.
    */
   std::string penalty_warning(const scene::SceneParameters &scene);
+
+  /// More threads than processors, or "".
+  std::string threads_warning(int threads, int processors);
+
+  /// So many files for ParaView that nobody can want them, or "".
+  std::string pictures_warning(const scene::OutputParameters &output,
+                               const scene::TimeParameters   &time);
 } // namespace hybrid::output

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace hybrid::output
 {
@@ -27,6 +28,9 @@ namespace hybrid::output
     /// Reference and number of pictures so far, for the checkpoint. Reading takes over the pictures
     /// of the earlier run and drops later ones.
     void serialize(restart::Archive &archive);
+
+    /// Pictures before the checkpoint whose files are gone, relative to the directory.
+    std::vector<std::string> missing_files() const;
 
   private:
     const dda::Model           *model;

@@ -4,6 +4,7 @@
 #include <hybrid/output/vtu_writer.h>
 #include <hybrid/restart/archive_forward.h>
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,15 +26,19 @@ namespace hybrid::output
     void add(double time, const VtuWriter &picture);
 
     /// The list of pictures, for the checkpoint. Reading writes the .pvd anew: later pictures of
-    /// the earlier run are dropped.
+    /// the earlier run are dropped, and those whose file is gone are left out.
     void serialize(restart::Archive &archive);
+
+    /// Pictures before the checkpoint whose files are gone, relative to the directory.
+    std::vector<std::string> missing_files() const;
 
   private:
     void write_pvd() const;
 
-    std::string         directory;
-    std::string         name;
-    std::vector<double> times; ///< of the pictures [s]
+    std::string           directory;
+    std::string           name;
+    std::vector<double>   times;   ///< of the pictures [s]
+    std::set<std::size_t> missing; ///< numbers of pictures whose file is gone
 
     /// File of picture @p number, relative to the directory.
     std::string file_of(std::size_t number) const;

@@ -57,6 +57,12 @@ namespace hybrid::output
       return ledger;
     }
 
+    /// Pictures before the checkpoint whose files are gone, relative to the directory.
+    std::vector<std::string> missing_pictures() const
+    {
+      return pictures.missing_files();
+    }
+
     /// Flush run.h5, safe from a power failure.
     void flush()
     {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/scene/input_error.h>
+
 #include <string>
 #include <vector>
 
@@ -17,9 +19,19 @@ namespace hybrid::scene
   /**
    * Rows of a text file: fields separated by commas or semicolons, or else by blanks.
    * # starts a comment; empty lines are skipped.
-   * @throws InputError if the file cannot be read.
+   * @throws InputError if the file cannot be read or is no text.
    */
   std::vector<TableRow> read_text_table(const std::string &file);
+
+
+  /// Throws InputError for a @p line that is no text, and takes away the mark with which some
+  /// editors begin a file in UTF-8.
+  void check_text(std::string &text, const std::string &file, int line);
+
+
+  /// @p row has another number of columns than @p expected ("time [s] and acceleration").
+  InputError
+  wrong_columns(const TableRow &row, const std::string &expected, const std::string &file);
 
 
   /// The fields of one line, separated and commented as above.

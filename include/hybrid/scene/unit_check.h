@@ -20,7 +20,8 @@ namespace hybrid::scene
 
   /**
    * What makes the unit of the coordinates doubtful, one sentence each: a section larger than 5 km,
-   * or smaller than 5 m where there is a bedrock; a block of the mass larger than 100 m.
+   * or smaller than 5 m where there is a bedrock and 0.5 m elsewhere; a block of the mass larger
+   * than 100 m.
    */
   std::vector<std::string> unit_warnings(const SectionMesh &mesh, const SceneParameters &scene);
 } // namespace hybrid::scene

@@ -59,4 +59,24 @@ namespace hybrid::output
     scene.blocks.enabled = false;
     EXPECT_EQ(with(1.1), "");
   }
+
+
+  TEST(Advice, NamesTooManyThreadsAndPictures)
+  {
+    EXPECT_EQ(threads_warning(2, 2), "");
+    EXPECT_EQ(threads_warning(2, 0), ""); // unknown
+    EXPECT_NE(threads_warning(1000, 2).find(
+                "Parallel/Threads = 1000 is more than the 2 processors"),
+              std::string::npos);
+    scene::OutputParameters output;
+    scene::TimeParameters   time;
+    time.end_time           = 12.;
+    output.picture_interval = 0.05;
+    EXPECT_EQ(pictures_warning(output, time), "");
+    output.picture_interval = 1e-9; // one per step
+    EXPECT_NE(pictures_warning(output, time).find("makes 12000 pictures of each part; 0.024 s"),
+              std::string::npos);
+    output.picture_interval = 0.;
+    EXPECT_EQ(pictures_warning(output, time), "");
+  }
 } // namespace hybrid::output

@@ -107,6 +107,32 @@ assert not os.path.exists('blocks.pvd.tmp')
     }
 
 
+    TEST(PvdSeries, ResumeLeavesOutPicturesThatAreGone)
+    {
+      const std::string directory  = make_directory("pvd_gone");
+      const VtuWriter   picture    = make_picture();
+      restart::Archive  checkpoint = restart::Archive::writer();
+      {
+        PvdSeries series(directory, "blocks");
+        for (const double time : {0., 0.1, 0.2})
+          series.add(time, picture);
+        checkpoint(series);
+      }
+      std::filesystem::remove(directory + "/vtu/blocks_00001.vtu");
+      PvdSeries        series(directory, "blocks");
+      restart::Archive stored = restart::Archive::reader(checkpoint.content());
+      stored(series);
+      EXPECT_EQ(series.missing_files(), std::vector<std::string>{"vtu/blocks_00001.vtu"});
+      series.add(0.35, picture);
+      EXPECT_TRUE(python_passes(directory, R"(
+import xml.etree.ElementTree as xml
+sets = xml.parse('blocks.pvd').getroot().findall('Collection/DataSet')
+assert [(float(s.get('timestep')), s.get('file')[-9:]) for s in sets] == \
+    [(0., '00000.vtu'), (0.2, '00002.vtu'), (0.35, '00003.vtu')]
+)"));
+    }
+
+
     TEST(PvdSeries, ResumeKeepsPicturesUpToTheCheckpoint)
     {
       const std::string directory  = make_directory("pvd_resume");

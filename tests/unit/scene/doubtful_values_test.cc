@@ -100,6 +100,68 @@ namespace hybrid::scene
     }
 
 
+    TEST(DoubtfulValues, PlanesAndBlocksHaveTheirUnits)
+    {
+      SceneParameters scene          = sound_scene();
+      scene.bedding.normal_stiffness = 8.;
+      EXPECT_TRUE(doubtful_values(scene).empty()); // no planes
+      scene.bedding.names = {"bedding_1"};
+      auto warnings       = doubtful_values(scene);
+      ASSERT_EQ(warnings.size(), 1u);
+      EXPECT_EQ(warnings[0],
+                "Bedding planes/Normal stiffness = 8 Pa/m is doubtful: expected is 100000 to 1e+14 "
+                "Pa/m; if it was meant in GPa/m, give 8e+09");
+      scene.bedding.normal_stiffness = 8e9;
+      scene.bedding.slips            = true;
+      scene.bedding.friction_angle   = 0.35;
+      scene.blocks.softening_slip    = 100.;
+      scene.blocks.tolerance         = 0.9;
+      warnings                       = doubtful_values(scene);
+      ASSERT_EQ(warnings.size(), 3u);
+      EXPECT_NE(warnings[0].find("in radians, give 20.05"), std::string::npos);
+      EXPECT_NE(warnings[1].find("in mm, give 0.1"), std::string::npos);
+      EXPECT_EQ(warnings[2], "Blocks/Tolerance = 0.9 is doubtful: expected is 0 to 0.0001");
+    }
+
+
+    TEST(DoubtfulValues, AMotionStrongerThanAnyRecordIsDoubted)
+    {
+      SceneParameters scene = sound_scene();
+      const Motion    motion(0.01, {0., 240., -10., 0.});
+      EXPECT_TRUE(doubtful_values(scene, motion.scaled(0.1)).empty());
+      scene.motion.peak = 240.;
+      auto warnings     = doubtful_values(scene, motion);
+      ASSERT_EQ(warnings.size(), 1u);
+      EXPECT_EQ(warnings[0],
+                "Motion/Peak = 240 m/s2 is doubtful: expected is 0 to 50 m/s2; if it was meant in "
+                "cm/s2, give 2.4");
+      scene.motion.peak = -1.; // as recorded
+      scene.motion.file = "quake.txt";
+      warnings          = doubtful_values(scene, motion);
+      ASSERT_EQ(warnings.size(), 1u);
+      EXPECT_EQ(warnings[0],
+                "quake.txt: the peak of 240 m/s2 is doubtful: expected is 0 to 50 m/s2; if it was "
+                "meant in cm/s2, set Motion/Unit = cm/s2");
+      scene.environment.gravity = 50. * 9.81; // in a centrifuge
+      EXPECT_TRUE(doubtful_values(scene, motion).empty());
+    }
+
+
+    TEST(DoubtfulValues, ARecordInMillisecondsOrWithoutMotionIsDoubted)
+    {
+      SceneParameters scene = sound_scene();
+      scene.motion.type     = "text";
+      scene.motion.file     = "quake.txt";
+      EXPECT_TRUE(doubtful_values(scene, Motion(0.01, {0., 1., 0.})).empty());
+      auto warnings = doubtful_values(scene, Motion(10., {0., 1., 0.}));
+      ASSERT_EQ(warnings.size(), 1u);
+      EXPECT_NE(warnings[0].find("quake.txt: the samples are 10 s apart"), std::string::npos);
+      warnings = doubtful_values(scene, Motion(0.01, {0., 0., 0.}));
+      ASSERT_EQ(warnings.size(), 1u);
+      EXPECT_NE(warnings[0].find("all accelerations are zero"), std::string::npos);
+    }
+
+
     TEST(DoubtfulValues, WhereNoUnitHelpsNoneIsNamed)
     {
       EXPECT_EQ(warning_of(&Material::young_modulus, 1e15).find("meant"), std::string::npos);

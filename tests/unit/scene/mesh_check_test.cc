@@ -106,6 +106,35 @@ namespace hybrid::scene::test
   }
 
 
+  TEST(MeshCheck, LinesThatAreInterchangedAreFound)
+  {
+    SectionMesh mesh = small_section();
+    std::swap(mesh.lines["left"], mesh.lines["right"]);
+    expect_part(error_of(mesh),
+                "The line left, centred at (2, 0.5) m, does not bound the bedrock on the left");
+    mesh = small_section();
+    std::swap(mesh.lines["left"], mesh.lines["base"]);
+    expect_part(error_of(mesh),
+                "The line base, centred at (0, 0.5) m, does not bound the bedrock below");
+    mesh                 = small_section();
+    mesh.lines["base"]   = {{4, 5}};
+    mesh.lines["ground"] = {{0, 1}, {1, 2}};
+    expect_part(error_of(mesh),
+                "The line base, centred at (1.5, 1) m, does not bound the bedrock below");
+  }
+
+
+  TEST(MeshCheck, RegionsOfTheTableMustBeInTheMesh)
+  {
+    SceneParameters scene;
+    scene.continuum.region_material = {{"*", "rock"}};
+    EXPECT_NO_THROW(check_section_mesh(small_section(), scene));
+    scene.continuum.region_material = {{"bedrock", "rock"}, {"bedrok_2", "rock"}};
+    expect_part(error_of(small_section(), scene),
+                "the mesh has no region 'bedrok_2'; it has bedrock");
+  }
+
+
   TEST(MeshCheck, BoundaryEdgesNeedALine)
   {
     SectionMesh mesh = small_section();

@@ -159,7 +159,7 @@ namespace hybrid::scene::test
     expect_part(text_error("0 0\n0.1 x\n"),
                 "record.txt:2: 'x' is not a number; expected an acceleration");
     expect_part(text_error("0 0\n0.1 nan\n"), "record.txt:2: 'nan' is not a number");
-    expect_part(text_error("0 0\n0.1\n"), "record.txt:2: found 1 columns");
+    expect_part(text_error("0 0\n0.1\n"), "record.txt:2: found 1 column; expected time");
     expect_part(text_error("0 0\n0.1 1\n0.2 1\n0.35 1\n0.45 1\n0.55 1\n"),
                 "record.txt:4: the spacing of 0.15 s differs");
     expect_part(text_error("0 0\n0.1 1\n0.1 2\n"),

@@ -89,11 +89,13 @@ namespace hybrid::scene::test
     EXPECT_EQ(mesh.lines.at("sliding_surface"),
               (std::vector<SectionMesh::Edge>{{0, 1}, {1, 2}, {2, 3}}));
 
-    expect_part(surface_error("0,0\n"), "found 1 points");
+    expect_part(surface_error("0,0\n"), "found 1 point;");
     expect_part(surface_error("0,0\n1,0\n0.5,0\n"),
                 "surface.csv:3: x = 0.5 is left of the point before");
     expect_part(surface_error("0,0\n1,0\n1,0\n"), "surface.csv:3: the point is the same");
     expect_part(surface_error("0,0,0\n1,0,0\n"), "surface.csv:1: found 3 columns");
+    expect_part(surface_error("0,0\n1,0\n1,8\n1,-8\n9,0\n"),
+                "surface.csv:4: the surface folds back on itself at (1, 8) m");
   }
 
 

@@ -61,7 +61,7 @@ TEST_F(SceneErrors, NumbersMustLieInTheirRanges)
   expect_option_error("Materials/rock/Weight density=-1",
                       {"'same' or a number >= 0 and <= 1e+10 [kg/m3]"});
   expect_option_error("Materials/rock/Density=1e300", {"must be a number >= 0.001 and <= 1e+10"});
-  expect_option_error("Water/Level=high", {"Water/Level = 'high'", "'none' or a number [m]"});
+  expect_option_error("Water/Level=high", {"Water/Level = 'high'", "'none' or a number >= -1e+05 and <= 1e+05 [m]"});
   expect_option_error("Continuum/Degree=9", {"an integer from 1 to 8"});
   expect_option_error("Parallel/Threads=2.5", {"Parallel/Threads = '2.5'", "an integer from 1 to"});
 }
@@ -122,6 +122,16 @@ TEST_F(SceneErrors, UnreadableFilesAreNamed)
   expect_error(
     write_scene("subsection Motion\n  set Type = text\n  set File = quake.txt\nend\n"),
     {"scene.prm:21: ", "Motion/File = 'quake.txt'", "there is no file", path("quake.txt")});
+}
+
+TEST_F(SceneErrors, FilesMustBeText)
+{
+  write_scene();
+  const std::string marked = write("marked.prm", "\xef\xbb\xbfinclude scene.prm\n");
+  EXPECT_NO_THROW(hybrid::scene::read_scene(marked)); // some editors begin a file so
+  expect_error(write("utf16.prm", std::string("\xff\xfes\0e\0t\0", 8)),
+               {"utf16.prm:1: ", "no plain text", "UTF-8"});
+  expect_error(testing::TempDir(), {"is a directory, not a parameter file"});
 }
 
 TEST_F(SceneErrors, MeshMustFitTheModel)

@@ -64,5 +64,6 @@ namespace hybrid::scene::test
     ASSERT_EQ(warnings.size(), 1u);
     expect_part(warnings[0], "is 2 m large, less than 5 m");
     EXPECT_TRUE(unit_warnings(section(1.), rigid_scene()).empty());
+    EXPECT_EQ(unit_warnings(section(0.04), rigid_scene()).size(), 1u);
   }
 } // namespace hybrid::scene::test

@@ -83,6 +83,8 @@ TEST(CommandLine, mistakes_are_named)
   expect_refused({"--check"}, "no parameter file");
   expect_refused({"plot"}, "no parameter file or directory");
   expect_refused({"one.prm", "two.prm"}, "two.prm");
+  expect_refused({"check", "scene.prm"}, "did you mean '--check'?");
+  expect_refused({"--check", "--resume", "output"}, "'--resume' cannot be combined");
 }
 
 

@@ -45,7 +45,9 @@ TEST_F(RunDirectory, an_earlier_run_is_kept_unless_forced)
   for (const char *name : {"summary.json",
                            "run.h5",
                            "run.h5.tmp",
+                           "summary.json.tmp",
                            "vtu/blocks_00001.vtu",
+                           "vtu/joints_00002.vtu.tmp",
                            "vtu/mine.vtu",
                            "notes.txt",
                            "checkpoint/state.bin",
@@ -66,11 +68,43 @@ TEST_F(RunDirectory, an_earlier_run_is_kept_unless_forced)
 
   output::Log second(screen);
   prepare_directory(scene, true, second);
-  for (const char *name :
-       {"summary.json", "run.h5", "run.h5.tmp", "vtu/blocks_00001.vtu", "checkpoint/state.bin"})
+  for (const char *name : {"summary.json",
+                           "run.h5",
+                           "run.h5.tmp",
+                           "summary.json.tmp",
+                           "vtu/blocks_00001.vtu",
+                           "vtu/joints_00002.vtu.tmp",
+                           "checkpoint/state.bin"})
     EXPECT_FALSE(fs::exists(directory + "/" + name)) << name;
   for (const char *name : {"vtu/mine.vtu", "notes.txt", "figures/overview.png"})
     EXPECT_TRUE(fs::exists(directory + "/" + name)) << name;
+}
+
+
+
+TEST_F(RunDirectory, a_run_killed_before_its_parameters_were_written_is_not_offered_for_resume)
+{
+  touch("log.txt");
+  try
+    {
+      refuse_earlier_run(directory);
+      FAIL();
+    }
+  catch (const InputError &error)
+    {
+      const std::string text = error.what();
+      EXPECT_EQ(text.find("--resume"), std::string::npos) << text;
+      for (const std::string &part : {directory, std::string("--force")})
+        EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
+}
+
+
+
+TEST(ResumeCommand, quotes_what_a_shell_would_split)
+{
+  EXPECT_EQ(resume_command("output/run_1"), "hybrid --resume output/run_1");
+  EXPECT_EQ(resume_command("my results"), "hybrid --resume \"my results\"");
 }
 
 
