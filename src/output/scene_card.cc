@@ -7,6 +7,7 @@
 #include <complex>
 #include <cstdarg>
 #include <cstdio>
+#include <numeric>
 #include <thread>
 #include <utility>
 
@@ -123,6 +124,27 @@ namespace hybrid::output
 
 
 
+    /// Means of as many samples as lie within a quarter of a millisecond, or of two where there are
+    /// very many: enough up to 50 Hz.
+    scene::Motion averaged(const scene::Motion &motion)
+    {
+      const auto &a = motion.samples();
+      if (a.size() < 2)
+        return motion;
+      const double      spacing = a.size() > 100000 ? 2e-3 : 0.25e-3; // [s]
+      const std::size_t group =
+        std::clamp(std::floor(spacing / motion.time_step()), 1., double(a.size() / 2));
+      if (group < 2)
+        return motion;
+      std::vector<double> means(a.size() / group);
+      for (std::size_t i = 0; i < means.size(); ++i)
+        means[i] =
+          std::accumulate(a.begin() + i * group, a.begin() + (i + 1) * group, 0.) / double(group);
+      return {group * motion.time_step(), means};
+    }
+
+
+
     /// Of point loads: 95 % of the energy of a Ricker wavelet, whose power is that of a chi-square
     /// distribution of 4 (f / f_0)^2 with five degrees of freedom, are below 1.664 f_0 [Hz].
     double highest_frequency(const scene::SceneParameters &scene)
@@ -232,7 +254,8 @@ namespace hybrid::output
   double highest_frequency(const scene::Motion &motion, const double share)
   {
     // Plain discrete Fourier sums at 400 frequencies: enough for a figure on a card.
-    const auto &a = motion.samples();
+    const scene::Motion coarse = averaged(motion);
+    const auto         &a      = coarse.samples();
     if (a.size() < 2)
       return 0.;
     constexpr int       n   = 400;
@@ -242,7 +265,7 @@ namespace hybrid::output
     for (int k = 0; k < n; ++k)
       {
         const std::complex<double> turn =
-          std::polar(1., -2. * M_PI * top * (k + 1) / n * motion.time_step());
+          std::polar(1., -2. * M_PI * top * (k + 1) / n * coarse.time_step());
         std::complex<double> sum = 0., factor = 1.;
         for (const double value : a)
           {
