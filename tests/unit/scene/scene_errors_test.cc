@@ -61,7 +61,8 @@ TEST_F(SceneErrors, NumbersMustLieInTheirRanges)
   expect_option_error("Materials/rock/Weight density=-1",
                       {"'same' or a number >= 0 and <= 1e+10 [kg/m3]"});
   expect_option_error("Materials/rock/Density=1e300", {"must be a number >= 0.001 and <= 1e+10"});
-  expect_option_error("Water/Level=high", {"Water/Level = 'high'", "'none' or a number >= -1e+05 and <= 1e+05 [m]"});
+  expect_option_error("Water/Level=high",
+                      {"Water/Level = 'high'", "'none' or a number >= -1e+05 and <= 1e+05 [m]"});
   expect_option_error("Continuum/Degree=9", {"an integer from 1 to 8"});
   expect_option_error("Parallel/Threads=2.5", {"Parallel/Threads = '2.5'", "an integer from 1 to"});
 }
