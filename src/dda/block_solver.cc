@@ -22,7 +22,10 @@ namespace hybrid::dda
         }
       // Two bodies that move towards each other by the largest allowed displacement each.
       const double moved = 2. * model.iteration.maximum_displacement_ratio * largest;
-      return {std::min(moved, 0.25 * smallest), 0.25 * largest, 1e-3, 0.25 * smallest};
+      return {std::min(moved, 0.25 * smallest),
+              0.25 * largest,
+              ContactTolerances::smooth_angle,
+              0.25 * smallest};
     }
   } // namespace
 

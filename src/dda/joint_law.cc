@@ -144,11 +144,11 @@ namespace hybrid::dda
 
 
 
-  JointLaw::Fading JointLaw::fading(const double damage) const
+  JointLaw::Fading JointLaw::fading(const double damage, const double residual_cohesion) const
   {
-    if (!std::isfinite(strength.residual_cohesion))
+    if (!std::isfinite(residual_cohesion))
       return {0., 0.};
-    const double contact = strength.residual_cohesion / k_n;
+    const double contact = residual_cohesion / k_n;
     if (damage >= 1.)
       return {0., contact};
     const double elastic = strength.tensile / k_n;
@@ -175,7 +175,8 @@ namespace hybrid::dda
     JointResponse r;
     r.history = history;
     normal_response(kinematics.gap, r);
-    const Fading fade = fading(r.history.damage);
+    const double residual_cohesion = kinematics.cohesive * strength.residual_cohesion;
+    const Fading fade              = fading(r.history.damage, residual_cohesion);
     if (kinematics.gap > 0. && kinematics.gap >= fade.end && r.history.damage >= 1.)
       {
         // Open for good: no shear; the friction spring starts anew on closing.
@@ -188,12 +189,12 @@ namespace hybrid::dda
     const double spring = (1. + damping.ratio) * k_s;
     const double shift  = damping.ratio / (1. + damping.ratio) * damping.elastic_slip;
     const double trial  = -spring * (kinematics.slip - history.plastic_slip - shift);
-    Strain       at{r.elastic_normal, r.history.damage, strength.residual_cohesion, 0.};
+    Strain       at{r.elastic_normal, r.history.damage, residual_cohesion, 0.};
     if (kinematics.gap > fade.begin && fade.end > 0.)
       {
         const double left = std::max(0., (fade.end - kinematics.gap) / (fade.end - fade.begin));
         at.residual_cohesion *= left;
-        at.cohesion_by_gap = left > 0. ? strength.residual_cohesion / (fade.end - fade.begin) : 0.;
+        at.cohesion_by_gap = left > 0. ? residual_cohesion / (fade.end - fade.begin) : 0.;
       }
     if (std::abs(trial) > shear_strength(at, history.softening))
       {
@@ -321,6 +322,13 @@ namespace hybrid::dda
     const double traction = (1. - history.damage) * k_n * gap;
     return 0.5 * strength.tensile * elastic +
            0.5 * (strength.tensile + traction) * (gap - elastic) - 0.5 * traction * gap;
+  }
+
+
+
+  bool JointLaw::has_residual_cohesion() const
+  {
+    return strength.residual_cohesion > 0. && std::isfinite(strength.residual_cohesion);
   }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/cohesive_length.h>
 #include <hybrid/dda/contact_frame.h>
 #include <hybrid/dda/springs.h>
 
@@ -35,13 +36,14 @@ namespace hybrid::dda
                    Springs::Response     &response)
     {
       SpringState        &now = response.now;
-      const JointResponse r = spring.law->respond({now.gap, now.slip}, spring.old.history, damping);
-      now.history           = r.history;
-      now.state             = r.state;
-      now.normal            = r.normal;
-      now.shear             = r.shear;
-      now.elastic_normal    = r.elastic_normal;
-      now.elastic_shear     = r.elastic_shear;
+      const JointResponse r =
+        spring.law->respond({now.gap, now.slip, spring.cohesive}, spring.old.history, damping);
+      now.history            = r.history;
+      now.state              = r.state;
+      now.normal             = r.normal;
+      now.shear              = r.shear;
+      now.elastic_normal     = r.elastic_normal;
+      now.elastic_shear      = r.elastic_shear;
       response.normal_by_gap = r.normal_by_gap;
       response.shear_by_slip = r.shear_by_slip;
       response.shear_by_gap  = r.shear_by_gap;
@@ -136,6 +138,8 @@ namespace hybrid::dda
         s.unilateral = true;
         s.law        = &law.law;
         s.length     = law.length;
+        if (law.law.has_residual_cohesion())
+          s.cohesive = cohesive_length(geometry, state.contacts, contact) / law.length;
         if (on_base)
           {
             s.node[0] = node_on_block ? contact.vertex : contact.edge;
@@ -151,8 +155,8 @@ namespace hybrid::dda
         s.old.history.plastic_slip = contact.plastic_slip;
         s.old.gap                  = frame.gap - contact.rest_gap;
         s.old.slip                 = frame.slip;
-        const JointResponse r      = law.law.respond({s.old.gap, frame.slip}, s.old.history);
-        s.old.history              = r.history;
+        const JointResponse r = law.law.respond({s.old.gap, frame.slip, s.cohesive}, s.old.history);
+        s.old.history         = r.history;
         s.old.normal = s.old.elastic_normal = r.normal;
         s.old.shear = s.old.elastic_shear = r.shear;
         s.old.state                       = r.state;

@@ -13,6 +13,8 @@ namespace hybrid::dda
    */
   struct ContactTolerances
   {
+    static constexpr double smooth_angle = 1e-3; ///< turns up to this are no corners [rad]
+
     double reach;     ///< largest gap of a contact [m]
     double max_depth; ///< largest penetration of a contact [m]
 

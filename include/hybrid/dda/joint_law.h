@@ -16,6 +16,9 @@ namespace hybrid::dda
   {
     double gap;  ///< g [m], positive when open
     double slip; ///< s [m] along the tangent, since the joint was made
+
+    /// Length on which the residual cohesion acts over that of the springs [-] (of contacts).
+    double cohesive = 1.;
   };
 
 
@@ -110,10 +113,10 @@ namespace hybrid::dda
    * never below zero), then plastic slip; with kappa, the sum of plastic slip,
    * cohesion and friction fall linearly to their residual over the softening
    * slip. Tensile damage takes the part (1 - D) of the cohesion that is above
-   * its residual. The residual cohesion of a contact fades while it opens,
-   * over c_res / k_n; that of a bond from F_t / k_n on, to g_c if that is later:
-   * if it vanished at once, a joint that is about to open might have no
-   * equilibrium.
+   * its residual. The residual cohesion of a contact, taken per length of its
+   * springs, fades while it opens, over c_res / k_n; that of a bond from
+   * F_t / k_n on, to g_c if that is later: if it vanished at once, a joint that
+   * is about to open might have no equilibrium.
    *
    * A law is a pure function: history is an argument and a result, so the
    * open-close iteration may ask as often as it likes. The tangent is
@@ -151,6 +154,9 @@ namespace hybrid::dda
     {
       return k_s;
     }
+
+    /// True if a contact carries cohesion, and a limited one.
+    bool has_residual_cohesion() const;
 
     /// Energy stored in the springs per area [J/m2].
     double stored_energy(const JointKinematics &kinematics, const JointHistory &history) const;
@@ -192,7 +198,7 @@ namespace hybrid::dda
       double begin, end;
     };
 
-    Fading fading(double damage) const;
+    Fading fading(double damage, double residual_cohesion) const;
 
     /// What the shear strength of a joint depends on beside its plastic slip.
     struct Strain

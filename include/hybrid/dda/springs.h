@@ -55,8 +55,9 @@ namespace hybrid::dda
       int  end               = 0;        ///< of the joint
       bool unilateral        = false;    ///< contact, or joint torn before the step
       const JointLaw *law    = nullptr;
-      double          length = 0.; ///< [m]
-      SpringState     old;         ///< when the step began
+      double          length = 0.;   ///< [m]
+      double          cohesive = 1.; ///< see JointKinematics [-]
+      SpringState     old;           ///< when the step began
     };
 
     /// What a trial makes of one spring.

@@ -351,6 +351,26 @@ TEST(JointLaw, open_joint_starts_its_friction_spring_anew)
 
 
 
+TEST(JointLaw, residual_cohesion_acts_on_the_length_of_the_edges)
+{
+  const JointLaw law(JointStrength::broken(rock()), k_n, k_s);
+  EXPECT_TRUE(law.has_residual_cohesion());
+  EXPECT_FALSE(law.with(JointStrength::unlimited_friction()).has_residual_cohesion());
+  const double friction = 2e4 * tan_deg(20.);
+  for (const double part : {0., 0.5, 1., 3.})
+    {
+      EXPECT_NEAR(-law.respond({-1e-5, 1e-2, part}, {}).shear, part * 5e3 + friction, 1e-6);
+      // it fades as fast as the springs unload
+      const double        reach = part * 5e3 / k_n;
+      const JointResponse half  = law.respond({0.5 * reach, 1e-2, part}, {});
+      EXPECT_NEAR(-half.shear, 0.5 * part * 5e3, 1e-6);
+      EXPECT_NEAR(half.shear_by_gap, part > 0. ? -k_n : 0., 1e-6 * k_n);
+      EXPECT_EQ(law.respond({1.0001 * reach + 1e-12, 1e-2, part}, {}).shear, 0.);
+    }
+}
+
+
+
 TEST(JointLaw, unlimited_strengths_neither_break_nor_slip)
 {
   const JointLaw bond     = softening().with(JointStrength::unlimited_bond());

@@ -3,7 +3,8 @@
 
     c + (rho g H cos b - rho a H sin b) tan phi = rho g H sin b + rho a H cos b     at a = a_c
 
-and above it the slab slides with s'' = (a - a_c) (cos b + sin b tan phi).
+and above it the slab slides with s'' = (a - a_c) (cos b + sin b tan phi), as the seam's residual strength is its peak: also
+where its joints have been released and corners of triangles stand on the ground.
 """
 
 import numpy as np
@@ -20,6 +21,7 @@ class Slope:
         self.rate = np.cos(b) + np.sin(b) * mu  # acceleration of the slide over that above the critical one [-]
         self.critical = (seam.cohesion + weight * (np.cos(b) * mu - np.sin(b))) / (mass * self.rate)  # [m/s2]
         self.peak = numbers.number("Motion/Peak")
+        self.joints = int(np.ceil(numbers.mesh("Width") / numbers.mesh("Resolution/h") - 1e-9))  # of the seam
 
 
 def slip(run):
@@ -43,8 +45,9 @@ def check(case):
     case.below("peak of the scene over 1.02 of the critical acceleration, less 1", slope.peak / (1.02 * slope.critical) - 1,
                1e-3)
     holds = case.run("holds", "Motion/Peak=%.10g" % (0.98 * slope.critical))
+    released = case.run("released", "Motion/Peak=%.10g" % (1.1 * slope.critical))
     case.curves = {part: (run.time, slip(run), closed_form(run.time, Slope(run))) for part, run in
-                   ((0.98, holds), (1.02, slides))}
+                   ((0.98, holds), (1.02, slides), (1.1, released))}
     time, found, _ = case.curves[0.98]
     case.below("slip after the ramp at 0.98 of the critical acceleration", np.ptp(found[time > 2.5]), 1e-6, "m")
     time, found, expected = case.curves[1.02]
@@ -53,6 +56,12 @@ def check(case):
     rate = 2 * np.polyfit(time[steady], found[steady], 2)[0]
     case.near("critical acceleration from the acceleration of the slide",
               slope.peak - rate / slope.rate, slope.critical, 0.02, "m/s2")
+    time, found, expected = case.curves[1.1]
+    case.true("all joints of the seam have failed in shear at 1.1: slide %.3g m, as a rigid slab %.3g m"
+              % (found[-1], expected[-1]), released.summary["joints"]["shear"] == slope.joints)
+    loose = time > released.file["joints/failure_time"][:].max() + 0.1
+    rate = 2 * np.polyfit(time[loose], found[loose], 2)[0]
+    case.near("acceleration of the slide after the release", rate, 0.1 * slope.critical * slope.rate, 0.01, "m/s2")
 
 
 def draw(case, figure):
