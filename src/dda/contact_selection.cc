@@ -206,6 +206,44 @@ namespace hybrid::dda
 
 
 
+  /// The corner at the near end of the edge and that of the vertex overlap although neither is in
+  /// the other's block: two tips that have passed each other. No edge of either parts them.
+  bool ContactSelection::has_crossed_corner(const ContactTrial &trial) const
+  {
+    const Contact &c     = trial.contact;
+    const int      first = c.edge, second = second_end(*geometry, c.edge_body, c.edge);
+    const auto     distance = [this, &c](const int end) {
+      return (point - position(*geometry, c.edge_body, end)).norm();
+    };
+    const int corner = distance(first) <= distance(second) ? first : second;
+    if (frames->corner(c.edge_body, corner) != Corner::convex ||
+        distance(corner) > tolerances.max_depth)
+      return false;
+
+    const Vec2 behind      = position(*geometry, c.edge_body, corner) - point;
+    const Vec2 to_next_of  = frames->edge(c.edge_body, corner).direction;
+    const Vec2 to_before   = -frames->edge(c.edge_body, geometry->previous(corner)).direction;
+    const auto parts_other = [&](const Vec2 &normal) {
+      return normal.dot(to_next_of) >= -tolerances.entry_sine &&
+             normal.dot(to_before) >= -tolerances.entry_sine &&
+             normal.dot(behind) >= -tolerances.coincidence();
+    };
+    for (const int e : {geometry->previous(corner), corner})
+      {
+        const Vec2 &normal = frames->edge(c.edge_body, e).normal;
+        if (passes_angle_test(normal, tolerances.entry_sine) &&
+            -normal.dot(behind) >= -tolerances.coincidence())
+          return false;
+      }
+    for (const int e :
+         {edge_before(*geometry, vertex_body, vertex), edge_after(*geometry, vertex_body, vertex)})
+      if (e >= 0 && parts_other(frames->edge(vertex_body, e).normal))
+        return false;
+    return true;
+  }
+
+
+
   /// Two edges of one body act together only where they face each other: in a notch.
   bool ContactSelection::may_act_together(const ContactTrial &a, const ContactTrial &b) const
   {
@@ -225,11 +263,14 @@ namespace hybrid::dda
   int ContactSelection::end_body()
   {
     const auto begin = trials.begin() + body_begin;
+    for (auto t = begin; t != trials.end(); ++t)
+      t->has_crossed = !is_in_body(*t) && has_crossed_corner(*t);
     // decide before erasing: the rules look at one trial at a time
     trials.erase(std::remove_if(begin,
                                 trials.end(),
                                 [this](const ContactTrial &t) {
-                                  return is_undecided(t) || is_below_seam(t) || !is_in_body(t);
+                                  return is_undecided(t) || is_below_seam(t) ||
+                                         !(t.has_crossed || is_in_body(t));
                                 }),
                  trials.end());
     std::sort(trials.begin() + body_begin, trials.end(), better_on_body);

@@ -57,12 +57,12 @@ namespace hybrid::scene
     section.number("Rayleigh mass",
                    continuum.rayleigh_mass,
                    "1/s",
-                   ParameterRange::at_least(0.),
+                   ParameterRange::closed(0., 1e6),
                    "alpha_M of the damping C = alpha_M M + beta_K K.");
     section.number("Rayleigh stiffness",
                    continuum.rayleigh_stiffness,
                    "s",
-                   ParameterRange::at_least(0.),
+                   ParameterRange::closed(0., 1e3),
                    "beta_K of the damping C = alpha_M M + beta_K K.");
     section.toggle("Boundary springs",
                    continuum.boundary_springs,

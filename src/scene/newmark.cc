@@ -7,9 +7,7 @@ namespace hybrid
   Newmark Newmark::preset(const std::string &name)
   {
     if (name == "dissipative")
-      return {
-        0.3025,
-        0.6}; // beta = (gamma + 1/2)^2 / 4: unconditionally stable, most damping at high frequency
+      return {0.3, 0.6};
     if (name == "trapezoidal")
       return {0.25, 0.5};
     if (name == "shi")

@@ -26,7 +26,7 @@ namespace hybrid::scene
       {"dissipative", "trapezoidal", "shi"},
       "dissipative",
       [&time](const std::string &name) { time.newmark = Newmark::preset(name); },
-      "Newmark time integration of blocks and continuum (beta, gamma): dissipative (0.3025, 0.6) damps "
+      "Newmark time integration of blocks and continuum (beta, gamma): dissipative (0.3, 0.6) damps "
       "high frequencies, trapezoidal (0.25, 0.5) damps nothing, shi (0.5, 1) is the constant "
       "acceleration of Shi (1988).");
     section.number(

@@ -37,6 +37,7 @@ NONSENSE = [
     ("Bedding planes/Normal stiffness", "1e300"), ("Bedding planes/Shear stiffness", "1e300"), ("Materials/*/Young modulus", "0"), ("Materials/*/Young modulus", "-1e9"),
     ("Materials/*/Young modulus", "1e300"), ("Materials/*/Poisson ratio", "0.5"), ("Materials/*/Poisson ratio", "-1"),
     ("Materials/*/Cohesion", "-1"), ("Materials/*/Friction angle", "90"), ("Materials/*/Friction angle", "-5"),
+    ("Continuum/Rayleigh stiffness", "1e308"), ("Continuum/Rayleigh mass", "1e308"),
     ("Materials/*/Tensile strength", "-1"), ("Water/Level", "1e9"), ("Point loads/Forces", "P: 10, 5, 0, -1e300"),
     ("Edge loads/Tractions", "T: 0, 30, 0, 30, 0, -1e30"),
     ("Output/Picture interval", "nan"), ("Nothing/At all", "1"),

@@ -115,7 +115,7 @@ CASES = {
                                                            "Blocks/Belt material=mud"]}, residual=0.001),
     "penalty": Wanted({"40": [], "1.04": ["Blocks/Penalty ratio=1.04"], "40000": ["Blocks/Penalty ratio=40000"]},
                       refusals=[("0.04", ["Blocks/Penalty ratio=0.04"], "Penalty ratio")]),
-    "mass_ratio": Wanted({"scene": [], "trapezoidal": ["Time/Scheme=trapezoidal"],
+    "mass_ratio": Wanted({"scene": [], "trapezoidal": ["Time/Scheme=trapezoidal"], "shi": ["Time/Scheme=shi"],
                           "light above": ["Blocks/Material=light", "Blocks/Saturated material=heavy"]},
                          more=heavy_block_is_not_thrown),
     "slivers": Wanted({"scene": [], "2 ms": ["Time/Time step=0.002"]}),

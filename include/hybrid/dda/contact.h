@@ -45,6 +45,7 @@ namespace hybrid::dda
     ContactState state = ContactState::open; ///< when last accepted
     double       rest_gap =
       0.; ///< gap above which it carries nothing, <= 0 [m]: the overlap that neighbours of the mesh
-          ///< had when they first looked at each other, and a little more; 0 once they part
+          ///< had when they first looked at each other, and a little more, or that of two tips
+          ///< that passed each other; 0 once they part
   };
 } // namespace hybrid::dda

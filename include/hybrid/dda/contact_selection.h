@@ -23,7 +23,8 @@ namespace hybrid::dda
     double  overhang;  ///< distance of the projection from the edge, 0 on it [m]
     bool    is_inside; ///< the vertex projects on the edge
     History history;
-    int     origin; ///< number of the old contact that it continues or repeats, or -1
+    int     origin;              ///< number of the old contact that it continues or repeats, or -1
+    bool    has_crossed = false; ///< a corner that has passed another in one step
   };
 
 
@@ -69,6 +70,8 @@ namespace hybrid::dda
     bool is_undecided(const ContactTrial &trial) const;
 
     bool is_in_body(const ContactTrial &trial) const;
+
+    bool has_crossed_corner(const ContactTrial &trial) const;
 
     bool may_act_together(const ContactTrial &a, const ContactTrial &b) const;
 

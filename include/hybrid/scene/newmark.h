@@ -13,12 +13,13 @@ namespace hybrid
    */
   struct Newmark
   {
-    double beta  = 0.3025; ///< [-]
-    double gamma = 0.6;    ///< [-], >= 1/2; above 1/2 it damps high frequencies
+    double beta  = 0.3; ///< [-]
+    double gamma = 0.6; ///< [-], >= 1/2; above 1/2 it damps high frequencies
 
     /**
-     * Named presets: "dissipative" gamma = 0.6, beta = (gamma + 1/2)^2 / 4 (the default);
-     * "trapezoidal" (1/4, 1/2); "shi" (1/2, 1), the constant-acceleration scheme of Shi (1988).
+     * Named presets: "dissipative" (0.3, 0.6), the default; "trapezoidal" (1/4, 1/2); "shi"
+     * (1/2, 1), the constant-acceleration scheme of Shi (1988). All have 2 beta = gamma, with
+     * which kinetic and strain energy never rise by themselves (Hughes 1987, chapter 9).
      * @throws InputError for another name.
      */
     static Newmark preset(const std::string &name);

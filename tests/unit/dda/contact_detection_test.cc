@@ -49,6 +49,23 @@ namespace
   };
 
   /// All pairs of new contacts between triangles, straight from rules 1, 2, 3, 5, 6 and 7 of the
+  /// True if no line along a side of one of two corners has them on different sides.
+  bool corners_cross(const Geometry &g, const int p, const int q)
+  {
+    if ((g.vertices[p] - g.vertices[q]).norm() > parameters.reach)
+      return false;
+    for (const auto &[one, other] : {std::make_pair(p, q), std::make_pair(q, p)})
+      for (const int e : {one, g.previous(one)})
+        {
+          const Vec2 n = edge_of(g, g.block_of[one], e).n;
+          const Vec2 r = g.vertices[other] - g.vertices[one];
+          if (n.dot(r) >= -1e-7 && n.dot(edge_of(g, g.block_of[other], other).d) >= -0.0523 &&
+              n.dot(edge_of(g, g.block_of[other], g.previous(other)).d) <= 0.0523)
+            return false;
+        }
+    return true;
+  }
+
   /// header.
   Contacts all_pairs_between_blocks(const Geometry &g)
   {
@@ -69,7 +86,8 @@ namespace
                 if (b != g.block_of[v] && std::abs(gap) <= reach && along >= 0. &&
                     along <= edge.length && edge.n.dot(to_next) >= -0.0523 &&
                     edge.n.dot(to_previous) >= -0.0523 &&
-                    (gap > -1e-7 || contains(&g.vertices[g.offset[b]], 3, g.vertices[v])) &&
+                    (gap > -1e-7 || contains(&g.vertices[g.offset[b]], 3, g.vertices[v]) ||
+                     corners_cross(g, v, along < 0.5 * edge.length ? e : g.next(e))) &&
                     gap > best.gap)
                   best = {{g.block_of[v], v, b, e}, gap, edge.n};
               }

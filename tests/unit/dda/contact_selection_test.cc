@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace
 {
@@ -38,6 +39,53 @@ namespace
     // every shared edge: two vertices each way; every bottom corner once on the base
     const int shared = (columns - 1) * rows + columns * (rows - 1);
     EXPECT_EQ(contacts.size(), static_cast<std::size_t>(4 * shared + 2 * columns));
+  }
+
+  TEST(ContactSelection, TipsThatHavePassedEachOtherTouchWithoutForce)
+  {
+    // Two tips slide towards each other on flat ground, both below the lower edge of the other
+    // block, so that neither is ever inside it.
+    const auto scene = [](const double passed) {
+      Geometry g =
+        blocks({{{0., 0.}, {0.6, 0.16}, {0.3, 0.4}}, {{0., 0.}, {-0.2, 0.6}, {-0.35, 0.26}}});
+      g.base_nodes = {{-5., 0.}, {5., 0.}};
+      move_block(g, 1, {passed, 0.});
+      return g;
+    };
+    constexpr double passed = 1e-3;
+    const double     steep = 0.6 / std::hypot(0.2, 0.6), flat = 0.4 / std::hypot(0.3, 0.4);
+    const auto       between = [](const Contacts &contacts) {
+      Contacts found;
+      std::copy_if(contacts.begin(),
+                   contacts.end(),
+                   std::back_inserter(found),
+                   [](const Contact &c) {
+                     return c.vertex_body != base_body && c.edge_body != base_body;
+                   });
+      return found;
+    };
+    ContactDetection detection(parameters);
+    Contacts         contacts;
+    detection.update(scene(-passed), contacts);
+    EXPECT_TRUE(between(contacts).empty());
+
+    detection.update(scene(passed), contacts);
+    const Contacts touching = between(contacts);
+    ASSERT_EQ(touching.size(), 1u);
+    EXPECT_NEAR(touching[0].rest_gap, -passed * std::min(steep, flat), 1e-12)
+      << "the way out is the shorter one";
+
+    detection.update(scene(1.5 * passed), contacts);
+    ASSERT_EQ(between(contacts).size(), 1u);
+    EXPECT_EQ(between(contacts)[0].edge, touching[0].edge) << "the contact persists";
+
+    // The same tips, one high enough to pass over the other: an open contact.
+    contacts.clear();
+    Geometry above = scene(passed);
+    move_block(above, 1, {0., 5e-3});
+    detection.update(above, contacts);
+    for (const Contact &c : between(contacts))
+      EXPECT_EQ(c.rest_gap, 0.);
   }
 
   TEST(ContactSelection, CornerThatComesDownOnATipKeepsTipAndGround)

@@ -18,7 +18,7 @@ TEST(Newmark, DissipativePresetIsTheDefaultAndUnconditionallyStable)
 {
   const Newmark dissipative = Newmark::preset("dissipative");
   EXPECT_DOUBLE_EQ(dissipative.gamma, 0.6);
-  EXPECT_DOUBLE_EQ(dissipative.beta, (0.6 + 0.5) * (0.6 + 0.5) / 4.);
+  EXPECT_DOUBLE_EQ(dissipative.beta, 0.5 * dissipative.gamma);
   EXPECT_DOUBLE_EQ(dissipative.beta, Newmark().beta);
   EXPECT_DOUBLE_EQ(dissipative.gamma, Newmark().gamma);
 }
