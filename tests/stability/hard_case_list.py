@@ -142,7 +142,7 @@ CASES = {
     "second_block": Wanted({"scene": [], "alone": ["Mesh/Polygons file=" + str(HARD / "sliding_alone.csv")]}, more=same_as_alone),
     "soft_base": Wanted(residual=0.001),
     "friction_10": Wanted(),
-    "slope_blocks": Wanted(full_size={"600": ["Mesh/Numbers=Angle = 20; Columns = 120; Rows = 5; Base above = 150"]},
+    "slope_blocks": Wanted(full_speed=1.7, full_size={"600": ["Mesh/Numbers=Angle = 20; Columns = 120; Rows = 5; Base above = 150"]},
                            more=slides_as_one),
     "wall": Wanted(residual=0.001, more=rests(1e-6), full_size={
         "50x40": ["Mesh/Numbers=Columns = 50; Rows = 40; Block width = 2; Base above = 150", "Time/End time=5"]}),
