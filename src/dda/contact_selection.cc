@@ -3,6 +3,7 @@
 #include <hybrid/dda/polygon.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hybrid::dda
@@ -15,6 +16,18 @@ namespace hybrid::dda
     {
       return std::make_pair(a.contact.edge_body, a.contact.edge) <
              std::make_pair(b.contact.edge_body, b.contact.edge);
+    }
+
+    using Segment = std::array<Vec2, 2>;
+
+    /// True if they cross between their ends.
+    bool segments_cross(const Segment &a, const Segment &b)
+    {
+      const auto parts = [](const Segment &s, const Segment &ends) {
+        const Vec2 along = s[1] - s[0];
+        return cross(along, ends[0] - s[0]) * cross(along, ends[1] - s[0]) < 0.;
+      };
+      return parts(a, b) && parts(b, a);
     }
 
     /// On one body: the edge below the vertex, then the edge it came through, then the least
@@ -207,38 +220,26 @@ namespace hybrid::dda
 
 
   /// The corner at the near end of the edge and that of the vertex overlap although neither is in
-  /// the other's block: two tips that have passed each other. No edge of either parts them.
+  /// the other's block: two tips that have passed each other. Each side of one crosses both of the
+  /// other's. In one step they have come no further than the reach.
   bool ContactSelection::has_crossed_corner(const ContactTrial &trial) const
   {
-    const Contact &c     = trial.contact;
-    const int      first = c.edge, second = second_end(*geometry, c.edge_body, c.edge);
-    const auto     distance = [this, &c](const int end) {
-      return (point - position(*geometry, c.edge_body, end)).norm();
-    };
-    const int corner = distance(first) <= distance(second) ? first : second;
-    if (frames->corner(c.edge_body, corner) != Corner::convex ||
-        distance(corner) > tolerances.max_depth)
+    const int body = trial.contact.edge_body;
+    if (vertex_body == base_body || body == base_body)
       return false;
-
-    const Vec2 behind      = position(*geometry, c.edge_body, corner) - point;
-    const Vec2 to_next_of  = frames->edge(c.edge_body, corner).direction;
-    const Vec2 to_before   = -frames->edge(c.edge_body, geometry->previous(corner)).direction;
-    const auto parts_other = [&](const Vec2 &normal) {
-      return normal.dot(to_next_of) >= -tolerances.entry_sine &&
-             normal.dot(to_before) >= -tolerances.entry_sine &&
-             normal.dot(behind) >= -tolerances.coincidence();
-    };
+    const std::vector<Vec2> &v     = geometry->vertices;
+    const int                first = trial.contact.edge, second = geometry->next(first);
+    const bool               nearer = (point - v[first]).norm() <= (point - v[second]).norm();
+    const int                corner = nearer ? first : second;
+    const int                begin  = geometry->offset[vertex_body];
+    if (frames->corner(body, corner) != Corner::convex ||
+        (point - v[corner]).norm() > tolerances.reach ||
+        contains(&v[begin], geometry->offset[vertex_body + 1] - begin, v[corner]))
+      return false;
     for (const int e : {geometry->previous(corner), corner})
-      {
-        const Vec2 &normal = frames->edge(c.edge_body, e).normal;
-        if (passes_angle_test(normal, tolerances.entry_sine) &&
-            -normal.dot(behind) >= -tolerances.coincidence())
+      for (const int mine : {geometry->previous(vertex), vertex})
+        if (!segments_cross({v[e], v[geometry->next(e)]}, {v[mine], v[geometry->next(mine)]}))
           return false;
-      }
-    for (const int e :
-         {edge_before(*geometry, vertex_body, vertex), edge_after(*geometry, vertex_body, vertex)})
-      if (e >= 0 && parts_other(frames->edge(vertex_body, e).normal))
-        return false;
     return true;
   }
 

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <random>
 
+#include <Eigen/LU>
+
 namespace
 {
   using namespace hybrid;
@@ -49,18 +51,22 @@ namespace
   };
 
   /// All pairs of new contacts between triangles, straight from rules 1, 2, 3, 5, 6 and 7 of the
-  /// True if no line along a side of one of two corners has them on different sides.
+  /// True if all sides of two corners cross and neither corner is in the other's block.
   bool corners_cross(const Geometry &g, const int p, const int q)
   {
-    if ((g.vertices[p] - g.vertices[q]).norm() > parameters.reach)
+    const auto in_block_of = [&](const int inner, const int other) {
+      return contains(&g.vertices[g.offset[g.block_of[other]]], 3, g.vertices[inner]);
+    };
+    if ((g.vertices[p] - g.vertices[q]).norm() > parameters.reach || in_block_of(p, q) ||
+        in_block_of(q, p))
       return false;
-    for (const auto &[one, other] : {std::make_pair(p, q), std::make_pair(q, p)})
-      for (const int e : {one, g.previous(one)})
+    for (const int a : {p, g.previous(p)})
+      for (const int b : {q, g.previous(q)})
         {
-          const Vec2 n = edge_of(g, g.block_of[one], e).n;
-          const Vec2 r = g.vertices[other] - g.vertices[one];
-          if (n.dot(r) >= -1e-7 && n.dot(edge_of(g, g.block_of[other], other).d) >= -0.0523 &&
-              n.dot(edge_of(g, g.block_of[other], g.previous(other)).d) <= 0.0523)
+          Eigen::Matrix2d sides;
+          sides << g.vertices[g.next(a)] - g.vertices[a], g.vertices[b] - g.vertices[g.next(b)];
+          const Vec2 parts = sides.inverse() * (g.vertices[b] - g.vertices[a]);
+          if (parts.minCoeff() <= 0. || parts.maxCoeff() >= 1.)
             return false;
         }
     return true;
