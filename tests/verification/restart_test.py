@@ -215,14 +215,16 @@ def check_signals():
 
 
 def end_static_stage(number, wait, name):
-    """Send a signal to a run in its static stage. @return its directory, its exit code and what it printed."""
+    """Send a signal to a run in its static stage, after so much processor time [s] of it. @return its directory, its exit code and what it printed."""
     directory = WORK / name
     process = subprocess.Popen(words_of(COUPLED, directory, FINE), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                text=True, env=ENVIRONMENT, preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
     log = directory / "log.txt"
     while process.poll() is None and not (log.exists() and "\nTime " in log.read_text()):  # the end of the card
         time.sleep(0.005)
-    time.sleep(wait)
+    start = processor_time(process)
+    while process.poll() is None and processor_time(process) < start + wait:
+        time.sleep(0.005)
     process.send_signal(number)
     output, errors = process.communicate(timeout=60)
     require("Static stage: relative" not in output, f"{name}: the signal came in the static stage")
@@ -233,8 +235,12 @@ def end_static_stage(number, wait, name):
 def check_static_stage():
     """Ctrl-C and SIGKILL in the static stage: told, nothing left to go on from, and begun anew with the same results."""
     whole = WORK / "whole"
+    before = os.times()
     run(words_of(COUPLED, whole, FINE))
-    stage = json.loads((whole / "summary.json").read_text(encoding="utf-8"))["timings_s"]["static_stage"]
+    after = os.times()
+    used = after.children_user + after.children_system - before.children_user - before.children_system
+    summary = json.loads((whole / "summary.json").read_text(encoding="utf-8"))
+    stage = used * summary["timings_s"]["static_stage"] / summary["wall_time_s"]  # processor time of the static stage
     random.seed(int(os.environ.get("HYBRID_SEED", "1")))
     for number in (signal.SIGINT, signal.SIGKILL):
         for wait in (0., random.uniform(0.1, 0.5) * stage):
