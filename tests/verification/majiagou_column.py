@@ -16,27 +16,13 @@ import sys
 
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../src/output/plot"))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, "../../src/output/plot"), os.path.join(HERE, "cases")]
 
+import scene_numbers  # noqa: E402
 from run_data import RunData, low_pass  # noqa: E402
 
-SECTION = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../meshes/majiagou_section.csv")
-
-
-def read_parameters(file_name):
-    """A .prm file as {"Section/Sub/Name": value}."""
-    values, path = {}, []
-    with open(file_name, encoding="utf-8") as text:
-        for line in text:
-            words = line.split("#")[0].strip()
-            if words.startswith("subsection "):
-                path.append(words[len("subsection ") :])
-            elif words == "end":
-                path.pop()
-            elif words.startswith("set "):
-                name, value = words[len("set ") :].split("=", 1)
-                values["/".join(path + [name.strip()])] = value.strip()
-    return values
+SECTION = os.path.join(HERE, "../../meshes/majiagou_section.csv")
 
 
 class Belt:
@@ -184,7 +170,7 @@ class Scene:
 
     def __init__(self, directory):
         self.run = RunData(directory)
-        self.parameters = read_parameters(os.path.join(directory, "params.used.prm"))
+        self.parameters = scene_numbers.read(os.path.join(directory, "params.used.prm"))
         p = self.parameters
         self.soils = {key: Soil(p, p["Blocks/" + key]) for key in ("Material", "Saturated material")}
         self.rock = Soil(p, p["Continuum/Materials"])

@@ -30,6 +30,19 @@ namespace hybrid::output
       return picture;
     }
 
+    /// Pictures at 0, 0.1 and 0.2 s, and one later than the checkpoint. Returns the checkpoint's
+    /// content.
+    std::string three_pictures(const std::string &directory)
+    {
+      restart::Archive checkpoint = restart::Archive::writer();
+      PvdSeries        series(directory, "blocks");
+      for (const double time : {0., 0.1, 0.2})
+        series.add(time, make_picture());
+      checkpoint(series);
+      series.add(0.2, make_picture());
+      return checkpoint.content();
+    }
+
     const char reader[] = R"(
 import base64, struct, xml.etree.ElementTree as xml
 def array(node):
@@ -110,20 +123,13 @@ assert not os.path.exists('blocks.pvd.tmp')
     TEST(PvdSeries, ResumeLeavesOutPicturesThatAreGone)
     {
       const std::string directory  = make_directory("pvd_gone");
-      const VtuWriter   picture    = make_picture();
-      restart::Archive  checkpoint = restart::Archive::writer();
-      {
-        PvdSeries series(directory, "blocks");
-        for (const double time : {0., 0.1, 0.2})
-          series.add(time, picture);
-        checkpoint(series);
-      }
+      const std::string checkpoint = three_pictures(directory);
       std::filesystem::remove(directory + "/vtu/blocks_00001.vtu");
       PvdSeries        series(directory, "blocks");
-      restart::Archive stored = restart::Archive::reader(checkpoint.content());
+      restart::Archive stored = restart::Archive::reader(checkpoint);
       stored(series);
       EXPECT_EQ(series.missing_files(), std::vector<std::string>{"vtu/blocks_00001.vtu"});
-      series.add(0.35, picture);
+      series.add(0.35, make_picture());
       EXPECT_TRUE(python_passes(directory, R"(
 import xml.etree.ElementTree as xml
 sets = xml.parse('blocks.pvd').getroot().findall('Collection/DataSet')
@@ -136,19 +142,11 @@ assert [(float(s.get('timestep')), s.get('file')[-9:]) for s in sets] == \
     TEST(PvdSeries, ResumeKeepsPicturesUpToTheCheckpoint)
     {
       const std::string directory  = make_directory("pvd_resume");
-      const VtuWriter   picture    = make_picture();
-      restart::Archive  checkpoint = restart::Archive::writer();
-      {
-        PvdSeries series(directory, "blocks");
-        for (const double time : {0., 0.1, 0.2})
-          series.add(time, picture);
-        checkpoint(series);
-        series.add(0.2, picture); // later than the checkpoint
-      }
-      PvdSeries        series(directory, "blocks");
-      restart::Archive stored = restart::Archive::reader(checkpoint.content());
+      const std::string checkpoint = three_pictures(directory);
+      PvdSeries         series(directory, "blocks");
+      restart::Archive  stored = restart::Archive::reader(checkpoint);
       stored(series);
-      series.add(0.35, picture);
+      series.add(0.35, make_picture());
       EXPECT_TRUE(python_passes(directory, R"(
 import xml.etree.ElementTree as xml
 sets = xml.parse('blocks.pvd').getroot().findall('Collection/DataSet')

@@ -42,17 +42,17 @@ TEST_F(RunDirectory, an_earlier_run_is_kept_unless_forced)
 {
   prepare_directory(scene, false, log);
   EXPECT_TRUE(fs::exists(directory + "/params.used.prm"));
-  for (const char *name : {"summary.json",
-                           "run.h5",
-                           "run.h5.tmp",
-                           "summary.json.tmp",
-                           "vtu/blocks_00001.vtu",
-                           "vtu/joints_00002.vtu.tmp",
-                           "vtu/mine.vtu",
-                           "notes.txt",
-                           "checkpoint/state.bin",
-                           "figures/overview.png"})
-    touch(name);
+  const auto of_run  = {"summary.json",
+                        "run.h5",
+                        "run.h5.tmp",
+                        "summary.json.tmp",
+                        "vtu/blocks_00001.vtu",
+                        "vtu/joints_00002.vtu.tmp",
+                        "checkpoint/state.bin"};
+  const auto of_user = {"vtu/mine.vtu", "notes.txt", "figures/overview.png"};
+  for (const auto &names : {of_run, of_user})
+    for (const char *name : names)
+      touch(name);
   try
     {
       prepare_directory(scene, false, log);
@@ -68,15 +68,9 @@ TEST_F(RunDirectory, an_earlier_run_is_kept_unless_forced)
 
   output::Log second(screen);
   prepare_directory(scene, true, second);
-  for (const char *name : {"summary.json",
-                           "run.h5",
-                           "run.h5.tmp",
-                           "summary.json.tmp",
-                           "vtu/blocks_00001.vtu",
-                           "vtu/joints_00002.vtu.tmp",
-                           "checkpoint/state.bin"})
+  for (const char *name : of_run)
     EXPECT_FALSE(fs::exists(directory + "/" + name)) << name;
-  for (const char *name : {"vtu/mine.vtu", "notes.txt", "figures/overview.png"})
+  for (const char *name : of_user)
     EXPECT_TRUE(fs::exists(directory + "/" + name)) << name;
 }
 

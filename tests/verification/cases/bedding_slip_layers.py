@@ -2,6 +2,7 @@
 """Layers that slip on bedding planes: two sliding blocks with springs, one on the other, and the dashpots of their sides."""
 
 import numpy as np
+from matrix_exponential import exponential
 from scene_numbers import Numbers
 
 PLANES = ("bedding_2", "bedding_1")
@@ -22,15 +23,6 @@ class Layers:
         self.stiffness = n.number("Bedding planes/Shear stiffness")
         self.mass = rock.density * height * self.width
         self.dashpots = 2 * height * rock.density * rock.speed("P")
-
-
-def exponential(a):
-    """exp(a) of a small matrix by its series."""
-    result, term = np.eye(len(a)), np.eye(len(a))
-    for k in range(1, 20):
-        term = term @ a / k
-        result += term
-    return result
 
 
 def closed_form(layers, time, base, refine=10):

@@ -2,19 +2,11 @@
 """Layers thrown up from their bedding planes: masses on springs that carry no tension once they broke."""
 
 import numpy as np
+from matrix_exponential import exponential
 from opening_solution import cut_off, flights
 from scene_numbers import Numbers
 
 shown = {}
-
-
-def exponential(a):
-    """exp(a) of a small matrix by its series."""
-    result, term = np.eye(len(a)), np.eye(len(a))
-    for k in range(1, 20):
-        term = term @ a / k
-        result += term
-    return result
 
 
 class Layers:
