@@ -45,9 +45,8 @@ namespace hybrid::dda
           energy.strain += p.area * strain_energy_density(p.elasticity, s.stress + stiff);
           energy.integration_loss += excess * p.area * stiff.dot(e);
           energy.gravity += p.weight * step.model.gravity * d[1];
-          if (p.damping_time > 0.)
-            energy.damping_loss += p.area * p.damping_time *
-                                   stiff.dot((1. - nm.gamma) * s.strain_rate + nm.gamma / dt * e);
+          energy.damping_loss += p.area * e.dot((1. - nm.gamma) * s.viscous_stress +
+                                                nm.gamma * step.damping_time[b] / dt * stiff);
         }
       energy.damping_loss += (1. - k01 * k01) * kinetic_before;
       // The scheme's acceleration term changes with the step size, and when a joint becomes a

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/bedrock_blocks.h>
 #include <hybrid/dda/bedrock_boundary.h>
+#include <hybrid/dda/block_damping.h>
 #include <hybrid/dda/joint_builder.h>
 #include <hybrid/dda/model_builder.h>
 #include <hybrid/dda/polygon.h>
@@ -41,6 +42,7 @@ namespace hybrid::dda
         add_blocks();
         add_joints();
         correct_stiffness();
+        set_loose_damping();
         add_contact_laws();
         add_neighbours();
         add_slices();
@@ -76,6 +78,7 @@ namespace hybrid::dda
       void add_blocks();
       void add_joints();
       void correct_stiffness();
+      void set_loose_damping();
       void add_contact_laws();
       void add_slices();
       void add_neighbours();
@@ -227,6 +230,15 @@ namespace hybrid::dda
         }
       for (std::size_t b = 0; b < model.blocks.size(); ++b)
         model.blocks[b].elasticity = block_elasticity(materials[b], around[b]);
+    }
+
+
+
+    void Builder::set_loose_damping()
+    {
+      for (int b = 0; b < n_mass; ++b)
+        model.blocks[b].loose_damping_time =
+          scene.blocks.loose_damping * critical_damping_time(model.blocks[b]);
     }
 
 

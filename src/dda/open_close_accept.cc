@@ -40,8 +40,15 @@ namespace hybrid::dda
   {
     const int    n  = model.n_blocks();
     const double dt = trial.dt;
-    state.energy    = audit_step(
-      {model, state, trial, springs, mass, acceleration, contact_acceleration, incoming});
+    state.energy    = audit_step({model,
+                                  state,
+                                  trial,
+                                  springs,
+                                  mass,
+                                  damping_time,
+                                  acceleration,
+                                  contact_acceleration,
+                                  incoming});
     if (incoming.size() > 0)
       state.boundary_force = incoming;
     const double          gamma    = model.newmark.gamma;
@@ -58,15 +65,13 @@ namespace hybrid::dda
         const BlockMotion &move  = trial.motion[b];
         block.centroid           = move.centroid;
         block.rotation += trial.increment[b][2];
-        block.velocity = rotated_rates(trial.rate[b], move.cosine, move.sine);
-        block.strain_rate =
-          rotated_rates(trial.increment[b] / dt, move.cosine, move.sine).tail<3>();
+        block.velocity               = rotated_rates(trial.rate[b], move.cosine, move.sine);
+        const Eigen::Vector3d stress = model.blocks[b].elasticity * trial.increment[b].tail<3>();
+        block.viscous_stress =
+          rotated_stress(damping_time[b] / dt * stress, move.cosine, move.sine);
         block.acceleration =
           rotated_rates(acceleration[b] + contact_acceleration[b], move.cosine, move.sine);
-        block.stress =
-          rotated_stress(block.stress + model.blocks[b].elasticity * trial.increment[b].tail<3>(),
-                         move.cosine,
-                         move.sine);
+        block.stress = rotated_stress(block.stress + stress, move.cosine, move.sine);
       }
     for (std::size_t v = 0; v < state.geometry.vertices.size(); ++v)
       state.geometry.vertices[v] += trial.displacement[v];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/bedrock_forces.h>
+#include <hybrid/dda/block_damping.h>
 #include <hybrid/dda/open_close_iteration.h>
 #include <hybrid/restart/archive.h>
 
@@ -40,6 +41,7 @@ namespace hybrid::dda
     acceleration.resize(n);
     contact_acceleration.resize(n);
     scale.setOnes(6 * n + 2 * m);
+    block_damping_times(model, state, damping_time);
 #pragma omp parallel for schedule(static)
     for (int b = 0; b < n; ++b)
       {
@@ -129,7 +131,7 @@ namespace hybrid::dda
         const Vec6 inertia = mass[b] * ((trial.increment[b] - predicted[b]) / (beta * dt * dt));
         // The damping follows the mean strain rate of the step: with the rate at its end it would
         // feed what it damps while a contact holds (doc/theory.md).
-        const Eigen::Vector3d strain = (1. + p.damping_time / dt) * trial.increment[b].tail<3>();
+        const Eigen::Vector3d strain = (1. + damping_time[b] / dt) * trial.increment[b].tail<3>();
         const Eigen::Vector3d stress = state.blocks[b].stress + p.elasticity * strain;
         Eigen::Map<Vec6>      r(residual.data() + 6 * b);
         r += weight * contact_force.segment<6>(6 * b) - inertia;
@@ -236,7 +238,7 @@ namespace hybrid::dda
         matrix.set_row_zero(b);
         matrix.diagonal[b] = mass[b] / (beta * dt * dt);
         matrix.diagonal[b].bottomRightCorner<3, 3>() +=
-          p.area * (1. + p.damping_time / dt) * p.elasticity;
+          p.area * (1. + damping_time[b] / dt) * p.elasticity;
         stiffness.add_rows(springs, b, matrix);
       }
     matrix.set_nodes_zero();

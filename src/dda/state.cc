@@ -43,9 +43,11 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, BlockState &block)
   {
-    auto &[centroid, rotation, velocity, acceleration, contact_acceleration, stress, strain_rate] =
-      block;
-    archive(centroid, rotation, velocity, acceleration, contact_acceleration, stress, strain_rate);
+    auto
+      &[centroid, rotation, velocity, acceleration, contact_acceleration, stress, viscous_stress] =
+        block;
+    archive(
+      centroid, rotation, velocity, acceleration, contact_acceleration, stress, viscous_stress);
   }
 
 

@@ -23,7 +23,7 @@ namespace hybrid::dda
           block.velocity.setZero();
           block.acceleration.setZero();
           block.contact_acceleration.setZero();
-          block.strain_rate.setZero();
+          block.viscous_stress.setZero();
         }
     }
 
@@ -50,7 +50,7 @@ namespace hybrid::dda
     copy.bedrock_damping_time = 0.;
     copy.edge_loads.edges.clear();
     for (BlockProperties &block : copy.blocks)
-      block.damping_time = 0.;
+      block.damping_time = block.loose_damping_time = 0.;
     copy.newmark             = Newmark::preset("shi");
     copy.dynamic_coefficient = 1.;
     copy.iteration.tolerance = 0.1 * target_residual;

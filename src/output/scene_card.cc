@@ -82,6 +82,9 @@ namespace hybrid::output
                        state(scene.blocks.damping_ratio > 0.),
                        scene.blocks.damping_ratio,
                        scene.blocks.damping_frequency);
+          text += line("  loose blocks       %s  damping %g of critical",
+                       state(scene.blocks.loose_damping > 0.),
+                       scene.blocks.loose_damping);
         }
       const scene::HeterogeneityParameters &h = scene.heterogeneity;
       if (scene.blocks.enabled && (h.modulus_shape > 0. || h.strength_shape > 0.))
@@ -316,9 +319,10 @@ namespace hybrid::output
       }
     if (blocks != nullptr)
       describe_blocks(*blocks, scene, wanted, card);
-    card.text += line("Time       %g s in steps of %g s, Newmark beta %g, gamma %g",
+    card.text += line("Time       %g s in steps of %g s, scheme %s: Newmark beta %g, gamma %g",
                       scene.time.end_time,
                       scene.time.time_step,
+                      scene.time.scheme.c_str(),
                       scene.time.newmark.beta,
                       scene.time.newmark.gamma);
     warn(step_warning(scene.time.time_step, wanted), card);

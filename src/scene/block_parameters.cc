@@ -78,6 +78,13 @@ namespace hybrid::scene
                    "Hz",
                    ParameterRange::above(0.),
                    "Frequency at which the damping ratio holds.");
+    section.number("Loose damping",
+                   blocks.loose_damping,
+                   "",
+                   {0., 10., true, true},
+                   "Damping of the shape of a block that no joint holds, as a fraction of critical "
+                   "at its own shear vibration; without it such blocks ring and flutter as they "
+                   "slide.");
     section.toggle(
       "Stiffness correction",
       blocks.stiffness_correction,

@@ -23,12 +23,13 @@ namespace hybrid::scene
                     "The smallest step is dt / 2^this; a run that needs a smaller one stops.");
     section.choice(
       "Scheme",
-      {"dissipative", "trapezoidal", "shi"},
-      "dissipative",
-      [&time](const std::string &name) { time.newmark = Newmark::preset(name); },
+      {"automatic", "dissipative", "trapezoidal", "shi"},
+      "automatic",
+      [&time](const std::string &name) { time.scheme = name; },
       "Newmark time integration of blocks and continuum (beta, gamma): dissipative (0.3, 0.6) damps "
       "high frequencies, trapezoidal (0.25, 0.5) damps nothing, shi (0.5, 1) is the constant "
-      "acceleration of Shi (1988).");
+      "acceleration of Shi (1988). Automatic is trapezoidal for a continuum alone whose bedding "
+      "planes, if any, are elastic, and dissipative wherever something slides, opens or cracks.");
     section.number(
       "Maximum displacement ratio",
       time.maximum_displacement_ratio,
@@ -44,6 +45,17 @@ namespace hybrid::scene
       "Factor k01 on the velocity of the blocks at the start of each step; 1 is dynamic, a "
       "smaller one damps with the rate (1 - k01) / dt.");
   }
+
+  void resolve_scheme(SceneParameters &scene)
+  {
+    const bool linear =
+      !scene.has_blocks() && (scene.bedding.names.empty() || !scene.bedding.slips);
+    const std::string automatic = linear ? "trapezoidal" : "dissipative";
+    TimeParameters   &time      = scene.time;
+    time.newmark = Newmark::preset(time.scheme == "automatic" ? automatic : time.scheme);
+  }
+
+
 
   void check(const TimeParameters &time, const ParameterTable &table)
   {

@@ -26,11 +26,12 @@ namespace hybrid::dda
     double size = 0.;                    ///< square root of the area [m]
     double sxx = 0., sxy = 0., syy = 0.; ///< initial mass moments about the centroid [kg m2/m]
     Eigen::Matrix3d elasticity =
-      Eigen::Matrix3d::Zero();     ///< (xx, yy, xy) stress from (ex, ey, gxy) [Pa]
-    double damping_time   = 0.;    ///< beta_K of stiffness-proportional damping [s]
-    double modulus_factor = 1.;    ///< on the material's Young modulus [-]
-    int    region         = 0;     ///< index of the mesh region
-    bool   saturated      = false; ///< initial centroid below the water level
+      Eigen::Matrix3d::Zero();         ///< (xx, yy, xy) stress from (ex, ey, gxy) [Pa]
+    double damping_time       = 0.;    ///< beta_K of stiffness-proportional damping [s]
+    double loose_damping_time = 0.;    ///< the least beta_K while no joint holds the block [s]
+    double modulus_factor     = 1.;    ///< on the material's Young modulus [-]
+    int    region             = 0;     ///< index of the mesh region
+    bool   saturated          = false; ///< initial centroid below the water level
   };
 
 
@@ -44,7 +45,8 @@ namespace hybrid::dda
     Vec6            contact_acceleration = Vec6::Zero(); ///< contacts' part of it, see Springs
     Eigen::Vector3d stress =
       Eigen::Vector3d::Zero(); ///< elastic (xx, yy, xy) [Pa], tension positive
-    Eigen::Vector3d strain_rate = Eigen::Vector3d::Zero(); ///< mean of the last step [1/s]
+    Eigen::Vector3d viscous_stress =
+      Eigen::Vector3d::Zero(); ///< of the damping, in the last step [Pa]
   };
 
 

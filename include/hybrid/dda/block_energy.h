@@ -19,14 +19,15 @@ namespace hybrid::dda
    */
   struct StepAudit
   {
-    const Model             &model;
-    const DdaState          &before; ///< state when the step began
-    const Trial             &trial;
-    const Springs           &springs;
-    const std::vector<Mat6> &mass;
-    const std::vector<Vec6> &acceleration;         ///< a at the end of the step, unrotated
-    const std::vector<Vec6> &contact_acceleration; ///< c
-    const Eigen::VectorXd   &incoming; ///< at artificial boundaries, end of the step [N/m]
+    const Model               &model;
+    const DdaState            &before; ///< state when the step began
+    const Trial               &trial;
+    const Springs             &springs;
+    const std::vector<Mat6>   &mass;
+    const std::vector<double> &damping_time;         ///< beta_K of each block [s]
+    const std::vector<Vec6>   &acceleration;         ///< a at the end of the step, unrotated
+    const std::vector<Vec6>   &contact_acceleration; ///< c
+    const Eigen::VectorXd     &incoming; ///< at artificial boundaries, end of the step [N/m]
   };
 
   /// Energy after the step.

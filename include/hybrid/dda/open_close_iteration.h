@@ -33,14 +33,12 @@ namespace hybrid::dda
    * Finds the increments d of all blocks and the displacement w of the base
    * nodes so that at the end of the step inertia, stresses, joints, contacts
    * and weight balance,
-   *   M (a(d) - (1/(2 beta)) c) + A_0 (s + D e(d) + b_K D e(d)/dt) = W + sum of bonds G^T f(d, w),
-   *   M c = sum of contacts G^T f(d, w),
-   *   S w = g + f_base - f_static,
-   * where c acts through the whole step (see Springs: (d - d*) / (beta dt^2) =
-   * a + c / (2 beta)), with gaps and slips of the exact finite motion and contact states that
-   * agree with the forces. Newton's method with the consistent tangent and a
-   * line search; the tangent is kept as long as it serves. Not converged is a status: the
-   * state is changed only by accept().
+   *   M (a(d) - (1/(2 beta)) c) + A_0 (s + D e(d) + beta_K D e(d)/dt) = W + sum of bonds G^T f(d,
+   * w), M c = sum of contacts G^T f(d, w), S w = g + f_base - f_static, where c acts through the
+   * whole step (see Springs: (d - d*) / (beta dt^2) = a + c / (2 beta)), with gaps and slips of the
+   * exact finite motion and contact states that agree with the forces. Newton's method with the
+   * consistent tangent and a line search; the tangent is kept as long as it serves. Not converged
+   * is a status: the state is changed only by accept().
    */
   class OpenCloseIteration
   {
@@ -78,15 +76,16 @@ namespace hybrid::dda
     }
 
   private:
-    Watch             watch;
-    Springs           springs;
-    SpringStiffness   stiffness;
-    BlockMatrix       matrix;
-    LinearSolver      solver;
-    Trial             trial;
-    std::vector<Mat6> mass;
-    std::vector<Vec6> predicted; ///< Newmark's d*: a = (d - d*) / (beta dt^2)
-    std::vector<Vec6> predicted_rate;
+    Watch               watch;
+    Springs             springs;
+    SpringStiffness     stiffness;
+    BlockMatrix         matrix;
+    LinearSolver        solver;
+    Trial               trial;
+    std::vector<Mat6>   mass;
+    std::vector<double> damping_time; ///< beta_K of each block in this step [s]
+    std::vector<Vec6>   predicted;    ///< Newmark's d*: a = (d - d*) / (beta dt^2)
+    std::vector<Vec6>   predicted_rate;
     std::vector<Vec6> acceleration; ///< of all but contacts, end of the solved step, not yet turned
     std::vector<Vec6> contact_acceleration; ///< of contacts, likewise
     Eigen::VectorXd   residual, absolute, scale, update, force_increment;

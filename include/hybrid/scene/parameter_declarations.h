@@ -47,6 +47,9 @@ namespace hybrid::scene
   void declare(ParameterTable &table, SceneParameters &scene);
 
 
+  /// Sets Newmark's pair, once the bedrock is resolved.
+  void resolve_scheme(SceneParameters &scene);
+
   /// Time step against end time.
   void check(const TimeParameters &time, const ParameterTable &table);
 

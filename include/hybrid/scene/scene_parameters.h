@@ -22,11 +22,12 @@ namespace hybrid::scene
   /// Section "Time".
   struct TimeParameters
   {
-    double  end_time         = 1.;   ///< duration of the dynamic stage [s], >= 0
-    double  time_step        = 1e-3; ///< dt [s], > 0
-    int     maximum_halvings = 16;   ///< smallest step is dt / 2^this [-], 0..20
-    Newmark newmark;                 ///< "Scheme": dissipative | trapezoidal | shi
-    double  maximum_displacement_ratio =
+    double      end_time         = 1.;          ///< duration of the dynamic stage [s], >= 0
+    double      time_step        = 1e-3;        ///< dt [s], > 0
+    int         maximum_halvings = 16;          ///< smallest step is dt / 2^this [-], 0..20
+    std::string scheme           = "automatic"; ///< automatic | dissipative | trapezoidal | shi
+    Newmark     newmark;                        ///< what the scheme stands for in this scene
+    double      maximum_displacement_ratio =
       0.05; ///< largest block displacement per step over block size [-]
     double dynamic_coefficient =
       1.; ///< k01 of the paper: factor on the velocity at the start of each step, (0, 1]
@@ -127,7 +128,9 @@ namespace hybrid::scene
     double softening_slip = 0.1; ///< slip over which shear strength falls to its residual [m], >= 0
     double damping_ratio  = 0.;  ///< stiffness-proportional damping of blocks and joints [-]
     double damping_frequency = 2.; ///< frequency at which it holds [Hz], > 0
-    bool   stiffness_correction =
+    double loose_damping =
+      1.; ///< of the shape of a block that no joint holds, of critical [-], >= 0
+    bool stiffness_correction =
       true; ///< take the joints' compliance off the blocks' (design: bonds cost stiffness)
     int    maximum_iterations = 40;   ///< of the open-close iteration before the step is cut [-]
     double tolerance          = 1e-8; ///< relative force residual of the open-close iteration [-]

@@ -33,7 +33,7 @@ namespace hybrid::dda
       block.acceleration         = Vec6::LinSpaced(10., 15.);
       block.contact_acceleration = Vec6::LinSpaced(16., 21.);
       block.stress               = {22., 23., 24.};
-      block.strain_rate          = {25., 26., 27.};
+      block.viscous_stress       = {25., 26., 27.};
       const BlockState copy      = copied(block);
       EXPECT_EQ(copy.centroid, block.centroid);
       EXPECT_EQ(copy.rotation, block.rotation);
@@ -41,7 +41,7 @@ namespace hybrid::dda
       EXPECT_EQ(copy.acceleration, block.acceleration);
       EXPECT_EQ(copy.contact_acceleration, block.contact_acceleration);
       EXPECT_EQ(copy.stress, block.stress);
-      EXPECT_EQ(copy.strain_rate, block.strain_rate);
+      EXPECT_EQ(copy.viscous_stress, block.viscous_stress);
     }
 
 

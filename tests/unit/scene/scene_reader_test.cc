@@ -134,6 +134,7 @@ end
     EXPECT_EQ(scene.time.end_time, 12.5);
     EXPECT_EQ(scene.time.time_step, 5e-4);
     EXPECT_EQ(scene.time.maximum_halvings, 6);
+    EXPECT_EQ(scene.time.scheme, "shi");
     EXPECT_EQ(scene.time.newmark.gamma, 1.);
     EXPECT_EQ(scene.time.newmark.beta, 0.5);
     EXPECT_EQ(scene.time.maximum_displacement_ratio, 0.001);
@@ -370,6 +371,22 @@ TEST_F(SceneReader, BedrockDecidesAndContinuumIsItsShortForm)
   EXPECT_TRUE(read_scene(file, {"Model/Bedrock=triangles", "Model/Blocks=none"}).has_blocks());
   write("used.prm", triangles.used_prm); // what a run writes is a scene by itself
   EXPECT_EQ(read_scene(path("used.prm")).bedrock, BedrockModel::triangles);
+}
+
+TEST_F(SceneReader, AutomaticSchemeDampsWhereSomethingSlides)
+{
+  const std::string file  = write_scene("subsection Bedding planes\n  set Names = plane\nend\n");
+  const auto        gamma = [&](const std::vector<std::string> &overrides) {
+    return read_scene(file, overrides).time.newmark.gamma;
+  };
+  const std::string none = "Model/Blocks=none", strength = "Bedding planes/Strength=Mohr-Coulomb";
+  EXPECT_EQ(gamma({}), 0.6);
+  EXPECT_EQ(gamma({none}), 0.5);
+  EXPECT_EQ(gamma({none, strength}), 0.6);
+  EXPECT_EQ(gamma({none, strength, "Bedding planes/Names="}), 0.5);
+  EXPECT_EQ(gamma({none, "Model/Bedrock=triangles"}), 0.6);
+  EXPECT_EQ(gamma({none, "Time/Scheme=shi"}), 1.);
+  EXPECT_EQ(gamma({"Time/Scheme=trapezoidal"}), 0.5);
 }
 
 TEST(SceneParameters, UnknownMaterialIsNamedWithItsPlaceAndASuggestion)
