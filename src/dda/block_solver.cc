@@ -139,11 +139,14 @@ namespace hybrid::dda
 
 
 
-  StepResult BlockSolver::solve(DdaState &state, const BaseResponse &base, const double dt)
+  StepResult BlockSolver::solve(DdaState                &state,
+                                const BaseResponse      &base,
+                                const double             dt,
+                                const std::vector<Vec6> *guess)
   {
     if (model.n_mass() > 0) // joints carry all loads of the bedrock
       search_contacts(state);
-    return iteration.solve(model, state, base, dt);
+    return iteration.solve(model, state, base, dt, guess);
   }
 
 

@@ -211,6 +211,7 @@ namespace hybrid::dda
   {
     SpringStiffness::Choice choice{tangent.follow_softening,
                                    contact_weight(model.newmark),
+                                   sliding_share.value(),
                                    tangent.all || model.n_bedrock > 0};
     stiffness.update(springs, trial, choice);
     if (!stiffness.changed_blocks().empty() || choice.all)
@@ -290,9 +291,9 @@ namespace hybrid::dda
 
 
 
-  double OpenCloseIteration::search_line(const Model        &model,
-                                         const DdaState     &state,
-                                         const BaseResponse &base)
+  OpenCloseIteration::LineSearch OpenCloseIteration::search_line(const Model        &model,
+                                                                 const DdaState     &state,
+                                                                 const BaseResponse &base)
   {
     // Work of the residual along the update; zero at the best place. Falling work is followed to
     // its end: only a spring that grew stiffer on the way can turn its sign. No search where the
@@ -313,7 +314,7 @@ namespace hybrid::dda
         const double work = residual.dot(update);
         if (start <= 0. || cut == maximum_cuts || !std::isfinite(norm) ||
             std::abs(work) <= good_part * start || (cut == 0 && (work > 0. || start <= 0.)))
-          return norm;
+          return {norm, done};
         // Regula falsi; an end that stays is given half its weight (Illinois).
         if (work > 0.)
           {
@@ -334,10 +335,11 @@ namespace hybrid::dda
 
 
 
-  StepResult OpenCloseIteration::solve(const Model        &model,
-                                       const DdaState     &state,
-                                       const BaseResponse &base,
-                                       const double        dt)
+  StepResult OpenCloseIteration::solve(const Model             &model,
+                                       const DdaState          &state,
+                                       const BaseResponse      &base,
+                                       const double             dt,
+                                       const std::vector<Vec6> *guess)
   {
     StepResult result;
     springs.collect(model, state);
@@ -348,6 +350,8 @@ namespace hybrid::dda
       solver.matrix_restored(matrix);
     is_restored = false;
     predict(model, state, base, dt);
+    if (guess != nullptr)
+      trial.increment = *guess;
 
     constexpr int    stall_window = 10;
     constexpr double stalled_part = 0.3;
@@ -358,7 +362,9 @@ namespace hybrid::dda
     double previous = std::numeric_limits<double>::infinity();
     result.residual = evaluate(model, state, base);
     springs.connect(model, matrix);
-    bool stale = tangent_dt != dt || tangent_pattern != matrix.pattern_version();
+    bool stale =
+      tangent_dt != dt || tangent_pattern != matrix.pattern_version() || sliding_share.value() > 0.;
+    sliding_share = {};
     for (; result.iterations < model.iteration.maximum_iterations; ++result.iterations)
       {
         if (!std::isfinite(result.residual))
@@ -389,8 +395,15 @@ namespace hybrid::dda
         const LinearSolver::Result linear = solver.solve(matrix, residual, scale, target, update);
         result.solver_iterations += linear.iterations;
         result.factorizations += linear.factored ? 1 : 0;
-        previous        = result.residual;
-        result.residual = search_line(model, state, base);
+        previous                  = result.residual;
+        const LineSearch searched = search_line(model, state, base);
+        result.residual           = searched.residual;
+        if (model.iteration.eases_sliding)
+          {
+            const double share = sliding_share.value();
+            sliding_share.adapt(searched.part);
+            stale = sliding_share.value() != share;
+          }
       }
     if (!result.converged)
       return result;

@@ -44,13 +44,15 @@ namespace hybrid::dda
                                                               const Springs::Response &response,
                                                               const Choice            &choice)
   {
-    const double none    = -std::numeric_limits<double>::infinity();
-    const double floor   = choice.follow_softening ? none : 0.;
-    const double weight  = spring.unilateral ? choice.contact_weight : 1.;
-    const double length  = weight * spring.length;
-    const bool   coupled = choice.follow_softening || response.normal_by_gap >= 0.;
+    const double none       = -std::numeric_limits<double>::infinity();
+    const double floor      = choice.follow_softening ? none : 0.;
+    const double weight     = spring.unilateral ? choice.contact_weight : 1.;
+    const double length     = weight * spring.length;
+    const bool   coupled    = choice.follow_softening || response.normal_by_gap >= 0.;
+    const bool   slides     = spring.unilateral && response.now.state == ContactState::sliding;
+    const double kept_shear = slides ? choice.sliding_share * spring.law->shear_stiffness() : 0.;
     return {length * std::max(floor, response.normal_by_gap),
-            length * std::max(floor, response.shear_by_slip),
+            length * (std::max(floor, response.shear_by_slip) + kept_shear),
             coupled ? length * response.shear_by_gap : 0.,
             weight};
   }

@@ -52,6 +52,8 @@ EFFECTS = {
                       None, ["Heterogeneity/Modulus shape=4", "Heterogeneity/Seed=7"]),
     "block damping": (COLUMN, ["Blocks/Damping ratio=0", "Blocks/Damping frequency=7"], None,
                       ["Blocks/Damping ratio=0.05", "Blocks/Damping frequency=7"]),
+    "loose damping": (SLOPE + ["Blocks/Loose damping=0"], ["Blocks/Loose damping=0"], None, ["Blocks/Loose damping=0.5"]),
+    "loose damping of bonded blocks": (COLUMN, ["Blocks/Loose damping=0"], ["Blocks/Loose damping=3"], None),
     "Rayleigh damping": (COLUMN, ["Continuum/Rayleigh mass=0", "Continuum/Rayleigh stiffness=0"], None,
                          ["Continuum/Rayleigh mass=0.1", "Continuum/Rayleigh stiffness=1e-3"]),
     "dynamic coefficient": (SLOPE, ["Time/Dynamic coefficient=1"], None, ["Time/Dynamic coefficient=0.99"]),

@@ -16,8 +16,11 @@ namespace hybrid::dda
     explicit BlockSolver(const Model &block_model);
 
     /// Solve the step from @p state (whose contact list and awake blocks are brought up to date;
-    /// nothing else changes).
-    StepResult solve(DdaState &state, const BaseResponse &base, double dt);
+    /// nothing else changes). @p guess: see OpenCloseIteration.
+    StepResult solve(DdaState                &state,
+                     const BaseResponse      &base,
+                     double                   dt,
+                     const std::vector<Vec6> *guess = nullptr);
 
     /// Let @p watch be asked before every open-close iteration whether to go on.
     void set_watch(OpenCloseIteration::Watch watch)

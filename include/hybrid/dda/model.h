@@ -74,6 +74,7 @@ namespace hybrid::dda
     int    maximum_iterations         = 40;
     double tolerance                  = 1e-8; ///< residual over the sum of absolute forces [-]
     double maximum_displacement_ratio = 0.05; ///< displacement per step over block size [-]
+    bool   eases_sliding = false; ///< sliding contacts keep a share of stiffness, see SlidingShare
   };
 
 

@@ -3,6 +3,7 @@
 
 #include <hybrid/dda/base_response.h>
 #include <hybrid/dda/linear_solver.h>
+#include <hybrid/dda/sliding_share.h>
 #include <hybrid/dda/spring_stiffness.h>
 #include <hybrid/dda/springs.h>
 
@@ -52,9 +53,13 @@ namespace hybrid::dda
       watch = std::move(new_watch);
     }
 
-    /// Solve the step from @p state; @p model must outlive the call to accept().
-    StepResult
-    solve(const Model &model, const DdaState &state, const BaseResponse &base, double dt);
+    /// Solve the step from @p state; @p model must outlive the call to accept(). @p guess: the
+    /// increments of all blocks to begin with, instead of those of an unchanged acceleration.
+    StepResult solve(const Model             &model,
+                     const DdaState          &state,
+                     const BaseResponse      &base,
+                     double                   dt,
+                     const std::vector<Vec6> *guess = nullptr);
 
     /// Make the solved step the new state: move bodies, remember contacts, count failures and
     /// energy.
@@ -62,6 +67,12 @@ namespace hybrid::dda
 
     /// The tangent that is kept from one step to the next, for the checkpoint.
     void serialize(restart::Archive &archive);
+
+    /// Increments of all blocks in the solved step.
+    const std::vector<Vec6> &increments() const
+    {
+      return trial.increment;
+    }
 
     /// Displacement w of the base nodes of the solved step [m].
     const Eigen::VectorXd &base_displacement() const
@@ -81,6 +92,7 @@ namespace hybrid::dda
     SpringStiffness     stiffness;
     BlockMatrix         matrix;
     LinearSolver        solver;
+    SlidingShare        sliding_share;
     Trial               trial;
     std::vector<Mat6>   mass;
     std::vector<double> damping_time; ///< beta_K of each block in this step [s]
@@ -133,13 +145,19 @@ namespace hybrid::dda
                   const BaseResponse &base,
                   const Tangent      &tangent);
 
+    /// Where a line search ended.
+    struct LineSearch
+    {
+      double residual; ///< relative norm there
+      double part;     ///< of the update that was taken
+    };
+
     /// Choose the springs and rows to be made anew.
     void update_stiffness(const Model &model, const Tangent &tangent);
 
     /// Move the trial along the update, as far as the residual allows: a contact that locks, closes
-    /// or slides back on the way would otherwise make the iteration cycle. Returns the residual
-    /// norm.
-    double search_line(const Model &model, const DdaState &state, const BaseResponse &base);
+    /// or slides back on the way would otherwise make the iteration cycle.
+    LineSearch search_line(const Model &model, const DdaState &state, const BaseResponse &base);
 
     void judge(const Model &model, StepResult &result) const;
 

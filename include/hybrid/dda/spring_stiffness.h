@@ -27,6 +27,8 @@ namespace hybrid::dda
       bool follow_softening = true;
       /// Weight of unilateral springs in the rows of blocks; base nodes feel the force itself [-].
       double contact_weight = 1.;
+      /// Of the shear stiffness of contacts that slide, see SlidingShare [-].
+      double sliding_share = 0.;
       /// Every spring anew, whether it has changed or not.
       bool all = true;
     };

@@ -67,7 +67,7 @@ namespace
 
     void assemble(const bool all)
     {
-      stiffness.update(springs, trial, {true, 1., all});
+      stiffness.update(springs, trial, {true, 1., 0., all});
       for (const int b : stiffness.changed_blocks())
         {
           matrix.set_row_zero(b);
