@@ -297,8 +297,7 @@ namespace hybrid::output
                                 const std::size_t  columns,
                                 const std::string &description)
   {
-    if (exists(path))
-      check(H5Ldelete(file, path.c_str(), H5P_DEFAULT), "replace " + path + " in " + file_name);
+    remove(path);
     const Handle space(make_dataspace(rows, columns, false), H5Sclose, "make a data space");
     const Handle links(make_link_properties(), H5Pclose, "make link properties");
     const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make data set properties");
@@ -312,6 +311,14 @@ namespace hybrid::output
             "write " + path + " in " + file_name);
     write_text(dataset, "unit", unit);
     write_text(dataset, "description", description);
+  }
+
+
+
+  void HistoryFile::remove(const std::string &path)
+  {
+    if (exists(path))
+      check(H5Ldelete(file, path.c_str(), H5P_DEFAULT), "remove " + path + " from " + file_name);
   }
 
 

@@ -8,8 +8,15 @@ namespace hybrid::output
   {
     archive(file, pictures, probes, ledger, reference_centroids, peak_displacement);
     archive(next_picture, next_audit);
-    if (archive.is_reading())
-      read_histories();
+    if (!archive.is_reading())
+      return;
+    read_histories();
+    // What was written at an earlier end is no result of the run that goes on.
+    for (const char *table : {"joints",
+                              "section/blocks_points_final",
+                              "section/blocks_displacement",
+                              "section/blocks_peak_displacement"})
+      file.remove(table);
   }
 
 

@@ -212,6 +212,24 @@ def check_signals():
     before = results(short)
     run([BINARY, "--resume", str(short)])
     require(results(short) == before, "resuming a finished run changes nothing")
+    check_killed_extension()
+
+
+def check_killed_extension():
+    """A finished run that is extended and killed: its histories go on, and there are no tables of the earlier end."""
+    directory = WORK / "extended"
+    run(words_of(COUPLED, directory, ["Time/End time=0.4", "Output/Flush interval=0.01"]))
+    rows = check_readable(directory)
+    require("section/blocks_displacement" in data_sets(directory), "a finished run has tables of its end")
+    process = subprocess.Popen([BINARY, "--resume", str(directory), "-s", "Time/End time=60"], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL, env=ENVIRONMENT)
+    while process.poll() is None and check_readable(directory) <= rows:
+        time.sleep(0.05)
+    process.kill()
+    process.wait()
+    left = [name for name in data_sets(directory)
+            if name.startswith("joints/") or name in ("section/blocks_displacement", "section/blocks_points_final")]
+    require(check_readable(directory) > rows and not left, f"extended and killed: tables of the earlier end are gone, not {left}")
 
 
 def end_static_stage(number, wait, directory):

@@ -74,6 +74,9 @@ namespace hybrid::output
                      std::size_t        columns,
                      const std::string &description = "");
 
+    /// Take a table or a whole group out of the file, if it is there.
+    void remove(const std::string &path);
+
     /// Text attribute of a data set or group; @p path "/" is the file. Groups are made if missing.
     void set_attribute(const std::string &path, const std::string &name, const std::string &text);
 

@@ -48,6 +48,10 @@ namespace hybrid::output
         file.write_table("section/surface", "m", table, 1, 2);
         file.write_table("section/surface", "m", table, 3, 2, "replaces the first");
         file.write_table("section/empty", "m", table, 0, 2);
+        file.write_table("section/outdated", "m", table, 3, 2);
+        file.write_table("joints/outdated", "m", table, 3, 2);
+        for (const char *path : {"section/outdated", "joints", "nothing/there"})
+          file.remove(path);
         file.set_attribute("monitors/S1", "position", std::vector<double>{206., 134.6});
         file.set_attribute("/", "title", "first");
         file.set_attribute("/", "title", "Majiagou, 175 m");
@@ -63,6 +67,7 @@ assert np.array_equal(v[:], np.column_stack([k, -k])), v
 assert v.attrs['unit'] in ('m/s', b'm/s') and v.attrs['description'] in ('of the point', b'of the point')
 assert np.array_equal(f['section/surface'][:], [[1, 2], [3, 4], [5, 6]])
 assert f['section/empty'].shape == (0, 2)
+assert sorted(f['section']) == ['empty', 'surface'] and 'joints' not in f
 assert np.array_equal(f['monitors/S1'].attrs['position'], [206., 134.6])
 assert f.attrs['title'] in ('Majiagou, 175 m', b'Majiagou, 175 m')
 assert 'ZK1' in f['profiles']
