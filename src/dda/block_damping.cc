@@ -18,6 +18,8 @@ namespace hybrid::dda
     times.resize(model.blocks.size());
     for (std::size_t b = 0; b < times.size(); ++b)
       times[b] = std::max(model.blocks[b].damping_time, model.blocks[b].loose_damping_time);
+    if (!model.damps_loose)
+      return;
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       if (state.joints[j].failure == FailureKind::none)
         for (const int body : {model.joints[j].block, model.joints[j].other})

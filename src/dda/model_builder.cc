@@ -236,6 +236,7 @@ namespace hybrid::dda
 
     void Builder::set_loose_damping()
     {
+      model.damps_loose = scene.blocks.loose_damping > 0.;
       for (int b = 0; b < n_mass; ++b)
         model.blocks[b].loose_damping_time =
           scene.blocks.loose_damping * critical_damping_time(model.blocks[b]);

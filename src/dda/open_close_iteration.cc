@@ -263,6 +263,7 @@ namespace hybrid::dda
       }
     solver.matrix_changed(matrix, rows);
     tangent_dt      = dt;
+    tangent_share   = sliding_share.value();
     tangent_pattern = matrix.pattern_version();
   }
 
@@ -363,7 +364,7 @@ namespace hybrid::dda
     result.residual = evaluate(model, state, base);
     springs.connect(model, matrix);
     bool stale =
-      tangent_dt != dt || tangent_pattern != matrix.pattern_version() || sliding_share.value() > 0.;
+      tangent_dt != dt || tangent_pattern != matrix.pattern_version() || tangent_share > 0.;
     sliding_share = {};
     for (; result.iterations < model.iteration.maximum_iterations; ++result.iterations)
       {

@@ -2,6 +2,7 @@
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/start_accelerations.h>
 #include <hybrid/dda/static_stage.h>
+#include <hybrid/dda/steps_from_hold.h>
 
 #include <algorithm>
 
@@ -16,12 +17,9 @@ namespace hybrid::dda
       problem.hold_bedrock = true;
       if (held)
         {
+          problem = with_unlimited_friction(std::move(problem));
           for (Joint &joint : problem.joints)
             joint.law = joint.law.with(JointStrength::unlimited_bond());
-          for (ContactLaw &contact : problem.block_contact)
-            contact.law = contact.law.with(JointStrength::unlimited_friction());
-          for (ContactLaw &contact : problem.base_contact)
-            contact.law = contact.law.with(JointStrength::unlimited_friction());
         }
       return problem;
     }

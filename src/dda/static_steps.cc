@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block_solver.h>
 #include <hybrid/dda/static_steps.h>
+#include <hybrid/dda/steps_from_hold.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,7 @@ namespace hybrid::dda
     constexpr double first_step      = 0.0156; ///< pseudo time step [s]
     constexpr double smallest_step   = 1e-5;
     constexpr double largest_step    = 1e3;
-    constexpr int    hopeless_cuts   = 4;  ///< of plain steps; of the first one, one
+    constexpr int    many_cuts       = 4;  ///< of plain steps after the first one
     constexpr double great_step      = 1.; ///< in which inertia hardly counts [s]
 
 
@@ -45,62 +46,16 @@ namespace hybrid::dda
 
 
 
-    Model with_unlimited_friction(Model model)
+    /// No joint holds a block of the sliding mass.
+    bool is_loose(const Model &model, const DdaState &state)
     {
-      for (ContactLaw &contact : model.block_contact)
-        contact.law = contact.law.with(JointStrength::unlimited_friction());
-      for (ContactLaw &contact : model.base_contact)
-        contact.law = contact.law.with(JointStrength::unlimited_friction());
-      return model;
+      if (model.n_mass() == 0)
+        return false;
+      for (std::size_t j = 0; j < model.joints.size(); ++j)
+        if (!model.joints[j].within_bedrock() && state.joints[j].failure == FailureKind::none)
+          return false;
+      return true;
     }
-
-
-
-    /**
-     * Steps for a mass in which hundreds of contacts reach their friction limit at once: each
-     * begins where contacts that never slide would bring the blocks, sliding is eased, and the
-     * first steps are solved less exactly. They are great from the start: on the way of small ones
-     * the upper blocks hardly weigh on the lower ones, and contacts without force open and close.
-     */
-    class StepsFromHold
-    {
-    public:
-      StepsFromHold(const Model &problem, const OpenCloseIteration::Watch &watch)
-        : held(with_unlimited_friction(problem))
-        , eased(problem)
-        , last_tolerance(problem.iteration.tolerance)
-        , hold(held)
-        , solver(eased)
-      {
-        eased.iteration.eases_sliding = true;
-        hold.set_watch(watch);
-        solver.set_watch(watch);
-      }
-
-      StepResult
-      solve(DdaState &state, const BaseResponse &base, const double dt, const double residual)
-      {
-        DdaState         copy  = state;
-        const StepResult first = hold.solve(copy, base, dt);
-        if (first.stopped)
-          return first;
-        const std::vector<Vec6> &guess = hold.solved_step().increments();
-        eased.iteration.tolerance      = std::max(last_tolerance, 1e-3 * residual);
-        StepResult result = solver.solve(state, base, dt, first.converged ? &guess : nullptr);
-        result.iterations += first.iterations;
-        return result;
-      }
-
-      void accept(DdaState &state) const
-      {
-        solver.accept(state);
-      }
-
-    private:
-      Model        held, eased;
-      const double last_tolerance;
-      BlockSolver  hold, solver;
-    };
   } // namespace
 
 
@@ -110,6 +65,7 @@ namespace hybrid::dda
     Model copy                = model;
     copy.joint_damping_time   = 0.;
     copy.bedrock_damping_time = 0.;
+    copy.damps_loose          = false;
     copy.edge_loads.edges.clear();
     for (BlockProperties &block : copy.blocks)
       block.damping_time = block.loose_damping_time = 0.;
@@ -133,15 +89,24 @@ namespace hybrid::dda
       watch ? watch_of_step(watch, result) : OpenCloseIteration::Watch();
     BlockSolver solver(problem);
     solver.set_watch(watch_step);
-    std::optional<StepsFromHold> from_hold; // once plain steps have not converged
+    std::optional<StepsFromHold> from_hold; // of loose blocks, once plain steps have not converged
 
     for (double dt = first_step; result.steps < pace.maximum_steps && dt >= smallest_step;)
       {
         stop_blocks(state);
-        const StepResult step =
-          from_hold ? from_hold->solve(state, base, dt, result.steps > 0 ? result.residual : 1.)
-                    : solver.solve(state, base, dt);
-        result.iterations += step.iterations;
+        StepResult step;
+        if (from_hold)
+          {
+            step = from_hold->hold(state, base, dt);
+            result.iterations += step.iterations;
+          }
+        if (!step.stopped)
+          {
+            step = from_hold
+                     ? from_hold->solve(state, base, dt, result.steps > 0 ? result.residual : 1.)
+                     : solver.solve(state, base, dt);
+            result.iterations += step.iterations;
+          }
         result.stopped = step.stopped;
         if (result.stopped)
           return result;
@@ -149,10 +114,12 @@ namespace hybrid::dda
           {
             ++result.cuts;
             dt /= 4.;
-            if (from_hold || (result.steps > 0 && result.cuts < hopeless_cuts))
-              continue;
-            from_hold.emplace(problem, watch_step);
-            dt = great_step;
+            const bool hopeless = result.steps == 0 || result.cuts >= many_cuts;
+            if (!from_hold && hopeless && is_loose(problem, state))
+              {
+                from_hold.emplace(problem, watch_step);
+                dt = great_step;
+              }
             continue;
           }
         state.time = -1. - dt; // failures of these steps get a negative time

@@ -9,8 +9,9 @@
 namespace hybrid::dda
 {
   /**
-   * beta_K [s] that damps the shear vibration of a free block critically: 2/w, with w^2 = G A over
-   * the inertia of a shear strain, (sxx + syy)/4 [kg m2/m].
+   * beta_K [s] that damps the shear vibration of a free block critically, or more where it is
+   * longer than wide: 2/w, with w^2 = G A over the inertia of a shear strain, (sxx + syy)/4 [kg
+   * m2/m].
    */
   double critical_damping_time(const BlockProperties &block);
 

@@ -93,6 +93,7 @@ namespace hybrid::dda
     double                        gravity             = 9.81; ///< [m/s2]
     double                        dynamic_coefficient = 1.;   ///< k01 [-]
     double                        joint_damping_time  = 0.;   ///< beta_K of the joints' springs [s]
+    bool                          damps_loose         = false; ///< blocks have a loose_damping_time
     Water                         water;
     EdgeLoads                     edge_loads;
     IterationParameters           iteration;

@@ -34,10 +34,14 @@ namespace hybrid::dda
    * Finds the increments d of all blocks and the displacement w of the base
    * nodes so that at the end of the step inertia, stresses, joints, contacts
    * and weight balance,
-   *   M (a(d) - (1/(2 beta)) c) + A_0 (s + D e(d) + beta_K D e(d)/dt) = W + sum of bonds G^T f(d,
-   * w), M c = sum of contacts G^T f(d, w), S w = g + f_base - f_static, where c acts through the
-   * whole step (see Springs: (d - d*) / (beta dt^2) = a + c / (2 beta)), with gaps and slips of the
-   * exact finite motion and contact states that agree with the forces. Newton's method with the
+   *
+   *     M (a(d) - (1/(2 beta)) c) + A_0 (s + D e(d) + beta_K D e(d)/dt) = W + sum of bonds G^T f,
+   *     M c = sum of contacts G^T f,
+   *     S w = g + f_base - f_static,
+   *
+   * where c acts through the whole step (see Springs: (d - d*) / (beta dt^2) = a + c / (2 beta)),
+   * with f(d, w), gaps and slips of the exact finite motion and contact states that agree with the
+   * forces. beta_K: block_damping_times(). Newton's method with the
    * consistent tangent and a line search; the tangent is kept as long as it serves. Not converged
    * is a status: the state is changed only by accept().
    */
@@ -108,6 +112,7 @@ namespace hybrid::dda
     Eigen::VectorXd contact_force; ///< of unilateral springs on blocks and base nodes
     Eigen::VectorXd incoming;      ///< at artificial boundaries, end of the step [N/m]
     double          tangent_dt      = -1.; ///< step of the tangent in matrix
+    double          tangent_share   = 0.;  ///< SlidingShare of it
     int             tangent_pattern = -1;
     bool            is_restored     = false; ///< the tangent is that of a checkpoint
     double          reference       = 0.;    ///< norm of absolute forces [N]

@@ -17,9 +17,10 @@ namespace hybrid
     double gamma = 0.6; ///< [-], >= 1/2; above 1/2 it damps high frequencies
 
     /**
-     * Named presets: "dissipative" (0.3, 0.6), as a new pair is; "trapezoidal" (1/4, 1/2); "shi"
-     * (1/2, 1), the constant-acceleration scheme of Shi (1988). All have 2 beta = gamma, with
-     * which kinetic and strain energy never rise by themselves (Hughes 1987, chapter 9).
+     * Named presets: "dissipative" (0.3, 0.6), also the pair of Newmark(); "trapezoidal" (1/4,
+     * 1/2); "shi" (1/2, 1), the constant-acceleration scheme of Shi (1988). All have 2 beta =
+     * gamma, with which kinetic and strain energy never rise by themselves (Hughes 1987, chapter
+     * 9).
      * @throws InputError for another name.
      */
     static Newmark preset(const std::string &name);
