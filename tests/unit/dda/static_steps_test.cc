@@ -69,16 +69,15 @@ TEST(StaticSteps, rest_does_not_depend_on_the_pace)
 TEST(StaticSteps, a_wall_with_hundreds_of_contacts_at_their_limit_comes_to_rest)
 {
   // Blocks that spread under their weight slide on one another and on the ground.
-  const int          columns = 3, rows = 30;
+  const int          columns = 8, rows = 25;
   const Model        model = static_problem(build_model(square_blocks(columns, rows),
                                                  block_parameters(31., 5e9),
                                                  straight_base(0., 10., 10.)));
   DdaState           state = initial_state(model);
   const StaticResult r     = take_static_steps(model, state);
   ASSERT_TRUE(r.equilibrium);
-  EXPECT_GE(r.cuts, 1); // else it is no case for what is tested
-  EXPECT_LE(r.steps, 20);
-  EXPECT_LE(r.iterations, 400);
+  EXPECT_GE(r.cuts, 1);         // else it is no case for what is tested
+  EXPECT_LE(r.iterations, 150); // 60; 285 with all steps to the end, 2016 without SlidingShare
   double weight = 0., borne = 0.;
   for (const BlockProperties &block : model.blocks)
     weight += block.weight * model.gravity;
@@ -86,9 +85,10 @@ TEST(StaticSteps, a_wall_with_hundreds_of_contacts_at_their_limit_comes_to_rest)
     borne -= state.base_force[2 * k + 1];
   EXPECT_NEAR(borne, weight, 1e-6 * weight);
   // Symmetric, and settled as much as bars of that weight, between free and confined ones.
-  const Vec2   top = state.blocks[(rows - 1) * columns + 1].centroid;
-  const double bar = 0.5 * 2220. * 9.81 * rows * rows / 5e9;
-  EXPECT_NEAR(top.x(), 1.5, 1e-9);
+  const int    left = (rows - 1) * columns + columns / 2 - 1;
+  const Vec2   top  = 0.5 * (state.blocks[left].centroid + state.blocks[left + 1].centroid);
+  const double bar  = 0.5 * 2220. * 9.81 * rows * rows / 5e9;
+  EXPECT_NEAR(top.x(), 0.5 * columns, 1e-9);
   EXPECT_GT(rows - 0.5 - top.y(), 0.8 * bar);
   EXPECT_LT(rows - 0.5 - top.y(), 1.2 * bar);
 }
