@@ -79,5 +79,5 @@ def draw(case, figure):
         axes[wave].set_xlabel("frequency [Hz]")
         axes[wave].set_title(wave + " wave")
     axes["S"].set_ylabel("surface over outcrop [-]")
-    axes["S"].set_ylim(0, None)
+    axes["S"].set_ylim(0, 3)  # room for the legend
     axes["S"].legend(ncol=2, loc="upper right", fontsize=8)
