@@ -258,7 +258,7 @@ def check_interrupted_stage(whole, number, wait):
             break
         wait /= 2.
     require("Static stage: relative" not in output, f"{directory.name}: the signal came in the static stage")
-    print(f"{directory.name}: exit code {code}, {output.splitlines()[-1]}")
+    print(f"{directory.name}: exit code {code}, {(output.splitlines() or ['no output'])[-1]}")
     if number == signal.SIGINT:
         require(code == 130, f"{directory.name}: exit code 130, not {code}")
         require(f"Interrupted in the static stage: there are no results and no checkpoint yet; to begin anew: "
