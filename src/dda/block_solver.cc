@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block_solver.h>
+#include <hybrid/dda/joint_release.h>
 #include <hybrid/restart/archive.h>
 
 #include <algorithm>
@@ -101,14 +102,14 @@ namespace hybrid::dda
 
 
 
-  void BlockSolver::update_skipped_pairs(const DdaState &state)
+  bool BlockSolver::update_skipped_pairs(const DdaState &state)
   {
     int now = 0;
     for (const JointState &joint : state.joints)
       now += (joint.loosened ? 1 : 0) + (joint.failure != FailureKind::none ? 1 : 0) +
              (joint.released ? 1 : 0);
     if (now == changes)
-      return;
+      return false;
     changes = now;
 
     SkippedPairs skipped;
@@ -135,6 +136,7 @@ namespace hybrid::dda
     skipped.bonded_base.erase(std::unique(skipped.bonded_base.begin(), skipped.bonded_base.end()),
                               skipped.bonded_base.end());
     detection.set_skipped_pairs(skipped);
+    return true;
   }
 
 
@@ -153,11 +155,13 @@ namespace hybrid::dda
 
   void BlockSolver::search_contacts(DdaState &state)
   {
-    const auto                     start  = std::chrono::steady_clock::now();
-    const ContactDetection::Report before = detection.report();
-    update_skipped_pairs(state);
+    const auto                     start          = std::chrono::steady_clock::now();
+    const ContactDetection::Report before         = detection.report();
+    const bool                     joints_changed = update_skipped_pairs(state);
     detection.set_was_awake(state.awake);
     detection.update(state.geometry, state.contacts, state.rest);
+    if (joints_changed)
+      hand_over_released_joints(model, state);
     state.awake.assign(awake.begin(), awake.end());
     ++search_summary.steps;
     search_summary.searches += detection.report().searches - before.searches;

@@ -24,8 +24,8 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, JointState &joint)
   {
-    auto &[points, failure, failure_time, loosened, released] = joint;
-    archive(points, failure, failure_time, loosened, released);
+    auto &[points, failure, failure_time, loosened, released, handed_over] = joint;
+    archive(points, failure, failure_time, loosened, released, handed_over);
   }
 
 

@@ -78,7 +78,8 @@ namespace hybrid::dda
 
     std::vector<Awake> awake_blocks(const DdaState &state) const;
 
-    void update_skipped_pairs(const DdaState &state);
+    /// @return whether joints have given way, failed or been released since the last call.
+    bool update_skipped_pairs(const DdaState &state);
 
     /// Bring the contact list of @p state up to date.
     void search_contacts(DdaState &state);

@@ -66,7 +66,7 @@ namespace hybrid::dda
    *    one of them wakes (joints give way before they fail). They carry nothing
    *    (rest_gap) until they overlap more, by extension(): a spring that is loaded
    *    when it is made would throw them apart, and one at its limit would
-   *    open and close with every tremor.
+   *    open and close with every tremor. (Contacts of a released joint: joint_release.h.)
    */
   class ContactDetection
   {

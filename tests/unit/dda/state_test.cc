@@ -83,6 +83,7 @@ namespace hybrid::dda
       joint.failure_time    = 3.;
       joint.loosened        = true;
       joint.released        = true;
+      joint.handed_over     = true;
       const JointState copy = copied(joint);
       EXPECT_EQ(copy.points[0].gap, 1.);
       EXPECT_EQ(copy.points[1].gap, 2.);
@@ -90,6 +91,7 @@ namespace hybrid::dda
       EXPECT_EQ(copy.failure_time, 3.);
       EXPECT_TRUE(copy.loosened);
       EXPECT_TRUE(copy.released);
+      EXPECT_TRUE(copy.handed_over);
     }
 
 
