@@ -18,6 +18,8 @@ namespace hybrid::scene
   {
     constexpr double samples_per_period = 30.; // of the highest frequency
     constexpr int    iterations         = 60;
+    constexpr int    sets_of_phases     = 8; // tried until one is good
+    constexpr double good_misfit        = 0.05;
     constexpr int    control_points     = 100;
     constexpr double most_samples       = 3e5; // a quarter of a minute
 
@@ -118,6 +120,13 @@ namespace hybrid::scene
     }
 
 
+    /// What is to be small: the mean counts, and single frequencies that are far off.
+    double badness(const SpectrumFit &fit)
+    {
+      return fit.mean_misfit() + 0.2 * fit.largest_misfit();
+    }
+
+
     void refuse(const std::string &name, const double value, const std::string &allowed)
     {
       std::ostringstream sentence;
@@ -182,25 +191,30 @@ namespace hybrid::scene
     if (!(samples_per_period * highest * parameters.duration <= most_samples))
       refuse("Duration", parameters.duration, "at most 10000 periods of the highest frequency");
 
-    Synthesis           synthesis(parameters, highest);
-    const std::size_t   first     = std::max(1., std::ceil(lowest / synthesis.spacing() - 1e-9));
-    const std::size_t   last      = std::floor(highest / synthesis.spacing() + 1e-9);
-    std::vector<double> amplitude = starting_amplitudes(target, parameters, synthesis, first, last);
-    std::vector<double> phase(amplitude.size());
-    RandomNumbers       random(static_cast<std::uint64_t>(parameters.seed));
-    for (double &p : phase)
-      p = 2. * M_PI * random.uniform();
-
+    Synthesis                 synthesis(parameters, highest);
+    const std::size_t         first = std::max(1., std::ceil(lowest / synthesis.spacing() - 1e-9));
+    const std::size_t         last  = std::floor(highest / synthesis.spacing() + 1e-9);
+    const std::vector<double> start =
+      starting_amplitudes(target, parameters, synthesis, first, last);
+    RandomNumbers  random(static_cast<std::uint64_t>(parameters.seed));
     SpectrumMotion best;
-    for (int i = 0; i < iterations; ++i)
+    for (int set = 0; set < sets_of_phases; ++set)
       {
-        SpectrumMotion trial;
-        trial.motion = synthesis.make(amplitude, phase);
-        trial.fit    = fit_spectrum(
-          trial.motion, target, parameters.spectrum_damping, lowest, highest, control_points);
-        correct_amplitudes(trial.fit, synthesis, first, amplitude);
-        if (best.motion.empty() || trial.fit.mean_misfit() < best.fit.mean_misfit())
-          best = std::move(trial);
+        std::vector<double> amplitude = start, phase(start.size());
+        for (double &p : phase)
+          p = 2. * M_PI * random.uniform();
+        for (int i = 0; i < iterations; ++i)
+          {
+            SpectrumMotion trial;
+            trial.motion = synthesis.make(amplitude, phase);
+            trial.fit    = fit_spectrum(
+              trial.motion, target, parameters.spectrum_damping, lowest, highest, control_points);
+            correct_amplitudes(trial.fit, synthesis, first, amplitude);
+            if (best.motion.empty() || badness(trial.fit) < badness(best.fit))
+              best = std::move(trial);
+          }
+        if (badness(best.fit) < good_misfit)
+          break;
       }
     return best;
   }
