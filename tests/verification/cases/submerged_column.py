@@ -5,10 +5,31 @@ import base64
 import re
 
 import numpy as np
-
-GRAVITY, DENSITY, WATER, WIDTH, GROUND, INTERFACE, LEVEL = 9.81, 2200.0, 1000.0, 10.0, 20.0, 10.0, 30.0
+from scene_numbers import Numbers
 
 shown = {}
+
+
+class Column:
+    """Stresses at rest [Pa], compression positive, at a height [m]."""
+
+    def __init__(self, run):
+        numbers = Numbers(run)
+        self.cell, self.width, self.ground = (numbers.mesh(name) for name in ("Resolution/h", "Width", "Height"))
+        self.interface = self.ground - numbers.mesh("Block height")
+        self.level = numbers.number("Water/Level")
+        self.soil = numbers.material("ground").density * numbers.gravity()  # weights [N/m3]
+        self.water = numbers.number("Water/Density") * numbers.gravity()
+
+    def effective(self, height):
+        return (self.soil - self.water) * (self.ground - height)
+
+    def pore(self, height):
+        return self.water * (self.level - height)
+
+    def rock(self, height, load):
+        """In the bedrock under a load on its surface [Pa]."""
+        return load + self.soil * (self.interface - height)
 
 
 def array(text, name):
@@ -28,47 +49,41 @@ def vertical_stress(case, variant, part, field):
     return height, array(text, field)[:, 1]
 
 
-def effective(height):
-    return (DENSITY - WATER) * GRAVITY * (GROUND - height)
-
-
-def total(height):
-    return effective(height) + WATER * GRAVITY * (LEVEL - height)
-
-
 def check(case):
     force = {}
     for method in ("pressures", "submerged"):
         run = case.run(method, "Water/Method=" + method)
+        column = case.column = Column(run)
         force[method] = run.get("interface/force")[0].reshape(-1, 2)
-        case.near(method + ": effective force on the bedrock", -force[method][:, 1].sum(), WIDTH * effective(INTERFACE), 0.001,
-                  "N/m")
+        case.near(method + ": effective force on the bedrock", -force[method][:, 1].sum(),
+                  column.width * column.effective(column.interface), 0.001, "N/m")
         height, stress = vertical_stress(case, method, "blocks", "stress xx, yy, xy [Pa]")
-        rows = np.round(height / 2.5 - 0.5)  # pairs of triangles: their mean is that of the row
+        rows = np.round(height / column.cell - 0.5)  # pairs of triangles: their mean is that of the row
         for row in np.unique(rows):
-            middle = 2.5 * (row + 0.5)
+            middle = column.cell * (row + 0.5)
             case.near("%s: effective stress of blocks at y = %.2f m" % (method, middle), -stress[rows == row].mean(),
-                      effective(middle), 0.01, "Pa")
+                      column.effective(middle), 0.01, "Pa")
         shown[method] = height, stress
         height, stress = vertical_stress(case, method, "continuum", "static stress xx, yy, xy [Pa]")
-        carried = WATER * GRAVITY * (LEVEL - INTERFACE) if method == "pressures" else 0.0
-        expected = effective(INTERFACE) + carried + DENSITY * GRAVITY * (INTERFACE - height)
+        carried = column.pore(column.interface) if method == "pressures" else 0.0
+        expected = column.rock(height, column.effective(column.interface) + carried)
         # forces go to nodes one by one: the element under the surface sees them as points
-        deep = height < INTERFACE - 2.5
+        deep = height < column.interface - column.cell
         case.below(method + ": stress of the bedrock, largest error over the largest stress",
                    np.abs(-stress - expected)[deep].max() / expected.max(), 0.01)
         shown["rock_" + method] = height, stress
     water = case.run("water").get("interface/water_force")
-    case.near("force of the water on the bedrock", -water[:, 1].sum(), WIDTH * WATER * GRAVITY * (LEVEL - INTERFACE), 1e-9, "N/m")
+    case.near("force of the water on the bedrock", -water[:, 1].sum(), column.width * column.pore(column.interface), 1e-9, "N/m")
     case.below("effective forces, pressures less submerged", np.abs(force["pressures"] - force["submerged"]).max(),
                1e-8 * np.abs(force["pressures"]).max(), "N/m")
 
 
 def draw(case, figure):
-    axes = figure.subplots()
-    y = np.linspace(INTERFACE, GROUND, 20)
-    axes.plot(1e-3 * effective(y), y, "k--", lw=1, label="closed form")
-    axes.plot(1e-3 * (total(INTERFACE) + DENSITY * GRAVITY * np.array([INTERFACE, 0.0])), [0, INTERFACE], "k--", lw=1)
+    axes, column = figure.subplots(), case.column
+    y = np.array([0.0, column.interface, column.ground])
+    axes.plot(1e-3 * column.effective(y[1:]), y[1:], "k--", lw=1, label="closed form")
+    total = column.effective(column.interface) + column.pore(column.interface)
+    axes.plot(1e-3 * column.rock(y[:2], total), y[:2], "k--", lw=1)
     height, stress = shown["pressures"]
     axes.plot(-1e-3 * stress, height, ".", label="blocks (effective)")
     height, stress = shown["rock_pressures"]
