@@ -77,12 +77,12 @@ namespace hybrid::continuum
     m.rock               = split_bedding_planes(mesh, scene.bedding.names);
     {
       const ElementSpace space(m.rock, mesh, scene.continuum.degree, communicator);
-      m.nodes = std::make_unique<ElementNodes>(space.nodes);
-      m.matrices =
-        assemble_elastic(space,
-                         m.rock,
-                         m.cell_material,
-                         {scene.bedding.normal_stiffness, scene.bedding.shear_stiffness});
+      m.nodes    = std::make_unique<ElementNodes>(space.nodes);
+      m.matrices = assemble_elastic(space,
+                                    m.rock,
+                                    m.cell_material,
+                                    {scene.bedding.normal_stiffness, scene.bedding.shear_stiffness},
+                                    m.newmark.corrected_step);
     }
     m.boundary =
       std::make_unique<BoundaryForces>(m.rock, *m.nodes, m.cell_material, mesh, scene, motion);

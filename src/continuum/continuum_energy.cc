@@ -50,6 +50,11 @@ namespace hybrid::continuum
           sum += m * Vec2(a[j] + rayleigh_mass * v[j], a[j + 1] + rayleigh_mass * v[j + 1]) +
                  Vec2(k[0] * strained.x() + k[1] * strained.y(),
                       k[2] * strained.x() + k[3] * strained.y());
+          if (!matrices.inertia_correction.empty())
+            {
+              const double *i = matrices.inertia_correction.data() + 4 * e;
+              sum += Vec2(i[0] * a[j] + i[1] * a[j + 1], i[2] * a[j] + i[3] * a[j + 1]);
+            }
         }
     const auto &edge_nodes = boundary->boundary_nodes();
     for (std::size_t k = 0; k < edge_nodes.size(); ++k)
@@ -191,7 +196,7 @@ namespace hybrid::continuum
       {
         // The scheme's own energy holds dt: changing the step changes it.
         std::copy(state.acceleration.begin(), state.acceleration.begin() + n, da.begin());
-        matrices.multiply_mass(da.data(), product.data());
+        matrices.multiply_inertia(da.data(), product.data());
         energy.integration_loss -=
           0.5 * scheme * (dt * dt - state.time_step * state.time_step) * dot(da, product);
       }
@@ -209,7 +214,7 @@ namespace hybrid::continuum
         du[i] = u1[i] - state.displacement[i];
         da[i] = a1[i] - state.acceleration[i];
       }
-    matrices.multiply_mass(da.data(), product.data());
+    matrices.multiply_inertia(da.data(), product.data());
     strain_change -= dot(du, product);
     if (rayleigh_mass != 0. || rayleigh_stiffness != 0.)
       {
@@ -238,9 +243,9 @@ namespace hybrid::continuum
         sum += x[i] * product[i];
       return 0.5 * sum;
     };
-    m.matrices.multiply_mass(state.velocity.data(), product.data());
+    m.matrices.multiply_inertia(state.velocity.data(), product.data());
     state.energy.kinetic = form(state.velocity);
-    m.matrices.multiply_mass(state.acceleration.data(), product.data());
+    m.matrices.multiply_inertia(state.acceleration.data(), product.data());
     state.energy.newmark =
       (m.newmark.beta - 0.5 * m.newmark.gamma) * dt * dt * form(state.acceleration);
     m.matrices.multiply_stiffness(state.displacement.data(), product.data());

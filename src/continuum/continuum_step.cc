@@ -20,7 +20,8 @@ namespace hybrid::continuum
           return step_matrices.front();
         }
 
-    // A = K + M / (beta dt^2) + gamma / (beta dt) C,  C = alpha_M M + beta_K K + dashpots
+    // A = K + M / (beta dt^2) + gamma / (beta dt) C,  C = alpha_M M + beta_K K + dashpots; the
+    // correction of the inertia is no part of C.
     const double        to_rate = newmark.gamma / (newmark.beta * dt);
     const double        of_mass = 1. / (newmark.beta * dt * dt) + to_rate * rayleigh_mass;
     std::vector<double> blocks  = matrices.stiffness;
@@ -28,6 +29,8 @@ namespace hybrid::continuum
       for (int k = 0; k < 4; ++k)
         blocks[4 * e + k] = (1. + to_rate * rayleigh_stiffness) * blocks[4 * e + k] +
                             (k % 3 == 0 ? of_mass * matrices.mass[e] : 0.);
+    for (std::size_t k = 0; k < matrices.inertia_correction.size(); ++k)
+      blocks[k] += matrices.inertia_correction[k] / (newmark.beta * dt * dt);
     boundary->add_dashpots(matrices, to_rate, blocks);
     boundary->add_springs(matrices, blocks);
     if (slip != nullptr && rayleigh_stiffness != 0.)
@@ -117,6 +120,7 @@ namespace hybrid::continuum
     for (const int i : fixed_dofs)
       predicted[i] = rate[i] = load[i] = 0.;
     matrices.multiply_mass(load.data(), product.data());
+    matrices.add_inertia_correction(to_inertia, predicted.data(), product.data());
     if (rayleigh_stiffness != 0.)
       {
         matrices.multiply_stiffness(rate.data(), product2.data());

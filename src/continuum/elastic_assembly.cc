@@ -8,6 +8,7 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <hybrid/continuum/elastic_assembly.h>
+#include <hybrid/continuum/inertia_correction.h>
 
 #include <algorithm>
 
@@ -92,6 +93,26 @@ namespace hybrid::continuum
           }
     }
 
+    /// What inertia_correction() adds to the mass of a cell.
+    void cell_correction(const FullMatrix<double> &mass,
+                         const FullMatrix<double> &stiffness,
+                         const double              step,
+                         FullMatrix<double>       &correction)
+    {
+      const Eigen::Index n = static_cast<Eigen::Index>(mass.m());
+      Eigen::MatrixXd    m(n, n), k(n, n);
+      for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < n; ++j)
+          {
+            m(i, j) = mass(i, j);
+            k(i, j) = stiffness(i, j);
+          }
+      const Eigen::MatrixXd added = inertia_correction(m, k, step);
+      for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < n; ++j)
+          correction(i, j) = added(i, j);
+    }
+
     void make_node_pattern(const ElementSpace &space, const RockMesh &rock, NodeMatrices &matrices)
     {
       std::vector<std::vector<int>> rows(space.nodes.size());
@@ -117,7 +138,6 @@ namespace hybrid::continuum
           matrices.row_start.push_back(static_cast<int>(matrices.column.size()));
         }
       matrices.mass.assign(matrices.column.size(), 0.);
-      matrices.stiffness.assign(4 * matrices.column.size(), 0.);
     }
 
     /// The same array from all ranks, one after the other.
@@ -169,18 +189,38 @@ namespace hybrid::continuum
               gather_all(mine.value, MPI_DOUBLE, comm)};
     }
 
+    /// What the ranks sum up; the correction only where it is asked for.
+    struct Matrices
+    {
+      TrilinosWrappers::SparseMatrix mass, stiffness, correction;
+    };
+
+    /// 2 x 2 blocks of a matrix in the order of our pattern.
+    void take_blocks(const TrilinosWrappers::SparseMatrix &matrix,
+                     const std::vector<int>               &canonical,
+                     const MPI_Comm                        comm,
+                     const NodeMatrices                   &pattern,
+                     std::vector<double>                  &blocks)
+    {
+      blocks.assign(4 * pattern.column.size(), 0.);
+      const Entries s = gather_entries(matrix, canonical, comm);
+      for (std::size_t k = 0; k < s.value.size(); ++k)
+        blocks[4 * pattern.entry(s.row[k] / 2, s.column[k] / 2) + 2 * (s.row[k] % 2) +
+               s.column[k] % 2] = s.value[k];
+    }
+
     void assemble(const ElementSpace              &space,
                   const std::vector<Material>     &material,
                   const std::vector<JointElement> &joints,
-                  TrilinosWrappers::SparseMatrix  &mass,
-                  TrilinosWrappers::SparseMatrix  &stiffness)
+                  const double                     corrected_step,
+                  Matrices                        &matrices)
     {
       const auto        &fe = space.fe;
       const unsigned int n  = fe.n_dofs_per_cell();
       FEValues<2>        values(space.scalar_fe,
                          QGauss<2>(space.nodes.line.degree() + 1),
                          update_values | update_gradients | update_JxW_values);
-      FullMatrix<double> cell_mass(n, n), cell_stiffness(n, n);
+      FullMatrix<double> cell_mass(n, n), cell_stiffness(n, n), correction(n, n);
       std::vector<Index> dofs(n);
       std::vector<bool>  mine(space.triangulation.n_active_cells(), false);
       for (const auto &cell : space.dof_handler.active_cell_iterators())
@@ -190,14 +230,21 @@ namespace hybrid::continuum
             values.reinit(static_cast<const Triangulation<2>::cell_iterator &>(cell));
             cell_matrices(values, material[cell->index()], fe, cell_mass, cell_stiffness);
             cell->get_dof_indices(dofs);
-            mass.add(dofs, cell_mass);
-            stiffness.add(dofs, cell_stiffness);
+            matrices.mass.add(dofs, cell_mass);
+            matrices.stiffness.add(dofs, cell_stiffness);
+            if (corrected_step != 0.)
+              {
+                cell_correction(cell_mass, cell_stiffness, corrected_step, correction);
+                matrices.correction.add(dofs, correction);
+              }
           }
       for (const auto &joint : joints)
         if (mine[joint.cell])
-          stiffness.add(joint.dofs, joint.matrix);
-      mass.compress(VectorOperation::add);
-      stiffness.compress(VectorOperation::add);
+          matrices.stiffness.add(joint.dofs, joint.matrix);
+      matrices.mass.compress(VectorOperation::add);
+      matrices.stiffness.compress(VectorOperation::add);
+      if (corrected_step != 0.)
+        matrices.correction.compress(VectorOperation::add);
     }
   } // namespace
 
@@ -205,7 +252,8 @@ namespace hybrid::continuum
   NodeMatrices assemble_elastic(const ElementSpace          &space,
                                 const RockMesh              &rock,
                                 const std::vector<Material> &material,
-                                const JointStiffness        &joint_stiffness)
+                                const JointStiffness        &joint_stiffness,
+                                const double                 corrected_step)
   {
     const MPI_Comm comm   = space.triangulation.get_communicator();
     const auto     joints = joint_elements(space, rock, joint_stiffness);
@@ -224,22 +272,23 @@ namespace hybrid::continuum
       for (const Index i : joint.dofs)
         for (const Index j : joint.dofs)
           pattern.add(i, j);
-    const IndexSet                &owned = space.dof_handler.locally_owned_dofs();
-    TrilinosWrappers::SparseMatrix mass, stiffness;
-    mass.reinit(owned, owned, pattern, comm);
-    stiffness.reinit(owned, owned, pattern, comm);
-    assemble(space, material, joints, mass, stiffness);
+    const IndexSet &owned = space.dof_handler.locally_owned_dofs();
+    Matrices        matrices;
+    matrices.mass.reinit(owned, owned, pattern, comm);
+    matrices.stiffness.reinit(owned, owned, pattern, comm);
+    if (corrected_step != 0.)
+      matrices.correction.reinit(owned, owned, pattern, comm);
+    assemble(space, material, joints, corrected_step, matrices);
 
     NodeMatrices result;
     make_node_pattern(space, rock, result);
-    const Entries m = gather_entries(mass, space.canonical, comm);
+    const Entries m = gather_entries(matrices.mass, space.canonical, comm);
     for (std::size_t k = 0; k < m.value.size(); ++k)
       if (m.row[k] % 2 == 0 && m.column[k] % 2 == 0)
         result.mass[result.entry(m.row[k] / 2, m.column[k] / 2)] = m.value[k];
-    const Entries s = gather_entries(stiffness, space.canonical, comm);
-    for (std::size_t k = 0; k < s.value.size(); ++k)
-      result.stiffness[4 * result.entry(s.row[k] / 2, s.column[k] / 2) + 2 * (s.row[k] % 2) +
-                       s.column[k] % 2] = s.value[k];
+    take_blocks(matrices.stiffness, space.canonical, comm, result, result.stiffness);
+    if (corrected_step != 0.)
+      take_blocks(matrices.correction, space.canonical, comm, result, result.inertia_correction);
     result.share_rows(comm);
     return result;
   }

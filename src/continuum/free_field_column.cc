@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/continuum/free_field_column.h>
+#include <hybrid/continuum/inertia_correction.h>
 
 #include <algorithm>
 
@@ -11,6 +12,7 @@ namespace hybrid::continuum
     , width(line.degree())
     , mass(n, width)
     , stiffness{BandedCholesky(n, width), BandedCholesky(n, width)}
+    , inertia_correction{BandedCholesky(n, width), BandedCholesky(n, width)}
     , predicted(n)
     , rate(n)
     , rhs(n)
@@ -29,6 +31,18 @@ namespace hybrid::continuum
               stiffness[0](first + i, first + j) += element.shear * k;
               stiffness[1](first + i, first + j) += (element.lambda + 2. * element.shear) * k;
             }
+        if (model.newmark.corrected_step != 0.)
+          for (const int c : {0, 1})
+            {
+              const double modulus = c == 0 ? element.shear : element.lambda + 2. * element.shear;
+              const Eigen::MatrixXd added =
+                continuum::inertia_correction(element.density * h * line.mass(),
+                                              modulus / h * line.stiffness(),
+                                              model.newmark.corrected_step);
+              for (int i = 0; i <= width; ++i)
+                for (int j = 0; j <= i; ++j)
+                  inertia_correction[c](first + i, first + j) += added(i, j);
+            }
       }
   }
 
@@ -37,8 +51,10 @@ namespace hybrid::continuum
   FreeFieldColumn::dynamic(const int component, const int i, const int j, const double dt) const
   {
     const double rate_factor = model.newmark.gamma / (model.newmark.beta * dt);
+    const double to_inertia  = 1. / (model.newmark.beta * dt * dt);
     return (1. + rate_factor * model.rayleigh_stiffness) * stiffness[component](i, j) +
-           (1. / (model.newmark.beta * dt * dt) + rate_factor * model.rayleigh_mass) * mass(i, j);
+           (to_inertia + rate_factor * model.rayleigh_mass) * mass(i, j) +
+           to_inertia * inertia_correction[component](i, j);
   }
 
 
@@ -107,6 +123,12 @@ namespace hybrid::continuum
           }
         multiply(mass, rhs, product);
         std::swap(rhs, product);
+        if (model.newmark.corrected_step != 0.)
+          {
+            multiply(inertia_correction[c], predicted, product);
+            for (int i = 0; i < n; ++i)
+              rhs[i] += to_acceleration * product[i];
+          }
         if (model.rayleigh_stiffness != 0.)
           {
             multiply(stiffness[c], rate, product);

@@ -31,6 +31,29 @@ namespace hybrid::continuum
   }
 
 
+  void NodeMatrices::multiply_inertia(const double *x, double *y) const
+  {
+    multiply_mass(x, y);
+    add_inertia_correction(1., x, y);
+  }
+
+
+  void NodeMatrices::add_inertia_correction(const double factor, const double *x, double *y) const
+  {
+    if (inertia_correction.empty())
+      return;
+    for (int i = first_row; i < last_row; ++i)
+      for (int e = row_start[i]; e < row_start[i + 1]; ++e)
+        {
+          const double *xj = x + 2 * column[e];
+          const double *m  = inertia_correction.data() + 4 * e;
+          y[2 * i] += factor * (m[0] * xj[0] + m[1] * xj[1]);
+          y[2 * i + 1] += factor * (m[2] * xj[0] + m[3] * xj[1]);
+        }
+    gather(y);
+  }
+
+
   void NodeMatrices::multiply_stiffness(const double *x, double *y) const
   {
     for (int i = first_row; i < last_row; ++i)

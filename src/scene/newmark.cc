@@ -8,11 +8,11 @@ namespace hybrid
   {
     if (name == "dissipative")
       return {0.3, 0.6};
-    if (name == "trapezoidal")
+    if (name == "trapezoidal" || name == "fourth order")
       return {0.25, 0.5};
     if (name == "shi")
       return {0.5, 1.};
     throw InputError("Newmark preset '" + name +
-                     "' is unknown: must be one of dissipative | trapezoidal | shi");
+                     "' is unknown: must be one of dissipative | trapezoidal | fourth order | shi");
   }
 } // namespace hybrid

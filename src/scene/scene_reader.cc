@@ -78,7 +78,7 @@ namespace hybrid::scene
         table.set(line);
       table.assign();
       resolve_bedrock(scene, table);
-      resolve_scheme(scene);
+      resolve_scheme(scene, table);
       check(scene, table);
       std::ostringstream used;
       table.print(used);

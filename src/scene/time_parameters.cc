@@ -23,13 +23,14 @@ namespace hybrid::scene
                     "The smallest step is dt / 2^this; a run that needs a smaller one stops.");
     section.choice(
       "Scheme",
-      {"automatic", "dissipative", "trapezoidal", "shi"},
+      {"automatic", "dissipative", "trapezoidal", "fourth order", "shi"},
       "automatic",
       [&time](const std::string &name) { time.scheme = name; },
       "Newmark time integration of blocks and continuum (beta, gamma): dissipative (0.3, 0.6) damps "
       "high frequencies, trapezoidal (0.25, 0.5) damps nothing, shi (0.5, 1) is the constant "
-      "acceleration of Shi (1988). Automatic is trapezoidal for a continuum alone whose bedding "
-      "planes, if any, are elastic, and dissipative wherever something slides, opens or cracks.");
+      "acceleration of Shi (1988). Fourth order is trapezoidal with the inertia M - dt^2 K/6 in "
+      "place of M, for a continuum alone whose bedding planes, if any, are elastic. Automatic is "
+      "fourth order there, and dissipative wherever something slides, opens or cracks.");
     section.number(
       "Maximum displacement ratio",
       time.maximum_displacement_ratio,
@@ -46,13 +47,21 @@ namespace hybrid::scene
       "smaller one damps with the rate (1 - k01) / dt.");
   }
 
-  void resolve_scheme(SceneParameters &scene)
+  void resolve_scheme(SceneParameters &scene, const ParameterTable &table)
   {
-    const bool linear =
+    const std::string fourth_order = "fourth order";
+    const bool        linear =
       !scene.has_blocks() && (scene.bedding.names.empty() || !scene.bedding.slips);
-    const std::string automatic = linear ? "trapezoidal" : "dissipative";
-    TimeParameters   &time      = scene.time;
-    time.newmark = Newmark::preset(time.scheme == "automatic" ? automatic : time.scheme);
+    TimeParameters   &time = scene.time;
+    const std::string name =
+      time.scheme != "automatic" ? time.scheme : (linear ? fourth_order : "dissipative");
+    if (name == fourth_order && !linear)
+      throw table.error("Time/Scheme",
+                        "is for a continuum alone without planes that slip; allowed here: "
+                        "automatic | dissipative | trapezoidal | shi");
+    time.newmark = Newmark::preset(name);
+    if (name == fourth_order)
+      time.newmark.corrected_step = time.time_step;
   }
 
 

@@ -68,9 +68,9 @@ def draw_convergence(text):
     figure = plot.figure(figsize=(8, 4.5), dpi=110, constrained_layout=True)
     for axes, pattern, label, order in zip(
         figure.subplots(1, 2),
-        (r"degree (\d): errors %s %s %s" % ((NUMBER,) * 3), r"(\w+): errors %s %s %s" % ((NUMBER,) * 3)),
-        ("cell size (coarsest mesh = 1)", "time step (T/80 = 1)"),
-        (lambda name: int(name) + 1, lambda name: 2 if name == "trapezoidal" else 1),
+        (r"degree (\d): errors %s %s %s" % ((NUMBER,) * 3), r"([a-z ]+): errors %s %s %s" % ((NUMBER,) * 3)),
+        ("cell size (coarsest mesh = 1)", "time step (largest = 1)"),
+        (lambda name: int(name) + 1, {"trapezoidal": 2, "fourth order": 4, "dissipative": 1, "shi": 1}.get),
     ):
         for name, *errors in re.findall(pattern, text):
             if name.isdigit() != ("cell" in label):
@@ -82,7 +82,7 @@ def draw_convergence(text):
         axes.legend(fontsize=8)
     figure.axes[0].set_ylabel("relative error of the displacement [-]")
     figure.axes[0].set_title("in space; dashed: order p + 1")
-    figure.axes[1].set_title("in time; dashed: order 2, 1, 1")
+    figure.axes[1].set_title("in time; dashed: order 2, 4, 1, 1")
     figure.savefig(PAGES / "convergence.png")
 
 

@@ -17,9 +17,11 @@ namespace hybrid::continuum
    * receives the whole matrices, since each factors them on its own.
    *
    * @param material per cell.
+   * @param corrected_step see Newmark; 0: no correction of the inertia.
    */
   NodeMatrices assemble_elastic(const ElementSpace          &space,
                                 const RockMesh              &rock,
                                 const std::vector<Material> &material,
-                                const JointStiffness        &joints);
+                                const JointStiffness        &joints,
+                                double                       corrected_step = 0.);
 } // namespace hybrid::continuum

@@ -23,8 +23,8 @@ namespace hybrid::continuum
    * The ground beside the model: a horizontally layered column of unit width in which nothing
    * varies along x, so that u_x(y) is a shear wave and u_y(y) a P wave,
    *   rho u_x'' = (G u_x,y),y   rho u_y'' = ((lambda + 2 G) u_y,y),y,
-   * with the same elements along y, the same Newmark scheme and Rayleigh damping as the model's
-   * side. Free on top.
+   * with the same elements along y, the same Newmark scheme, inertia and Rayleigh damping as the
+   * model's side. Free on top.
    */
   class FreeFieldColumn
   {
@@ -96,9 +96,10 @@ namespace hybrid::continuum
 
     Model                         model;
     int                           n, width;
-    BandedCholesky                mass;      ///< used as band storage only
-    std::array<BandedCholesky, 2> stiffness; ///< shear, P
-    std::vector<Factor>           factors;   ///< the last few step sizes
+    BandedCholesky                mass;               ///< used as band storage only
+    std::array<BandedCholesky, 2> stiffness;          ///< shear, P
+    std::array<BandedCholesky, 2> inertia_correction; ///< shear, P; see inertia_correction.h
+    std::vector<Factor>           factors;            ///< the last few step sizes
     std::vector<double>           predicted, rate, rhs, product;
   };
 } // namespace hybrid::continuum

@@ -9,16 +9,18 @@ namespace hybrid::continuum
   /**
    * Mass and stiffness on one node-wise sparsity pattern: per pair of nodes one
    * number of the mass matrix [kg/m] (it is the same for both components) and a
-   * 2 x 2 block of the stiffness matrix [N/m per m]. Both are symmetric and held
+   * 2 x 2 block of the stiffness matrix [N/m per m], and of the correction of the inertia where
+   * the time integration asks for it (inertia_correction.h). All are symmetric and held
    * whole on every rank; products are shared out by rows and gathered.
    */
   class NodeMatrices
   {
   public:
-    std::vector<int>    row_start; ///< per node, and one past the end
-    std::vector<int>    column;    ///< nodes, ascending in each row
-    std::vector<double> mass;      ///< per entry [kg/m]
-    std::vector<double> stiffness; ///< per entry xx, xy, yx, yy [N/m per m]
+    std::vector<int>    row_start;          ///< per node, and one past the end
+    std::vector<int>    column;             ///< nodes, ascending in each row
+    std::vector<double> mass;               ///< per entry [kg/m]
+    std::vector<double> stiffness;          ///< per entry xx, xy, yx, yy [N/m per m]
+    std::vector<double> inertia_correction; ///< per entry xx, xy, yx, yy [kg/m]; empty: none
     MPI_Comm            communicator = MPI_COMM_SELF;
 
     int n_nodes() const
@@ -31,6 +33,12 @@ namespace hybrid::continuum
 
     /// y = M x.
     void multiply_mass(const double *x, double *y) const;
+
+    /// y = (M + correction) x: what acceleration x takes.
+    void multiply_inertia(const double *x, double *y) const;
+
+    /// y += factor * correction x.
+    void add_inertia_correction(double factor, const double *x, double *y) const;
 
     /// y = K x.
     void multiply_stiffness(const double *x, double *y) const;

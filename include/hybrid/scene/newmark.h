@@ -16,11 +16,15 @@ namespace hybrid
     double beta  = 0.3; ///< [-]
     double gamma = 0.6; ///< [-], >= 1/2; above 1/2 it damps high frequencies
 
+    /// Step size whose period error the inertia of the continuum takes back (inertia_correction.h)
+    /// [s]; 0: inertia is mass.
+    double corrected_step = 0.;
+
     /**
      * Named presets: "dissipative" (0.3, 0.6), also the pair of Newmark(); "trapezoidal" (1/4,
-     * 1/2); "shi" (1/2, 1), the constant-acceleration scheme of Shi (1988). All have 2 beta =
-     * gamma, with which kinetic and strain energy never rise by themselves (Hughes 1987, chapter
-     * 9).
+     * 1/2); "fourth order", the same pair, to be given its corrected_step; "shi" (1/2, 1), the
+     * constant-acceleration scheme of Shi (1988). All have 2 beta = gamma, with which kinetic and
+     * strain energy never rise by themselves (Hughes 1987, chapter 9).
      * @throws InputError for another name.
      */
     static Newmark preset(const std::string &name);

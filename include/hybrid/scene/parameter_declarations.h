@@ -47,8 +47,9 @@ namespace hybrid::scene
   void declare(ParameterTable &table, SceneParameters &scene);
 
 
-  /// Sets Newmark's pair, once the bedrock is resolved.
-  void resolve_scheme(SceneParameters &scene);
+  /// Sets the time integration, once the bedrock is resolved. @throws InputError where the scheme
+  /// does not fit the scene.
+  void resolve_scheme(SceneParameters &scene, const ParameterTable &table);
 
   /// Time step against end time.
   void check(const TimeParameters &time, const ParameterTable &table);

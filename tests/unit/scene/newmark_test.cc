@@ -10,6 +10,8 @@ TEST(Newmark, PresetsHaveTheirParameters)
 {
   EXPECT_DOUBLE_EQ(Newmark::preset("trapezoidal").beta, 0.25);
   EXPECT_DOUBLE_EQ(Newmark::preset("trapezoidal").gamma, 0.5);
+  EXPECT_DOUBLE_EQ(Newmark::preset("fourth order").beta, 0.25);
+  EXPECT_DOUBLE_EQ(Newmark::preset("fourth order").gamma, 0.5);
   EXPECT_DOUBLE_EQ(Newmark::preset("shi").beta, 0.5);
   EXPECT_DOUBLE_EQ(Newmark::preset("shi").gamma, 1.);
 }
@@ -34,6 +36,7 @@ TEST(Newmark, UnknownPresetIsRefusedWithTheKnownOnes)
     {
       const std::string text = error.what();
       EXPECT_NE(text.find("'central'"), std::string::npos) << text;
-      EXPECT_NE(text.find("dissipative | trapezoidal | shi"), std::string::npos) << text;
+      EXPECT_NE(text.find("dissipative | trapezoidal | fourth order | shi"), std::string::npos)
+        << text;
     }
 }

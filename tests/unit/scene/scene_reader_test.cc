@@ -389,6 +389,23 @@ TEST_F(SceneReader, AutomaticSchemeDampsWhereSomethingSlides)
   EXPECT_EQ(gamma({"Time/Scheme=trapezoidal"}), 0.5);
 }
 
+TEST_F(SceneReader, InertiaIsCorrectedForTheStepOfALinearScene)
+{
+  const std::string file = write_scene("subsection Bedding planes\n  set Names = plane\nend\n");
+  const auto        step = [&](const std::vector<std::string> &overrides) {
+    return read_scene(file, overrides).time.newmark.corrected_step;
+  };
+  const std::string none = "Model/Blocks=none", finer = "Time/Time step=5e-4";
+  const std::string fourth   = "Time/Scheme=fourth order",
+                    strength = "Bedding planes/Strength=Mohr-Coulomb";
+  EXPECT_EQ(step({finer}), 0.);
+  EXPECT_EQ(step({none, finer}), 5e-4);
+  EXPECT_EQ(step({none, finer, fourth}), 5e-4);
+  EXPECT_EQ(step({none, finer, "Time/Scheme=trapezoidal"}), 0.);
+  EXPECT_THROW(step({fourth}), InputError);
+  EXPECT_THROW(step({none, strength, fourth}), InputError);
+}
+
 TEST(SceneParameters, UnknownMaterialIsNamedWithItsPlaceAndASuggestion)
 {
   SceneParameters scene;
