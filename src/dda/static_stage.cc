@@ -2,7 +2,6 @@
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/start_accelerations.h>
 #include <hybrid/dda/static_stage.h>
-#include <hybrid/dda/steps_from_hold.h>
 
 #include <algorithm>
 

@@ -77,6 +77,17 @@ namespace hybrid::dda
 
 
 
+  Model with_unlimited_friction(Model model)
+  {
+    for (ContactLaw &contact : model.block_contact)
+      contact.law = contact.law.with(JointStrength::unlimited_friction());
+    for (ContactLaw &contact : model.base_contact)
+      contact.law = contact.law.with(JointStrength::unlimited_friction());
+    return model;
+  }
+
+
+
   StaticResult take_static_steps(const Model       &problem,
                                  DdaState          &state,
                                  const StaticPace  &pace,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/static_steps.h>
 #include <hybrid/dda/steps_from_hold.h>
 
 #include <algorithm>
@@ -10,17 +11,6 @@ namespace hybrid::dda
     constexpr double guess_tolerance = 1e-4; ///< residual of a first guess [-]
     constexpr double fall            = 1e-3; ///< of the residual in a step that is not the last [-]
   }                                          // namespace
-
-
-
-  Model with_unlimited_friction(Model model)
-  {
-    for (ContactLaw &contact : model.block_contact)
-      contact.law = contact.law.with(JointStrength::unlimited_friction());
-    for (ContactLaw &contact : model.base_contact)
-      contact.law = contact.law.with(JointStrength::unlimited_friction());
-    return model;
-  }
 
 
 

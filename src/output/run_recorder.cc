@@ -267,8 +267,11 @@ namespace hybrid::output
     if (state.time >= next_audit - early)
       {
         record_energy(state);
+        const double interval = parts.scene.output.audit_interval;
         while (next_audit <= state.time + early)
-          next_audit += std::max(parts.scene.output.audit_interval, dt);
+          next_audit += std::max(interval, dt);
+        if (interval < dt) // every step, also after one that is cut
+          next_audit = state.time + interval;
       }
     if (parts.scene.output.picture_interval > 0. && state.time >= next_picture - early)
       {

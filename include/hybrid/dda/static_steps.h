@@ -47,6 +47,9 @@ namespace hybrid::dda
   /// with contacts and all other forces balanced at the end of the step.
   Model static_problem(const Model &model);
 
+  /// The same problem with contacts that never slide.
+  Model with_unlimited_friction(Model model);
+
 
   /**
    * Bring the blocks to rest on the base where it is.

@@ -5,10 +5,6 @@
 
 namespace hybrid::dda
 {
-  /// The same problem with contacts that never slide.
-  Model with_unlimited_friction(Model model);
-
-
   /**
    * Static steps for loose masses in which hundreds of contacts reach their friction limit at once.
    *

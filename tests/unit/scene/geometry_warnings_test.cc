@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "expect_warning.h"
+
 namespace hybrid::scene
 {
   namespace
@@ -35,10 +37,7 @@ namespace hybrid::scene
 
       void expect(const std::vector<std::string> &words) const
       {
-        const auto warnings = geometry_warnings(mesh, scene);
-        ASSERT_EQ(warnings.size(), words.empty() ? 0u : 1u);
-        for (const std::string &word : words)
-          EXPECT_NE(warnings[0].find(word), std::string::npos) << warnings[0];
+        test::expect_warning(geometry_warnings(mesh, scene), words);
       }
     };
   } // namespace
