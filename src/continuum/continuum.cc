@@ -223,7 +223,8 @@ namespace hybrid::continuum
 
   double Continuum::estimated_memory() const
   {
-    double numbers = static_cast<double>(impl->matrices.stiffness.size());
+    double numbers = static_cast<double>(impl->matrices.stiffness.size() +
+                                         impl->matrices.inertia_correction.size());
     if (impl->slip != nullptr)
       {
         // Compliance of the node pairs, and the products that make it a relaxation of the points.

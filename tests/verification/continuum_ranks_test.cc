@@ -12,7 +12,7 @@ namespace
   using namespace hybrid;
   using namespace hybrid::continuum;
 
-  ContinuumState run(const MPI_Comm communicator, const int degree)
+  ContinuumState run(const MPI_Comm communicator, const int degree, const Newmark &newmark)
   {
     auto section =
       test::rectangle_mesh(test::equal_spacing(0., 100., 10), test::equal_spacing(0., 50., 5));
@@ -25,6 +25,7 @@ namespace
     scene.continuum.rayleigh_stiffness = 1e-4;
     scene.bedding.names                = {"bedding_1"};
     scene.motion.angle                 = 20.;
+    scene.time.newmark                 = newmark;
     Continuum       continuum(section, scene, test::ricker(10., 1e-3), communicator);
     auto            state  = continuum.initial_state();
     Eigen::VectorXd lambda = Eigen::VectorXd::Zero(2 * continuum.surface_nodes().size());
@@ -56,13 +57,17 @@ TEST(Ranks, several_ranks_agree_with_one)
   int size = 0;
   MPI_Comm_size(MPI_COMM_WORLD, &size);
   EXPECT_GE(size, 2) << "to be started by mpirun";
-  for (const int degree : {1, 2, 3})
-    {
-      const auto alone = run(MPI_COMM_SELF, degree), together = run(MPI_COMM_WORLD, degree);
-      expect_equal(together.displacement, alone.displacement);
-      expect_equal(together.velocity, alone.velocity);
-      expect_equal(together.acceleration, alone.acceleration);
-      EXPECT_NEAR(together.energy.strain / alone.energy.strain, 1., 1e-10);
-      EXPECT_NEAR(together.energy.boundary_loss / alone.energy.boundary_loss, 1., 1e-10);
-    }
+  Newmark fourth_order        = Newmark::preset("fourth order");
+  fourth_order.corrected_step = 1e-3;
+  for (const Newmark &newmark : {Newmark(), fourth_order})
+    for (const int degree : {1, 2, 3})
+      {
+        const auto alone    = run(MPI_COMM_SELF, degree, newmark);
+        const auto together = run(MPI_COMM_WORLD, degree, newmark);
+        expect_equal(together.displacement, alone.displacement);
+        expect_equal(together.velocity, alone.velocity);
+        expect_equal(together.acceleration, alone.acceleration);
+        EXPECT_NEAR(together.energy.strain / alone.energy.strain, 1., 1e-10);
+        EXPECT_NEAR(together.energy.boundary_loss / alone.energy.boundary_loss, 1., 1e-10);
+      }
 }
