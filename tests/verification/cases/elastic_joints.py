@@ -10,7 +10,8 @@ from layered_column import Layer, fourier
 from scene_numbers import Numbers
 
 FREQUENCIES = (0.4, 0.6, 0.8, 1.0, 1.3, 1.6)  # over that of the motion
-RINGING = {1: 8.0, 3: 15.0, 5: 36.0}  # time after the pulse until the joints' multiples have faded, in its periods
+COUNTS = (1, 3, 5)  # joints
+FADED = 0.001  # of the peak: the multiples between the joints are over
 COLOURS = {1: "#1f5a94", 3: "#d98b2b", 5: "#c8202f"}
 
 
@@ -31,6 +32,15 @@ class Joints:
             motion = motion - stress / self.stiffness  # the joint closes by stress / k from above to below
         return 2.0 / (motion - stress / (1j * omega * z))  # incident: (u - tau / (i w Z)) / 2
 
+    def ringing(self, frequency):
+        """Time from the middle of a Ricker pulse of this frequency behind the joints until it has faded [s]."""
+        duration, highest = 400 / frequency, 4 * frequency
+        f = np.arange(1, int(duration * highest)) / duration
+        passed = np.array([self.transmission(x) for x in f]) * (f / frequency) ** 2 * np.exp(-((f / frequency) ** 2))
+        motion = abs(np.fft.irfft(np.concatenate([[0], passed, np.zeros(len(f))])))
+        half = len(motion) // 2  # the later half is before the pulse
+        return np.flatnonzero(motion[:half] > FADED * motion.max())[-1] * duration / len(motion)
+
     def single(self, frequency):
         return 1 / np.sqrt(1 + (np.pi * frequency * self.rock.impedance / self.stiffness) ** 2)
 
@@ -40,28 +50,32 @@ def end_motion(run):
 
 
 def run_bar(case, numbers, wave, joints, welded=False):
-    """The bar with a number of joints until the reflection from its end returns; welded: without them."""
-    rock, f = Layer(0.0, numbers.material("rock"), wave), numbers.number("Motion/Frequency")
-    length, middle, lying = numbers.mesh("Length"), numbers.mesh("Width") / 2, wave == "S"
-    behind = length - numbers.mesh("First plane") - (joints - 1) * numbers.mesh("Spacing")
-    end = min(length / rock.speed + (3.0 + RINGING[joints]) / f, (length + 2 * behind) / rock.speed)
+    """The bar with a number of joints until the reflection from its end returns; welded: without them.
+
+    It is made longer where the multiples take longer to fade.
+    """
+    rock, f, step = Layer(0.0, numbers.material("rock"), wave), numbers.number("Motion/Frequency"), numbers.number("Time/Time step")
+    middle, lying, h = numbers.mesh("Width") / 2, wave == "S", numbers.mesh("Resolution/h")
+    last = numbers.mesh("First plane") + (max(COUNTS) - 1) * numbers.mesh("Spacing")
+    ringing = {count: 3.0 / f + Joints(numbers, wave, count).ringing(f) for count in COUNTS}
+    behind = max(numbers.mesh("Length") - last, h * np.ceil(rock.speed * max(ringing.values()) / (2 * h)))
+    length = last + behind
     return case.run(
         "%s_%s" % (wave, "welded" if welded else joints),
         "Monitors/Points=end: %g, %g" % ((length, middle) if lying else (middle, length)),
         "Bedding planes/Names=" + ("" if welded else ",".join("bedding_%d" % (n + 1) for n in range(joints))),
-        "Time/End time=%.10g" % (numbers.number("Time/Time step") * np.floor(end / numbers.number("Time/Time step"))),
-        mesh={"Lying": lying, "Planes": joints})
+        "Time/End time=%.10g" % (step * np.floor((length / rock.speed + ringing[joints]) / step)),
+        mesh={"Lying": lying, "Planes": joints, "Length": length})
 
 
 def check(case):
     case.curves = {}
-    first = case.run()  # S wave, one joint
-    numbers = Numbers(first)
+    numbers = Numbers(case.run())
     frequencies = numbers.number("Motion/Frequency") * np.array(FREQUENCIES)
     for wave in "SP":
-        welded = run_bar(case, numbers, wave, max(RINGING), welded=True)
-        for count in RINGING:
-            run = first if (wave, count) == ("S", 1) else run_bar(case, numbers, wave, count)
+        welded = run_bar(case, numbers, wave, max(COUNTS), welded=True)
+        for count in COUNTS:
+            run = run_bar(case, numbers, wave, count)
             joints = Joints(numbers, wave, count)
             end, whole = end_motion(run), end_motion(welded)
             found = [abs(fourier(run.time, end, f) / fourier(welded.time, whole, f)) for f in frequencies]
