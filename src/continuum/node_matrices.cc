@@ -43,13 +43,18 @@ namespace hybrid::continuum
     if (inertia_correction.empty())
       return;
     for (int i = first_row; i < last_row; ++i)
-      for (int e = row_start[i]; e < row_start[i + 1]; ++e)
-        {
-          const double *xj = x + 2 * column[e];
-          const double *m  = inertia_correction.data() + 4 * e;
-          y[2 * i] += factor * (m[0] * xj[0] + m[1] * xj[1]);
-          y[2 * i + 1] += factor * (m[2] * xj[0] + m[3] * xj[1]);
-        }
+      {
+        double sx = 0., sy = 0.;
+        for (int e = row_start[i]; e < row_start[i + 1]; ++e)
+          {
+            const double *xj = x + 2 * column[e];
+            const double *m  = inertia_correction.data() + 4 * e;
+            sx += m[0] * xj[0] + m[1] * xj[1];
+            sy += m[2] * xj[0] + m[3] * xj[1];
+          }
+        y[2 * i] += factor * sx;
+        y[2 * i + 1] += factor * sy;
+      }
     gather(y);
   }
 

@@ -9,7 +9,7 @@ namespace hybrid::continuum
    * What the inertia of an element differs from its mass by so that the trapezoidal rule with steps
    * of dt keeps the period of the waves to fourth order.
    *
-   * The rule replaces w by (2/dt) tan(w dt/2), so a wave of frequency w is late by (w dt)^2/12.
+   * The rule turns a wave of frequency w with (2/dt) atan(w dt/2): it is late by (w dt)^2/12.
    * Inertia M - tau K with tau = dt^2/6 takes that back (Fox and Goodwin 1949; Newmark's scheme
    * with beta = 1/12), but only w dt < sqrt(6) stays stable. Here, per element and with X = M^-1 K,
    *   M (I + tau X + tau^2 X^2)^-1 = M - tau K + tau^3 M X^3 - ...,

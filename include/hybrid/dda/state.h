@@ -47,7 +47,7 @@ namespace hybrid::dda
     double      failure_time = 0.; ///< [s]; negative: in the static stage
     bool        loosened = false;  ///< its blocks look at all their neighbours, see joint_failure.h
     bool        released = false;  ///< slid or opened so far that vertex contacts took over
-    bool        handed_over = false; ///< its contacts have its load, see joint_release.h
+    bool        handed_over = false; ///< released, and its contacts have its load: joint_release.h
   };
 
 
