@@ -5,6 +5,7 @@
 #include <hybrid/dda/bedding_rest.h>
 #include <hybrid/dda/bedrock_blocks.h>
 #include <hybrid/dda/block_energy.h>
+#include <hybrid/dda/initial_velocities.h>
 #include <hybrid/dda/model_builder.h>
 #include <hybrid/output/memory_estimate.h>
 #include <hybrid/output/probes.h>
@@ -307,6 +308,16 @@ namespace hybrid
 
 
 
+  void Simulation::set_in_motion()
+  {
+    if (continuum != nullptr)
+      continuum->start_wave(state.continuum);
+    if (blocks != nullptr)
+      dda::set_in_motion(*blocks, state.blocks);
+  }
+
+
+
   RunStatus Simulation::run(const Interruption &interruption)
   {
     Run        run(*this, output::HistoryFile::Mode::create);
@@ -318,6 +329,7 @@ namespace hybrid
                  resume_command(scene.output.directory));
         return RunStatus::interrupted;
       }
+    set_in_motion();
     run.summary.timings["static_stage"] = seconds_since(start);
     run.recorder.start(state);
     if (scene.checkpoint.is_on())

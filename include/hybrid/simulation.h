@@ -80,6 +80,9 @@ namespace hybrid
     /// The static stage. @return false if the user has ended it.
     bool settle(const Interruption &interruption);
 
+    /// The initial wave and the initial velocities of blocks, after the static stage.
+    void set_in_motion();
+
     /// Tractions at rest of planes that may slip in a bedrock of blocks.
     void stress_planes();
 

@@ -100,6 +100,7 @@ namespace hybrid::continuum
     if (scene.bedding.slips && !m.rock.joints.empty())
       m.prepare_slip(scene.bedding);
     m.add_point_loads(scene.point_loads);
+    m.add_wave(scene.initial_wave, mesh);
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/bedrock_forces.h>
 #include <hybrid/dda/block_energy.h>
+#include <hybrid/dda/spring_work.h>
 
 namespace hybrid::dda
 {
@@ -141,7 +142,8 @@ namespace hybrid::dda
             }
           energy.damping_loss += spring.length * (elastic - work - friction);
           energy.integration_loss +=
-            spring.length * (-elastic - (stored - stored_before) - fracture);
+            spring.length * (-elastic - (stored - stored_before) - fracture) -
+            (w - 0.5) * turning_work({step.model, step.before, step.trial, step.springs}, i);
         }
       energy.switch_loss += step.before.energy.springs - before;
     }

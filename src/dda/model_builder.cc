@@ -51,8 +51,10 @@ namespace hybrid::dda
             boundary_edges(mesh, scene, model.initial, {outlines, materials, n_mass});
         set_water();
         model.edge_loads = find_edge_loads(mesh, scene.edge_loads, outlines, model.initial);
-        model.newmark    = scene.time.newmark;
-        model.gravity    = scene.environment.gravity;
+        model.moving_blocks =
+          find_moving_blocks(scene.blocks.initial_velocities, model.initial, n_mass);
+        model.newmark              = scene.time.newmark;
+        model.gravity              = scene.environment.gravity;
         model.dynamic_coefficient  = scene.time.dynamic_coefficient;
         model.joint_damping_time   = damping_time;
         model.bedrock_damping_time = scene.continuum.rayleigh_stiffness;

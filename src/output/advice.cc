@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/initial_velocities.h>
+#include <hybrid/dda/model_builder.h>
 #include <hybrid/output/advice.h>
 
 #include <algorithm>
@@ -69,6 +71,39 @@ namespace hybrid::output
     return "the time step " + number(time_step) + " s has fewer than 20 points per period of " +
            number(highest_frequency) + " Hz; " +
            number(rounded_down(1. / (steps_per_period * highest_frequency))) + " s would do";
+  }
+
+
+  std::string wave_warning(const double part, const Vec2 &where)
+  {
+    if (part < 0.01)
+      return "";
+    return "the initial wave is on the boundary at t = 0 already, with " + number(100. * part) +
+           " % of its amplitude at (" + number(where.x()) + ", " + number(where.y()) +
+           ") m: there it does not begin as a wave that arrives; a centre farther away, or a smaller "
+           "Length or Width of the packet, would do";
+  }
+
+
+  std::string speed_warning(const dda::Model &model, const double time_step)
+  {
+    if (model.moving_blocks.empty())
+      return "";
+    dda::DdaState start = dda::initial_state(model);
+    dda::set_in_motion(model, start);
+    double fastest = 0.; // [1/s]
+    for (int b = 0; b < model.n_blocks(); ++b)
+      {
+        const dda::Vec6 &v = start.blocks[b].velocity;
+        fastest = std::max(fastest, v.head<2>().norm() / model.blocks[b].size + std::abs(v[2]));
+      }
+    const double allowed = model.iteration.maximum_displacement_ratio;
+    if (fastest * time_step <= allowed)
+      return "";
+    return "Blocks/Initial velocities: a block moves by " + number(fastest * time_step) +
+           " of its size in a step, allowed is " + number(allowed) +
+           " (Time/Maximum displacement ratio): steps are cut; " +
+           number(rounded_down(allowed / fastest)) + " s would do";
   }
 
 

@@ -80,7 +80,11 @@ namespace hybrid::output
     const Terms now = collect(state, has_continuum, effects);
     if (start.empty())
       for (const auto &term : now)
-        start.push_back(term.second);
+        {
+          start.push_back(term.second);
+          if (term.first == "blocks_kinetic" || term.first == "bedrock_kinetic")
+            exchanged += term.second; // what moves at the start is in play from then on
+        }
     terms.resize(now.size());
     double sum = 0., total = 0.;
     for (std::size_t i = 0; i < now.size(); ++i)

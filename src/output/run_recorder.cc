@@ -154,6 +154,9 @@ namespace hybrid::output
         peak_displacement.assign(reference_centroids.size(), 0.);
       }
     record_energy(state);
+    const std::vector<std::string> names = ledger.names();
+    for (std::size_t k = 0; k < names.size(); ++k)
+      file.set_attribute("energy/" + names[k], "start", std::vector<double>{ledger.at_start()[k]});
     record_picture(state);
     next_picture = parts.scene.output.picture_interval;
     next_audit   = parts.scene.output.audit_interval;

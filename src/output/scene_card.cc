@@ -106,6 +106,19 @@ namespace hybrid::output
                    state(loads),
                    scene.point_loads.loads.size(),
                    scene.point_loads.frequency);
+      const scene::InitialWaveParameters &wave    = scene.initial_wave;
+      const char                         *waves[] = {"", "P", "SV"};
+      if (continuum && wave.type != scene::WaveType::none)
+        text += line("  initial wave       on   %s from (%g, %g) m towards %g deg, %g Hz, %g m",
+                     waves[static_cast<int>(wave.type)],
+                     wave.centre.x(),
+                     wave.centre.y(),
+                     wave.direction,
+                     wave.frequency,
+                     wave.amplitude);
+      if (!scene.blocks.initial_velocities.empty())
+        text +=
+          line("  initial velocities on   %zu bodies", scene.blocks.initial_velocities.size());
       const scene::EdgeLoadParameters &edges = scene.edge_loads;
       text += edges.tractions.empty()
                 ? line("  edge loads         off")
@@ -148,13 +161,22 @@ namespace hybrid::output
 
 
 
-    /// Of point loads: 95 % of the energy of a Ricker wavelet, whose power is that of a chi-square
-    /// distribution of 4 (f / f_0)^2 with five degrees of freedom, are below 1.664 f_0 [Hz].
+    /// Below which 95 % of the energy of point loads and initial wave are [Hz]. The power of a
+    /// Ricker wavelet is that of a chi-square distribution of 4 (f / f_0)^2 with five degrees of
+    /// freedom; that of a packet, l wave lengths long, is normal with deviation f_0 / (sqrt(8) pi
+    /// l).
     double highest_frequency(const scene::SceneParameters &scene)
     {
-      const bool has_loads =
-        scene.continuum_model == scene::ContinuumModel::elastic && !scene.point_loads.loads.empty();
-      return has_loads ? 1.664 * scene.point_loads.frequency : 0.;
+      double result = 0.;
+      if (scene.continuum_model != scene::ContinuumModel::elastic)
+        return result;
+      if (!scene.point_loads.loads.empty())
+        result = 1.664 * scene.point_loads.frequency;
+      const scene::InitialWaveParameters &wave = scene.initial_wave;
+      if (wave.type != scene::WaveType::none)
+        result =
+          std::max(result, wave.frequency * (1. + 1.645 / (std::sqrt(8.) * M_PI * wave.length)));
+      return result;
     }
 
 
@@ -326,6 +348,13 @@ namespace hybrid::output
                       scene.time.newmark.beta,
                       scene.time.newmark.gamma);
     warn(step_warning(scene.time.time_step, wanted), card);
+    if (continuum != nullptr)
+      {
+        const auto reach = continuum->wave_at_boundary();
+        warn(wave_warning(reach.part, reach.where), card);
+      }
+    if (blocks != nullptr)
+      warn(speed_warning(*blocks, scene.time.time_step), card);
     warn(penalty_warning(scene), card);
     warn(pictures_warning(scene.output, scene.time), card);
     warn(threads_warning(scene.threads, std::thread::hardware_concurrency()), card);

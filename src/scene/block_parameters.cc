@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/parameter_declarations.h>
 
+#include <cmath>
+
 namespace hybrid::scene
 {
   namespace
@@ -25,6 +27,40 @@ namespace hybrid::scene
                    blocks.saturated_belt_material,
                    allowed,
                    "The same below the water level; empty: as Belt material.");
+    }
+
+    void declare_velocities(ParameterSection &section, BlockParameters &blocks)
+    {
+      section.value(
+        "Initial velocities",
+        "'name: x min, x max, y min, y max, horizontal, vertical, spin; ...' [m, m/s, rad/s]",
+        [&blocks](const std::string &text) {
+          for (const auto &[name, row] : parse_rows(text, 7))
+            blocks.initial_velocities.push_back(
+              {name, Vec2(row[0], row[2]), Vec2(row[1], row[3]), Vec2(row[4], row[5]), row[6]});
+        },
+        "Rigid motions (to the right, up and anticlockwise) with which the dynamic stage begins, each "
+        "of all blocks with their centroid in the box about their common centre of mass; other "
+        "blocks begin at rest.");
+    }
+
+    void check_velocities(const BlockParameters &blocks, const ParameterTable &table)
+    {
+      const std::string path = "Blocks/Initial velocities";
+      if (!blocks.initial_velocities.empty() && !blocks.enabled)
+        throw table.error(path, "they are those of blocks, and Model/Blocks = none has none");
+      constexpr double largest = 1e3; // [m/s] and [rad/s]: falling rock has less than 100 m/s
+      for (const InitialVelocity &given : blocks.initial_velocities)
+        {
+          if (!(given.lower.x() <= given.upper.x() && given.lower.y() <= given.upper.y()))
+            throw table.error(path,
+                              "the box of '" + given.name +
+                                "' is empty; it must be x min <= x max, y min <= y max");
+          if (!(given.velocity.cwiseAbs().maxCoeff() <= largest && std::abs(given.spin) <= largest))
+            throw table.error(path,
+                              "the velocity and the spin of '" + given.name + "' must be at most " +
+                                number_text(largest) + " [m/s] and [rad/s]");
+        }
     }
 
     void declare_iteration(ParameterSection &section, BlockParameters &blocks)
@@ -89,12 +125,14 @@ namespace hybrid::scene
       "Stiffness correction",
       blocks.stiffness_correction,
       "Take the compliance of the joints off that of the blocks, so that waves keep their speed.");
+    declare_velocities(section, blocks);
     declare_iteration(section, blocks);
   }
 
   void check_blocks(const SceneParameters &scene, const ParameterTable &table)
   {
     const BlockParameters &blocks = scene.blocks;
+    check_velocities(blocks, table);
     if (!blocks.enabled)
       return;
     if (blocks.material.empty())

@@ -125,6 +125,7 @@ namespace hybrid::scene
     declare(table, scene.motion);
     declare(table, scene.point_loads);
     declare(table, scene.edge_loads);
+    declare(table, scene.initial_wave);
     declare(table, scene.monitors);
     declare(table, scene.output);
     declare(table, scene.checkpoint);
@@ -150,6 +151,7 @@ namespace hybrid::scene
     check_water(scene, table);
     check_point_loads(scene, table);
     check_edge_loads(scene, table);
+    check_initial_wave(scene, table);
     check(scene.motion, table);
     check(scene.monitors, table);
     if (scene.output.directory.empty())

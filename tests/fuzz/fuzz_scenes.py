@@ -40,6 +40,9 @@ NONSENSE = [
     ("Continuum/Rayleigh stiffness", "1e308"), ("Continuum/Rayleigh mass", "1e308"),
     ("Materials/*/Tensile strength", "-1"), ("Water/Level", "1e9"), ("Point loads/Forces", "P: 10, 5, 0, -1e300"),
     ("Edge loads/Tractions", "T: 0, 30, 0, 30, 0, -1e30"),
+    ("Blocks/Initial velocities", "v: -1e9, 1e9, -1e9, 1e9, nan, 0, 0"), ("Blocks/Initial velocities", "v: 0, 1, 0, 1, 1e300, 0, 0"),
+    ("Initial wave/Frequency", "0"), ("Initial wave/Length", "0"),
+    ("Initial wave/Width", "-1"), ("Initial wave/Amplitude", "1e300"), ("Initial wave/Centre", "1e400, 0"),
     ("Output/Picture interval", "nan"), ("Nothing/At all", "1"),
 ]
 

@@ -33,6 +33,7 @@ BEDDING = ["Bedding planes/Friction angle=30", "Bedding planes/Cohesion=2000", "
            "Bedding planes/Initial normal stress=10000"]
 SPRINGS = ["Continuum/Normal spring coefficient=2", "Continuum/Tangential spring coefficient=2", "Continuum/Spring distance=50"]
 TOP = "Edge loads/Tractions=top: -1, 11, 19.9, 20.1, 0, %s"
+WAVE = ["Initial wave/Direction=90", "Initial wave/Frequency=200", "Initial wave/Centre=5, 4", "Initial wave/Length=0.25"]
 EDGE = ["Edge loads/Start=0.01", "Edge loads/Rise time=0.02"]
 POINT = ["Point loads/Frequency=20", "Point loads/Start=0.001"]
 HELD = {"energy/edge_load_work", "interface/water_force"}  # recorded because the effect is on
@@ -65,6 +66,9 @@ EFFECTS = {
     "point loads": (COLUMN, ["Point loads/Forces="] + POINT, ["Point loads/Forces=a: 5, 0, 0, 0"] + POINT,
                     ["Point loads/Forces=a: 5, 0, 0, 1e6"] + POINT),
     "edge loads": (COLUMN, ["Edge loads/Tractions="] + EDGE, [TOP % "0"] + EDGE, [TOP % "-1e3"] + EDGE),
+    "initial wave": (COLUMN, ["Initial wave/Type=none"] + WAVE, None, ["Initial wave/Type=P"] + WAVE),
+    "initial velocities": (SLOPE, ["Blocks/Initial velocities="], ["Blocks/Initial velocities=v: -9, 9, -9, 9, 0, 0, 0"],
+                           ["Blocks/Initial velocities=v: -9, 9, -9, 9, 0, 0.1, 0"]),
     "fracture": (COLUMN, ["Blocks/Fracture energy=200", "Blocks/Softening slip=0.5", "Materials/rock/Residual cohesion=100",
                           "Materials/rock/Residual friction angle=5"], None,
                  ["Materials/rock/Tensile strength=0", "Materials/rock/Cohesion=1e3"]),

@@ -8,7 +8,7 @@
 
 CASE is the name of parameters/verification/CASE.prm and of tests/verification/cases/CASE.py, a module with
 
-    check(case)         runs the scene (case.run) and asks for numbers (case.near, case.below)
+    check(case)         runs the scene (case.run) and asks for numbers (case.near, case.within, case.below)
     draw(case, figure)  optional: draws what check() computed into a matplotlib figure
 
 Numbers at default settings are those of the scene: overrides are for variants (other angles, finer steps). Closed
@@ -65,6 +65,11 @@ class Case:
         error = abs(found - expected) / abs(expected)
         self._ask(error <= tolerance, "%s: %.6g %s, closed form %.6g, error %.3g %%, allowed %.3g %%"
                   % (what, found, unit, expected, 100 * error, 100 * tolerance))
+
+    def within(self, what, found, expected, tolerance, unit=""):
+        """|found - expected| <= tolerance."""
+        self._ask(abs(found - expected) <= tolerance, "%s: %.5f %s, closed form %.5f, allowed %.3g off"
+                  % (what, found, unit, expected, tolerance))
 
     def below(self, what, found, limit, unit=""):
         """|found| <= limit."""

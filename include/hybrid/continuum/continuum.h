@@ -83,6 +83,21 @@ namespace hybrid::continuum
     /// State of rest at t = 0.
     ContinuumState initial_state() const;
 
+    /// Put the scene's initial wave into @p state, with the acceleration of its equilibrium; no
+    /// more than its tail may be at the contact surface, which stays at rest. Nothing without a
+    /// wave.
+    void start_wave(ContinuumState &state);
+
+    /// Where the initial wave is largest on the boundary at t = 0; sides do not count for a plane
+    /// front.
+    struct WaveReach
+    {
+      double part  = 0.; ///< of the amplitude [-]; 0 without a wave
+      Vec2   where = Vec2::Zero();
+    };
+
+    WaveReach wave_at_boundary() const;
+
     /// Number of unknowns of the finite-element space (free-field columns not counted).
     std::size_t n_unknowns() const;
 

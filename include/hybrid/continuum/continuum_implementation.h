@@ -10,6 +10,7 @@
 #include <hybrid/continuum/point_loads.h>
 #include <hybrid/continuum/rock_mesh.h>
 #include <hybrid/continuum/system_pattern.h>
+#include <hybrid/continuum/wave_packet.h>
 
 #include <list>
 #include <memory>
@@ -30,6 +31,8 @@ namespace hybrid::continuum
     std::unique_ptr<BeddingSlip>    slip; ///< null unless bedding planes may slip
     std::vector<BeddingPlane>       slipping_planes;
     PointLoads                      point_loads;
+    std::unique_ptr<WavePacket>     wave; ///< at t = 0; null: none
+    WaveReach                       wave_reach;
     Newmark                         newmark;
     double                          rayleigh_mass = 0., rayleigh_stiffness = 0.;
 
@@ -94,6 +97,10 @@ namespace hybrid::continuum
 
     /// Cell and shape function values at a position. @throws InputError naming @p what if outside.
     Point cell_point(const Vec2 &position, const std::string &what) const;
+
+    // the wave at t = 0 (continuum_start.cc)
+    void add_wave(const scene::InitialWaveParameters &parameters, const scene::SectionMesh &mesh);
+    void find_acceleration(ContinuumState &state);
 
     // one step (continuum_step.cc)
     StepMatrix               &step_matrix(double dt);

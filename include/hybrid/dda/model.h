@@ -5,6 +5,7 @@
 #include <hybrid/dda/boundary_edge.h>
 #include <hybrid/dda/edge_loads.h>
 #include <hybrid/dda/geometry.h>
+#include <hybrid/dda/initial_velocities.h>
 #include <hybrid/dda/joint_law.h>
 #include <hybrid/dda/water.h>
 #include <hybrid/scene/newmark.h>
@@ -96,6 +97,7 @@ namespace hybrid::dda
     bool                          damps_loose         = false; ///< blocks have a loose_damping_time
     Water                         water;
     EdgeLoads                     edge_loads;
+    std::vector<MovingBlocks>     moving_blocks; ///< at t = 0; the others are at rest
     IterationParameters           iteration;
 
     int    n_bedrock            = 0;     ///< the last blocks are the bedrock

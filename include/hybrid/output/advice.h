@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/model.h>
 #include <hybrid/scene/scene_parameters.h>
 
 #include <string>
@@ -26,6 +27,14 @@ namespace hybrid::output
   /// Fewer than 20 steps per period of the motion's @p highest_frequency [Hz]; "" if there are
   /// more.
   std::string step_warning(double time_step, double highest_frequency);
+
+  /// The initial wave is on the boundary already at t = 0, with @p part of its amplitude [-] at @p
+  /// where; "" if that is less than 1 %.
+  std::string wave_warning(double part, const Vec2 &where);
+
+  /// A block that @p model sets in motion goes farther in a step than Time/Maximum displacement
+  /// ratio allows; "" if none does.
+  std::string speed_warning(const dda::Model &model, double time_step);
 
   /**
    * Penalty ratio alpha outside alpha_0 to 200 alpha_0, alpha_0 = 5 max(1, 2 (lambda + G)/E); "" if

@@ -52,6 +52,12 @@ namespace hybrid::output
       return imbalance;
     }
 
+    /// What the terms are relative to [J/m]; empty before the first call of update().
+    const std::vector<double> &at_start() const
+    {
+      return start;
+    }
+
     /// Largest relative residual so far [-].
     double largest_residual() const
     {

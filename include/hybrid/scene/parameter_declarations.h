@@ -36,6 +36,8 @@ namespace hybrid::scene
 
   void declare(ParameterTable &table, EdgeLoadParameters &edge_loads);
 
+  void declare(ParameterTable &table, InitialWaveParameters &wave);
+
   /// Sections "Monitors" and "Boreholes".
   void declare(ParameterTable &table, MonitorParameters &monitors);
 
@@ -72,7 +74,10 @@ namespace hybrid::scene
   /// Boxes of edge loads, and edge loads against the model.
   void check_edge_loads(const SceneParameters &scene, const ParameterTable &table);
 
-  /// Materials of blocks and belt.
+  /// The initial wave against the model.
+  void check_initial_wave(const SceneParameters &scene, const ParameterTable &table);
+
+  /// Materials of blocks and belt, initial velocities.
   void check_blocks(const SceneParameters &scene, const ParameterTable &table);
 
   /// Water method against level and materials.

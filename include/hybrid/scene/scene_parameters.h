@@ -5,6 +5,7 @@
 #include <hybrid/scene/load_parameters.h>
 #include <hybrid/scene/material.h>
 #include <hybrid/scene/newmark.h>
+#include <hybrid/scene/start_parameters.h>
 #include <hybrid/scene/types.h>
 
 #include <map>
@@ -134,6 +135,7 @@ namespace hybrid::scene
       true; ///< take the joints' compliance off the blocks' (design: bonds cost stiffness)
     int    maximum_iterations = 40;   ///< of the open-close iteration before the step is cut [-]
     double tolerance          = 1e-8; ///< relative force residual of the open-close iteration [-]
+    std::vector<InitialVelocity> initial_velocities; ///< of blocks that do not start from rest
   };
 
   /// What happens before the dynamic stage.
@@ -253,6 +255,7 @@ namespace hybrid::scene
     MotionParameters                motion;
     PointLoadParameters             point_loads;
     EdgeLoadParameters              edge_loads;
+    InitialWaveParameters           initial_wave;
     MonitorParameters               monitors;
     OutputParameters                output;
     CheckpointParameters            checkpoint;

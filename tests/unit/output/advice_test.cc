@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "block_scenes.h"
+
 namespace hybrid::output
 {
   TEST(Advice, RoundsDownToTwoDigits)
@@ -58,6 +60,30 @@ namespace hybrid::output
     EXPECT_EQ(with(4e4), "");
     scene.blocks.enabled = false;
     EXPECT_EQ(with(1.1), "");
+  }
+
+
+  TEST(Advice, NamesAWaveOnTheBoundary)
+  {
+    EXPECT_EQ(wave_warning(0., Vec2(0., 0.)), "");
+    EXPECT_EQ(wave_warning(0.009, Vec2(0., 0.)), "");
+    EXPECT_NE(wave_warning(0.25, Vec2(1200., 0.)).find("25 % of its amplitude at (1200, 0) m"),
+              std::string::npos);
+  }
+
+
+  TEST(Advice, NamesTheStepOfFastBlocks)
+  {
+    scene::SceneParameters scene    = test::block_parameters(30.);
+    scene.blocks.initial_velocities = {{"ball", Vec2(0., 0.), Vec2(2., 2.), Vec2(30., 40.), 25.}};
+    const auto model                = dda::build_model(test::square_blocks(1, 1, 2.), scene, {});
+    EXPECT_EQ(speed_warning(model, 1e-3), ""); // (50 / 2 + 25) dt = 0.05
+    EXPECT_NE(
+      speed_warning(model, 2e-3).find("moves by 0.1 of its size in a step, allowed is 0.05"),
+      std::string::npos);
+    EXPECT_NE(speed_warning(model, 2e-3).find("; 0.001 s would do"), std::string::npos);
+    scene.blocks.initial_velocities.clear();
+    EXPECT_EQ(speed_warning(dda::build_model(test::square_blocks(1, 1, 2.), scene, {}), 10.), "");
   }
 
 

@@ -44,6 +44,22 @@ TEST(EnergyLedger, counts_from_the_first_state)
 
 
 
+// What moves at the start is in play: the residual is relative to it, though nothing is exchanged.
+TEST(EnergyLedger, motion_at_the_start_counts)
+{
+  EnergyLedger           ledger(true);
+  coupling::CoupledState state;
+  state.blocks.energy.kinetic    = 30.;
+  state.continuum.energy.kinetic = 70.;
+  ledger.update(state);
+  EXPECT_EQ(ledger.at_start()[0], 30.);
+  state.blocks.energy.kinetic = 29.;
+  ledger.update(state);
+  EXPECT_NEAR(ledger.residual(), 0.01, 1e-9);
+}
+
+
+
 // A block falls and is stopped by friction: kinetic energy rises, gravity falls, then heat remains.
 TEST(EnergyLedger, a_closed_balance_has_no_residual)
 {

@@ -282,3 +282,24 @@ TEST_F(SceneErrors, EdgeLoadsNeedABoxAndSixNumbers)
                       {"the box of 'top' is empty", "y min <= y max"});
   expect_option_error("Edge loads/Tractions=top: 0, 1, 2", {"'top' has 3 numbers", "must have 6"});
 }
+
+
+
+TEST_F(SceneErrors, InitialVelocitiesNeedABoxSevenNumbersAndBlocks)
+{
+  expect_option_error("Blocks/Initial velocities=a: 0, 1, 2, 1, 0, 3, 0",
+                      {"the box of 'a' is empty", "y min <= y max"});
+  expect_option_error("Blocks/Initial velocities=a: 0, 1, 2", {"'a' has 3 numbers", "must have 7"});
+  expect_option_error("Blocks/Initial velocities=a: 0, 1, 0, 1, 0, 1e9, 0",
+                      {"'a'", "at most 1000 [m/s] and [rad/s]"});
+}
+
+
+
+TEST_F(SceneErrors, InitialWaveSaysWhatItNeeds)
+{
+  expect_option_error("Initial wave/Type=S", {"Initial wave/Type", "P", "SV"});
+  expect_option_error("Initial wave/Centre=1", {"two numbers"});
+  expect_option_error("Initial wave/Centre=1, x", {"two numbers"});
+  expect_option_error("Initial wave/Length=0", {"Initial wave/Length", ">= 0.25"});
+}
