@@ -31,6 +31,11 @@ namespace hybrid
 {
   namespace
   {
+    /// Cells of bedrock whose matrices take so long that a user should know what is going on.
+    constexpr std::size_t large_mesh = 100000;
+
+
+
     /// Largest resident memory so far [MB].
     double peak_memory()
     {
@@ -84,6 +89,9 @@ namespace hybrid
     , motion(input.motion)
   {
     scene::check_section_mesh(mesh, scene);
+    if (mesh.bedrock_cells.size() >= large_mesh)
+      log.info("Preparing " + std::to_string(mesh.bedrock_cells.size()) +
+               " cells of bedrock: this takes a while");
     if (scene.continuum_model == scene::ContinuumModel::elastic)
       continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
     if (!scene.motion.outcrop)

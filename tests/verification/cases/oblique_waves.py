@@ -12,6 +12,7 @@ from vtu_file import picture_at
 ANGLES = (0, 15, 30, 45, 60)  # [deg]
 CELLS = {"P": 1.4, "SV": 1.0}  # size relative to the scene's: what P waves send back as short waves is weak
 TAIL = 3.0  # standard deviations: beyond them is 1e-5 of the packet's energy
+SCATTER = 0.015  # a packet further off its plane wave (near the critical angle) is compared with its own mean only
 
 shown = {"rows": []}
 
@@ -105,6 +106,8 @@ def check(case, waves=("P", "SV"), angles=ANGLES):
             run = case.run("%s_%g" % (wave, degrees), *settings, mesh=mesh)
             found, of_packet, of_angle = measure(run, rock), boundary.packet(wave, angle, *packet), boundary.reflected(wave, angle)
             for expected, name in ((of_packet, "packet"), (of_angle, "plane wave")):
+                if np.abs(np.sqrt(expected) - np.sqrt(of_packet)).max() > SCATTER:
+                    continue
                 name = "%s %g deg, against the %s: " % (wave, degrees, name)
                 case.within(name + "energy", found.sum(), expected.sum(), 0.02)
                 if wave == "P" or degrees < critical:
