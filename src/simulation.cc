@@ -14,6 +14,7 @@
 #include <hybrid/output/static_progress.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/doubtful_values.h>
+#include <hybrid/scene/edge_chain.h>
 #include <hybrid/scene/geometry_warnings.h>
 #include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/mesh_check.h>
@@ -55,24 +56,17 @@ namespace hybrid
           if (line != mesh.lines.end())
             edges.insert(edges.end(), line->second.begin(), line->second.end());
         }
-      std::map<int, int> next;
-      std::map<int, int> arrivals;
-      for (const auto &edge : edges)
-        {
-          next[edge[0]] = edge[1];
-          ++arrivals[edge[1]];
-        }
       std::vector<Vec2> nodes;
-      for (const auto &link : next)
-        if (arrivals[link.first] == 0 &&
-            (nodes.empty() || mesh.nodes[link.first].x() < nodes.front().x()))
-          {
-            nodes.clear();
-            int node = link.first;
-            nodes.push_back(mesh.nodes[node]);
-            for (auto at = next.find(node); at != next.end(); at = next.find(node))
-              nodes.push_back(mesh.nodes[node = at->second]);
-          }
+      int               last = -1;
+      for (const auto &edge :
+           scene::chain_edges(edges, mesh.nodes, "of ground and sliding_surface"))
+        {
+          if (last >= 0 && edge[0] != last)
+            break; // another path, farther right
+          if (last < 0)
+            nodes.push_back(mesh.nodes[edge[0]]);
+          nodes.push_back(mesh.nodes[last = edge[1]]);
+        }
       return nodes;
     }
   } // namespace

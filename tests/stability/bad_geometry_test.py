@@ -353,7 +353,7 @@ def scale_scene(gmsh, scene, scale, work):
         return re.sub(r"(?<=[ ,])-?\d+\.?\d*(?=[ ,;]|$)", lambda m: f"{float(m[0]) * scale:.12g}", line[0])
 
     text = re.sub(r"(?m)^ *set (?:Points|Lines) *=.*$", scaled_line, text)
-    text = re.sub(r"(?m)^ *set Tractions *=.*$",  # each a box and a traction
+    text = re.sub(r"(?m)^ *set (?:Tractions|Initial velocities) *=.*$",  # each a box and more
                   lambda line: re.sub(r": *[^;,]+,[^;,]+,[^;,]+,[^;,]+,",
                                       lambda m: scaled_line([m[0]]), line[0]), text)
     target.write_text(text.replace("../../", str(scene.parent.parent.parent) + "/"))

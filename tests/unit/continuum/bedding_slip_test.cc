@@ -138,3 +138,44 @@ TEST(BeddingSlip, a_plane_that_opens_loses_the_energy_of_its_cut_off_only)
       EXPECT_NEAR(state.energy.bedding_loss, 60. * 2e4 * 2e4 / (2. * 1e9), 1e-6);
     }
 }
+
+
+
+// Broken in tension while it carries shear: the plane loses the elastic energy of both. Without friction it
+// loses nothing else.
+TEST(BeddingSlip, a_plane_that_breaks_loses_the_shear_stress_that_it_drops)
+{
+  auto scene                          = parameters(1e12);
+  scene.continuum.degree              = 1; // two points per cell: 5 m each
+  scene.bedding.friction_angle        = 0.;
+  scene.bedding.tensile_strength      = 2e4;
+  scene.bedding.initial_normal_stress = 1e5;
+  scene.motion.angle                  = 45.;
+  std::vector<double> a;
+  for (int i = 0; i <= 200; ++i)
+    a.push_back(30. * std::sin(0.1 * M_PI * i)); // 10 Hz
+  Continuum    continuum(section(), scene, scene::Motion(5e-3, a), MPI_COMM_WORLD);
+  const auto  &plane    = continuum.slipping_planes()[0];
+  auto         state    = continuum.initial_state();
+  double       expected = 0.;
+  int          broken   = 0;
+  const double length = 60. / 12., k_n = scene.bedding.normal_stiffness,
+               k_s = scene.bedding.shear_stiffness;
+  while (state.time < 0.4)
+    {
+      const auto before     = continuum.bedding_values(state, plane);
+      const auto was_broken = state.slip.broken;
+      ASSERT_EQ(before.slip.size(), 12u);
+      ASSERT_TRUE(continuum.step(state, 1e-3));
+      for (std::size_t i = 0; i < was_broken.size(); ++i)
+        if (state.slip.broken[i] && !was_broken[i])
+          {
+            ++broken;
+            expected += length * (2e4 * 2e4 / (2. * k_n) +
+                                  before.shear_stress[i] * before.shear_stress[i] / (2. * k_s));
+          }
+    }
+  EXPECT_GT(broken, 5);
+  EXPECT_GT(expected, 10. * 60. * 2e4 * 2e4 / (2. * k_n)); // mostly of the shear stress
+  EXPECT_NEAR(state.energy.bedding_loss, expected, 1e-6 * expected);
+}

@@ -3,8 +3,8 @@
 
 Newmark's pair (beta = gamma / 2, gamma) takes from a body of masses m_i at distances r_i from its axis, held by springs alone,
 the power (gamma - 1/2) dt w^4 sum m_i r_i^2: the centripetal forces at both ends of a step, weighted by 1 - gamma and gamma,
-are no longer square to the chord. So w' = -b w^3 with b = (gamma - 1/2) dt sum(m_i r_i^2) / I, and the turn is
-(sqrt(1 + 2 b w_0^2 t) - 1) / (b w_0).
+are no longer square to the chord. So w' = -b w^3 with b = (gamma - 1/2) dt sum(m_i r_i^2) / I, to first order in dt, and
+1/w^2 grows by 2 b dt in a step.
 """
 
 import numpy as np
@@ -54,13 +54,13 @@ def areas(run):
 
 
 def pair_turn(run, numbers, body, scheme):
-    """Of the pair by Newmark's braking: two unit squares, axes 0.5 m apart from the middle; sums per square."""
+    """Of the pair by Newmark's braking, over the steps that were taken; sums per unit square."""
     distance = 0.5 * np.linalg.norm(numbers.point("second") - numbers.point("first"))
     radial, inertia = distance**2, distance**2 + 1 / 6
-    b = (GAMMA[scheme] - 0.5) * numbers.number("Time/Time step") * radial / inertia
-    if b == 0:
-        return body.spin * run.time
-    return (np.sqrt(1 + 2 * b * body.spin**2 * run.time) - 1) / (b * body.spin)
+    dt = run.get("steps/dt").ravel()
+    slowness = 1 / body.spin**2 + 2 * (GAMMA[scheme] - 0.5) * radial / inertia * np.concatenate([[0], np.cumsum(dt**2)])
+    spin = np.sign(body.spin) / np.sqrt(slowness)
+    return np.cumsum(0.5 * (spin[1:] + spin[:-1]) * dt)
 
 
 def check_flight(case, scheme):
@@ -85,12 +85,13 @@ def check_flight(case, scheme):
                1e-7, "m")
     arm = ends[1] - ends[0]
     angle = turn(numbers.point("second") - numbers.point("first"), arm)
-    case.below(names + "pair, turn less closed form", np.abs(angle - pair_turn(run, numbers, body, scheme)).max(), 1e-3, "rad")
+    expected = pair_turn(run, numbers, body, scheme)
+    lag = np.abs(expected - body.spin * run.time).max()
+    case.below(names + "pair, turn less closed form", np.abs(angle - expected).max(), 1e-3 + 0.05 * lag, "rad")
     case.below(names + "pair, stretch", np.abs(np.linalg.norm(arm, axis=1) - np.linalg.norm(arm[0])).max(), 1e-4, "m")
     case.below(names + "energy residual", run.summary["energy_residual"], 1e-4)
-    case.true(names + "no step is cut", run.summary["cuts"] == 0)
     shown[scheme, "pair"] = np.mean(ends, axis=0), parabola(run, numbers, body, middle)
-    shown[scheme, "pair turn"] = run.time, angle - body.spin * run.time, pair_turn(run, numbers, body, scheme) - body.spin * run.time
+    shown[scheme, "pair turn"] = run.time, angle - body.spin * run.time, expected - body.spin * run.time
 
 
 def check_turns(case, scheme):
