@@ -49,8 +49,9 @@ def is_smooth(run):
 
 
 def largest_residual(run, limit):
-    """Residual over energy exchanged so far, largest of all audits, where NOISE does not hide it."""
-    so_far = np.maximum.accumulate(sum(np.abs(term).ravel() for term in energy_terms(run).values()))
+    """Residual over energy exchanged so far and what moved at the start, largest of all audits, where NOISE does not hide it."""
+    moved = sum(run.file["energy"][name].attrs["start"][0] for name in run.names("energy") if name.endswith("_kinetic"))
+    so_far = moved + np.maximum.accumulate(sum(np.abs(term).ravel() for term in energy_terms(run).values()))
     unexplained = run.get("energy/residual").ravel() * np.maximum(so_far, FLOOR)
     return (unexplained / (so_far + NOISE / limit)).max()
 

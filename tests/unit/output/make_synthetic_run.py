@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A run directory as the program writes it, from formulas: make_synthetic_run.py DIR complete|runout|bare."""
+"""A run directory as the program writes it, from formulas: make_synthetic_run.py DIR complete|runout|away|bare."""
 
 import json
 import sys
@@ -126,7 +126,7 @@ def write_energy_and_steps(file, time, v, rng):
 def main(directory, kind):
     rng = np.random.default_rng(1)
     time = 1e-3 * np.arange(1, (12000 if kind != "bare" else 500) + 1)
-    peak, slip = (0.24, 3e-3) if kind != "runout" else (9.81, 12.0)
+    peak, slip = {"runout": (9.81, 12.0), "away": (9.81, 1e5)}.get(kind, (0.24, 3e-3))
     a, v, u = motion(time, peak)
     with h5py.File(directory + "/run.h5", "w") as file:
         put(file, "time", "s", time)

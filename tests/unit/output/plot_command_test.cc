@@ -48,6 +48,18 @@ assert sorted(os.listdir('figures')) == ['monitors_other.png', 'overview.png'], 
     }
 
 
+    TEST(PlotCommand, BlocksThatAllLeftTheSectionAreDrawnWhereTheyAre)
+    {
+      const std::string directory = make_directory("plot_away");
+      ASSERT_TRUE(make_run(directory, "away"));
+      EXPECT_EQ(plot(directory), 0);
+      EXPECT_TRUE(python_passes(directory, R"(
+import os
+assert 'section.png' in os.listdir('figures'), os.listdir('figures')
+)"));
+    }
+
+
     TEST(PlotCommand, WrongDirectoriesAreInputErrors)
     {
       EXPECT_THROW(plot("/no/such/directory"), InputError);
