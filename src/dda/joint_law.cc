@@ -223,6 +223,20 @@ namespace hybrid::dda
 
 
 
+  JointResponse JointLaw::respond_locked(const JointKinematics &kinematics,
+                                         const JointHistory    &history) const
+  {
+    JointResponse r;
+    r.history = history;
+    normal_response(kinematics.gap, r);
+    r.shear = r.elastic_shear = -k_s * (kinematics.slip - history.plastic_slip);
+    r.shear_by_slip           = k_s;
+    r.state                   = ContactState::locked;
+    return r;
+  }
+
+
+
   void JointLaw::resist_opening(const double   viscous,
                                 const double   dashpot,
                                 const bool     cracks,

@@ -5,8 +5,56 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
+#include <cmath>
+
 namespace hybrid::dda
 {
+  double OpenCloseIteration::displacement_ratio(const Model &model, const int block) const
+  {
+    const Vec6 &d = trial.increment[block];
+    return d.head<2>().norm() / model.blocks[block].size + std::abs(d[2]) +
+           d.tail<3>().lpNorm<Eigen::Infinity>();
+  }
+
+
+
+  bool OpenCloseIteration::flies_too_far(const Model &model, StepResult &result) const
+  {
+    for (int b = 0; b < model.n_blocks(); ++b)
+      {
+        const double ratio = displacement_ratio(model, b);
+        if (ratio <= model.iteration.maximum_displacement_ratio || !springs.of_block(b).empty())
+          continue;
+        result.displacement_ratio = ratio;
+        result.largest_block      = b;
+        return true;
+      }
+    return false;
+  }
+
+
+
+  void OpenCloseIteration::judge(const Model &model, StepResult &result) const
+  {
+    double unbalanced = 0.;
+    for (int b = 0; b < model.n_blocks(); ++b)
+      {
+        const double size = model.blocks[b].size, ratio = displacement_ratio(model, b);
+        if (ratio > result.displacement_ratio || result.largest_block < 0)
+          {
+            result.displacement_ratio = ratio;
+            result.largest_block      = b;
+          }
+        const Vec6 inertia = mass[b] * (acceleration[b] + contact_acceleration[b]);
+        unbalanced +=
+          inertia.head<2>().squaredNorm() + inertia.tail<4>().squaredNorm() / (size * size);
+      }
+    result.unbalanced = std::sqrt(unbalanced) / std::max(reference, 1e-300);
+  }
+
+
+
   void OpenCloseIteration::hand_over_contacts(const Model &model, DdaState &state) const
   {
     const int       n = model.n_blocks();

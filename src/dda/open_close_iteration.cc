@@ -118,7 +118,10 @@ namespace hybrid::dda
     const int    n = model.n_blocks(), m = model.n_base_nodes();
     const double dt = trial.dt, beta = model.newmark.beta, weight = contact_weight(model.newmark);
     move(state);
-    springs.evaluate(model, state, trial);
+    springs.evaluate(model,
+                     state,
+                     trial,
+                     takes_whole ? Springs::ReversedSlip::locks : Springs::ReversedSlip::slides);
 
     residual.setZero(6 * n + 2 * m);
     contact_force.setZero(6 * n + 2 * m);
@@ -269,29 +272,6 @@ namespace hybrid::dda
 
 
 
-  void OpenCloseIteration::judge(const Model &model, StepResult &result) const
-  {
-    double unbalanced = 0.;
-    for (int b = 0; b < model.n_blocks(); ++b)
-      {
-        const Vec6  &d    = trial.increment[b];
-        const double size = model.blocks[b].size;
-        const double ratio =
-          d.head<2>().norm() / size + std::abs(d[2]) + d.tail<3>().lpNorm<Eigen::Infinity>();
-        if (ratio > result.displacement_ratio || result.largest_block < 0)
-          {
-            result.displacement_ratio = ratio;
-            result.largest_block      = b;
-          }
-        const Vec6 inertia = mass[b] * (acceleration[b] + contact_acceleration[b]);
-        unbalanced +=
-          inertia.head<2>().squaredNorm() + inertia.tail<4>().squaredNorm() / (size * size);
-      }
-    result.unbalanced = std::sqrt(unbalanced) / std::max(reference, 1e-300);
-  }
-
-
-
   OpenCloseIteration::LineSearch OpenCloseIteration::search_line(const Model        &model,
                                                                  const DdaState     &state,
                                                                  const BaseResponse &base)
@@ -313,7 +293,7 @@ namespace hybrid::dda
         done              = part;
         const double norm = evaluate(model, state, base);
         const double work = residual.dot(update);
-        if (start <= 0. || cut == maximum_cuts || !std::isfinite(norm) ||
+        if (takes_whole || start <= 0. || cut == maximum_cuts || !std::isfinite(norm) ||
             std::abs(work) <= good_part * start || (cut == 0 && (work > 0. || start <= 0.)))
           return {norm, done};
         // Regula falsi; an end that stays is given half its weight (Illinois).
@@ -336,13 +316,12 @@ namespace hybrid::dda
 
 
 
-  StepResult OpenCloseIteration::solve(const Model             &model,
-                                       const DdaState          &state,
-                                       const BaseResponse      &base,
-                                       const double             dt,
-                                       const std::vector<Vec6> *guess)
+  void OpenCloseIteration::begin(const Model             &model,
+                                 const DdaState          &state,
+                                 const BaseResponse      &base,
+                                 const double             dt,
+                                 const std::vector<Vec6> *guess)
   {
-    StepResult result;
     springs.collect(model, state);
     incoming = base.boundary_force;
     solver.set_slices(model.slice);
@@ -353,24 +332,63 @@ namespace hybrid::dda
     predict(model, state, base, dt);
     if (guess != nullptr)
       trial.increment = *guess;
+    takes_whole   = false;
+    sliding_share = {};
+  }
+
+
+
+  double OpenCloseIteration::begin_line_search(const Model        &model,
+                                               const DdaState     &state,
+                                               const BaseResponse &base)
+  {
+    takes_whole       = false;
+    const double norm = evaluate(model, state, base);
+    if (norm <= whole_updates.first_residual())
+      return norm;
+    predict(model, state, base, trial.dt);
+    return evaluate(model, state, base);
+  }
+
+
+
+  StepResult OpenCloseIteration::solve(const Model             &model,
+                                       const DdaState          &state,
+                                       const BaseResponse      &base,
+                                       const double             dt,
+                                       const std::vector<Vec6> *guess)
+  {
+    StepResult result;
+    begin(model, state, base, dt, guess);
+    if (flies_too_far(model, result))
+      return result;
 
     constexpr int    stall_window = 10;
     constexpr double stalled_part = 0.3;
     constexpr int    whole_every  = 3; ///< of a step's tangents is made of all rows
     int              repairs      = 0;
     double           window_start = std::numeric_limits<double>::infinity();
+    int              search_start = 0; ///< iteration in which the line search begins
 
     double previous = std::numeric_limits<double>::infinity();
     result.residual = evaluate(model, state, base);
     springs.connect(model, matrix);
     bool stale =
       tangent_dt != dt || tangent_pattern != matrix.pattern_version() || tangent_share > 0.;
-    sliding_share = {};
+    whole_updates.begin(model.iteration.whole_updates, result.residual);
+    takes_whole = whole_updates.go_on();
     for (; result.iterations < model.iteration.maximum_iterations; ++result.iterations)
       {
+        if (takes_whole && !whole_updates.go_on())
+          {
+            search_start    = result.iterations;
+            result.residual = begin_line_search(model, state, base);
+            stale           = true;
+          }
         if (!std::isfinite(result.residual))
           return result;
-        if (result.iterations > 0 && result.residual <= model.iteration.tolerance)
+        if (result.iterations > 0 && result.residual <= model.iteration.tolerance &&
+            !springs.any_held())
           {
             result.converged = true;
             break;
@@ -378,7 +396,7 @@ namespace hybrid::dda
         result.stopped = watch && !watch(result);
         if (result.stopped)
           return result;
-        if (result.iterations % stall_window == 0)
+        if (!takes_whole && (result.iterations - search_start) % stall_window == 0)
           {
             if (result.residual > stalled_part * window_start)
               return result; // a shorter step is cheaper than more of the same
@@ -399,12 +417,10 @@ namespace hybrid::dda
         previous                  = result.residual;
         const LineSearch searched = search_line(model, state, base);
         result.residual           = searched.residual;
+        if (takes_whole)
+          whole_updates.judge(result.residual);
         if (model.iteration.eases_sliding)
-          {
-            const double share = sliding_share.value();
-            sliding_share.adapt(searched.part);
-            stale = sliding_share.value() != share;
-          }
+          stale = sliding_share.adapt(searched.part);
       }
     if (!result.converged)
       return result;

@@ -30,14 +30,10 @@ namespace hybrid::dda
 
 
 
-    /// Fill response, state and tangents of one spring from its kinematics.
-    void apply_law(const Springs::Spring &spring,
-                   const JointDamping    &damping,
-                   Springs::Response     &response)
+    /// Fill response, state and tangents of one spring.
+    void set_response(const JointResponse &r, Springs::Response &response)
     {
-      SpringState        &now = response.now;
-      const JointResponse r =
-        spring.law->respond({now.gap, now.slip, spring.cohesive}, spring.old.history, damping);
+      SpringState &now       = response.now;
       now.history            = r.history;
       now.state              = r.state;
       now.normal             = r.normal;
@@ -47,6 +43,15 @@ namespace hybrid::dda
       response.normal_by_gap = r.normal_by_gap;
       response.shear_by_slip = r.shear_by_slip;
       response.shear_by_gap  = r.shear_by_gap;
+    }
+
+
+
+    /// Contacts in two trials, one after the other: both slide, but not the same way.
+    bool is_reversed(const SpringState &before, const SpringState &now)
+    {
+      return before.state == ContactState::sliding && now.state == ContactState::sliding &&
+             before.shear * now.shear < 0.;
     }
   } // namespace
 
@@ -191,7 +196,10 @@ namespace hybrid::dda
 
 
 
-  void Springs::evaluate(const Model &model, const DdaState &state, const Trial &trial)
+  void Springs::evaluate(const Model       &model,
+                         const DdaState    &state,
+                         const Trial       &trial,
+                         const ReversedSlip reversed)
   {
 #pragma omp parallel for schedule(static)
     for (std::size_t s = 0; s < springs.size(); ++s)
@@ -199,7 +207,7 @@ namespace hybrid::dda
         if (springs[s].joint >= 0)
           evaluate_joint(model, state, trial, s);
         else
-          evaluate_contact(state, trial, s);
+          evaluate_contact(state, trial, s, reversed);
         set_forces(trial, s);
       }
   }
@@ -247,17 +255,23 @@ namespace hybrid::dda
     response.place         = (1. - point.position) * pa + point.position * pb + 0.5 * now.jump;
     response.weight[0]     = 1.;
     response.weight[1]     = 0.;
+    response.held          = false;
     const SpringState &old = spring.old;
     const double       damping_time =
       joint.within_bedrock() ? model.bedrock_damping_time : model.joint_damping_time;
-    apply_law(spring,
-              {damping_time / trial.dt, old.gap, old.slip - old.history.plastic_slip},
-              response);
+    const JointDamping damping{damping_time / trial.dt,
+                               old.gap,
+                               old.slip - old.history.plastic_slip};
+    set_response(spring.law->respond({now.gap, now.slip, spring.cohesive}, old.history, damping),
+                 response);
   }
 
 
 
-  void Springs::evaluate_contact(const DdaState &state, const Trial &trial, const std::size_t s)
+  void Springs::evaluate_contact(const DdaState    &state,
+                                 const Trial       &trial,
+                                 const std::size_t  s,
+                                 const ReversedSlip reversed)
   {
     const Spring   &spring     = springs[s];
     Response       &response   = responses[s];
@@ -286,9 +300,16 @@ namespace hybrid::dda
     const double xi        = std::min(1., std::max(0., frame.edge_position));
     response.weight[0]     = edge_on_base ? 1. - xi : 1.;
     response.weight[1]     = edge_on_base ? xi : 0.;
-    response.now.gap       = frame.gap - contact.rest_gap;
-    response.now.slip      = frame.slip;
-    apply_law(spring, {}, response);
+
+    const SpringState     before  = response.now;
+    const JointHistory   &history = spring.old.history;
+    const JointKinematics kinematics{frame.gap - contact.rest_gap, frame.slip, spring.cohesive};
+    response.now.gap  = kinematics.gap;
+    response.now.slip = kinematics.slip;
+    set_response(spring.law->respond(kinematics, history), response);
+    response.held = reversed == ReversedSlip::locks && is_reversed(before, response.now);
+    if (response.held)
+      set_response(spring.law->respond_locked(kinematics, history), response);
   }
 
 
@@ -360,6 +381,15 @@ namespace hybrid::dda
     for (const int s : base_springs)
       if (responses[s].now.normal != 0. || responses[s].now.shear != 0.)
         add_force_on_base(s, springs[s].unilateral ? contacts : bonds);
+  }
+
+
+
+  bool Springs::any_held() const
+  {
+    return std::any_of(responses.begin(), responses.end(), [](const Response &r) {
+      return r.held;
+    });
   }
 
 

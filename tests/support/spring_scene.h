@@ -48,7 +48,8 @@ namespace hybrid::test
       trial.base = Eigen::VectorXd::Zero(8);
     }
 
-    void move(const Eigen::VectorXd &d)
+    void move(const Eigen::VectorXd      &d,
+              const Springs::ReversedSlip reversed = Springs::ReversedSlip::slides)
     {
       trial.motion.clear();
       trial.displacement.resize(8);
@@ -60,7 +61,7 @@ namespace hybrid::test
             trial.displacement[v] = trial.motion[b].displacement(state.geometry.vertices[v]);
         }
       trial.base = d.tail(8);
-      springs.evaluate(model, state, trial);
+      springs.evaluate(model, state, trial, reversed);
     }
 
     Eigen::VectorXd forces(const Eigen::VectorXd &d)

@@ -137,6 +137,10 @@ namespace hybrid::dda
                           const JointHistory    &history,
                           const JointDamping    &damping = {}) const;
 
+    /// What the point would bear if it stuck whatever its shear strength; without damping.
+    JointResponse respond_locked(const JointKinematics &kinematics,
+                                 const JointHistory    &history) const;
+
     /// The same springs with another strength.
     JointLaw with(const JointStrength &other) const
     {

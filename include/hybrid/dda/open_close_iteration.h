@@ -6,6 +6,7 @@
 #include <hybrid/dda/sliding_share.h>
 #include <hybrid/dda/spring_stiffness.h>
 #include <hybrid/dda/springs.h>
+#include <hybrid/dda/whole_updates.h>
 
 #include <functional>
 #include <limits>
@@ -42,8 +43,13 @@ namespace hybrid::dda
    * where c acts through the whole step (see Springs: (d - d*) / (beta dt^2) = a + c / (2 beta)),
    * with f(d, w), gaps and slips of the exact finite motion and contact states that agree with the
    * forces. beta_K: block_damping_times(). Newton's method with the
-   * consistent tangent and a line search; the tangent is kept as long as it serves. Not converged
-   * is a status: the state is changed only by accept().
+   * consistent tangent; the tangent is kept as long as it serves. Not converged is a status: the
+   * state is changed only by accept().
+   *
+   * The first iterations take whole updates, and a contact whose slip would turn round sticks
+   * before it may slide back (Shi 1988). With its friction at once the other way a line search ends
+   * near the first contact of hundreds that should stick, and every iteration finds but one of
+   * them. Only if whole updates do not settle there is a line search, with the law alone.
    */
   class OpenCloseIteration
   {
@@ -115,7 +121,16 @@ namespace hybrid::dda
     double          tangent_share   = 0.;  ///< SlidingShare of it
     int             tangent_pattern = -1;
     bool            is_restored     = false; ///< the tangent is that of a checkpoint
-    double          reference       = 0.;    ///< norm of absolute forces [N]
+    WholeUpdates    whole_updates;
+    bool            takes_whole = false; ///< updates: no line search, ReversedSlip::locks
+    double          reference   = 0.;    ///< norm of absolute forces [N]
+
+    /// Collect the springs and set where the iteration starts.
+    void begin(const Model             &model,
+               const DdaState          &state,
+               const BaseResponse      &base,
+               double                   dt,
+               const std::vector<Vec6> *guess);
 
     void predict(const Model &model, const DdaState &state, const BaseResponse &base, double dt);
 
@@ -161,8 +176,20 @@ namespace hybrid::dda
     void update_stiffness(const Model &model, const Tangent &tangent);
 
     /// Move the trial along the update, as far as the residual allows: a contact that locks, closes
-    /// or slides back on the way would otherwise make the iteration cycle.
+    /// or slides back on the way would otherwise make the iteration cycle. All of it while
+    /// it takes_whole.
     LineSearch search_line(const Model &model, const DdaState &state, const BaseResponse &base);
+
+    /// End whole updates: go on by the law alone from where they led, or from the start if that is
+    /// closer. @return relative norm of the residual there
+    double begin_line_search(const Model &model, const DdaState &state, const BaseResponse &base);
+
+    /// Displacement of a block in the trial over its size [-].
+    double displacement_ratio(const Model &model, int block) const;
+
+    /// True if a block that nothing is near flies farther than a step may move it: no need to
+    /// solve.
+    bool flies_too_far(const Model &model, StepResult &result) const;
 
     void judge(const Model &model, StepResult &result) const;
 

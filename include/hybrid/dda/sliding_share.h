@@ -20,8 +20,8 @@ namespace hybrid::dda
       return share;
     }
 
-    /// After an update of which the line search took @p part.
-    void adapt(double part);
+    /// After an update of which the line search took @p part. @return true if the share changes.
+    bool adapt(double part);
 
   private:
     double share = 0.;

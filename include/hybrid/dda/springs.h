@@ -68,8 +68,17 @@ namespace hybrid::dda
       double      weight[2]     = {1., 0.}; ///< of the base nodes
       double      edge_position = 0.;       ///< projection on the contact's edge [-]
       SpringState now;                      ///< if the step is accepted
+      bool        held = false;             ///< locked beyond its strength, see ReversedSlip::locks
       Vec6        on_block, on_other;       ///< generalised forces; without sense if both are zero
       double      normal_by_gap = 0., shear_by_slip = 0., shear_by_gap = 0.; ///< tangents [Pa/m]
+    };
+
+    /// What becomes of a contact that slid one way in the trial before and slides the other way
+    /// now.
+    enum class ReversedSlip
+    {
+      slides, ///< the law is followed: its friction turns round
+      locks   ///< it is held, as in Shi's (1988) open-close iteration: between the two it sticks
     };
 
     /// Collect the springs of the step that starts from @p state.
@@ -80,7 +89,13 @@ namespace hybrid::dda
     void connect(const Model &model, BlockMatrix &matrix);
 
     /// Forces of the springs in a trial. Same bits for any number of threads.
-    void evaluate(const Model &model, const DdaState &state, const Trial &trial);
+    void evaluate(const Model       &model,
+                  const DdaState    &state,
+                  const Trial       &trial,
+                  const ReversedSlip reversed = ReversedSlip::slides);
+
+    /// True if a contact is held: the forces are not those of its law.
+    bool any_held() const;
 
     /// Add forces on blocks and base nodes, of bonds and of unilateral springs apart, and their
     /// absolute values to @p absolute.
@@ -102,6 +117,11 @@ namespace hybrid::dda
     struct Range
     {
       const int *first, *last;
+
+      bool empty() const
+      {
+        return first == last;
+      }
 
       const int *begin() const
       {
@@ -146,7 +166,10 @@ namespace hybrid::dda
     void
     evaluate_joint(const Model &model, const DdaState &state, const Trial &trial, std::size_t s);
 
-    void evaluate_contact(const DdaState &state, const Trial &trial, std::size_t s);
+    void evaluate_contact(const DdaState &state,
+                          const Trial    &trial,
+                          std::size_t     s,
+                          ReversedSlip    reversed);
 
     std::vector<BlockMatrix::Pair> block_pairs, node_pairs; ///< of these springs
     std::vector<int>               block_begin;             ///< CSR over blocks of block_springs

@@ -84,6 +84,28 @@ TEST(JointLaw, shear_above_the_peak_slides_for_both_signs_and_opposes_the_slip)
 
 
 
+TEST(JointLaw, a_locked_point_bears_what_is_beyond_its_strength)
+{
+  JointHistory slid;
+  slid.plastic_slip = 1e-3;
+  for (const double sign : {1., -1.})
+    {
+      const JointKinematics at{-1e-6, slid.plastic_slip + sign * 1e-3};
+      const JointResponse   law  = brittle().respond(at, slid),
+                          locked = brittle().respond_locked(at, slid);
+      EXPECT_EQ(law.state, ContactState::sliding);
+      EXPECT_EQ(locked.state, ContactState::locked);
+      EXPECT_DOUBLE_EQ(locked.shear, -sign * k_s * 1e-3);
+      EXPECT_GT(std::abs(locked.shear), std::abs(law.shear));
+      EXPECT_EQ(locked.shear_by_slip, k_s);
+      EXPECT_EQ(locked.shear_by_gap, 0.);
+      EXPECT_EQ(locked.normal, law.normal);
+      EXPECT_EQ(locked.history.plastic_slip, slid.plastic_slip);
+    }
+}
+
+
+
 TEST(JointLaw, strength_is_continuous_at_the_sliding_limit)
 {
   const JointLaw      law   = softening();

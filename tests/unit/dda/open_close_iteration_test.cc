@@ -137,3 +137,44 @@ TEST(OpenCloseIteration, base_as_a_body_moves_by_its_stiffness_and_load)
   EXPECT_NEAR(run.state.base_displacement[3], -half / 1e7, 1e-6 * half / 1e7);
   EXPECT_NEAR(run.state.base_force[1], -half, 1e-6 * half);
 }
+
+
+
+// A wall of loose blocks, each with a spin of its own, falls onto rock: contacts close, open, stick
+// and slide.
+TEST(OpenCloseIteration, whole_updates_save_cuts)
+{
+  int cuts[2];
+  for (const bool whole : {false, true})
+    {
+      FixedBaseRun run(square_blocks(5, 4),
+                       block_parameters(30., 5e9),
+                       straight_base(-0.1, 5., 10.));
+      run.model.iteration.whole_updates = whole ? 16 : 0;
+      for (int b = 0; b < 20; ++b)
+        run.state.blocks[b].velocity << 1. - b % 3, -1. - b % 2, 0.5 * (b % 5) - 1., 0., 0., 0.;
+      EXPECT_TRUE(run.run(0.2, 2e-3));
+      cuts[whole] = run.cuts;
+    }
+  EXPECT_LT(2 * cuts[true], cuts[false]);
+}
+
+
+
+TEST(OpenCloseIteration, a_block_that_flies_too_far_is_seen_before_anything_is_solved)
+{
+  FixedBaseRun run(square_blocks(2, 1), block_parameters(30.), straight_base(0., 1., 3.));
+  for (Vec2 &x : run.state.geometry.vertices)
+    x.y() += 5.;
+  for (BlockState &block : run.state.blocks)
+    block.centroid.y() += 5.;
+  for (int v = 4; v < 8; ++v)
+    run.state.geometry.vertices[v].x() += 5.;
+  run.state.blocks[1].centroid.x() += 5.;
+  run.state.blocks[1].velocity[0] = 60.; // 0.06 of its size in a step; allowed 0.05
+  const StepResult result         = run.solver.solve(run.state, run.base, 1e-3);
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.iterations, 0);
+  EXPECT_EQ(result.largest_block, 1);
+  EXPECT_NEAR(result.displacement_ratio, 0.06, 1e-8);
+}

@@ -137,3 +137,31 @@ TEST(Springs, contacts_do_not_depend_on_the_place_in_the_section)
   const Eigen::VectorXd a0 = near.forces(pressing(0.)), b0 = far.forces(pressing(0.));
   EXPECT_LT(((a - a0) - (b - b0)).norm(), 1e-9 * a.norm());
 }
+
+
+
+TEST(Springs, a_contact_that_slides_back_sticks_first)
+{
+  using Reversed = Springs::ReversedSlip;
+  SpringScene     scene(false);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(20), left = right;
+  right.segment<2>(0) = right.segment<2>(6) = Vec2(1e-4, -1e-6); // m; tan 85 degrees = 11.4
+  left.segment<2>(0) = left.segment<2>(6) = Vec2(-1e-4, -1e-6);
+  const auto state                        = [&]() { return scene.springs.responses[0].now.state; };
+
+  scene.move(right, Reversed::locks);
+  EXPECT_EQ(state(), ContactState::sliding);
+  EXPECT_FALSE(scene.springs.any_held());
+  scene.move(left, Reversed::locks);
+  EXPECT_EQ(state(), ContactState::locked);
+  EXPECT_TRUE(scene.springs.any_held());
+  const double held = scene.springs.responses[0].now.shear;
+  scene.move(left, Reversed::locks); // from sticking it may slide either way
+  EXPECT_EQ(state(), ContactState::sliding);
+  EXPECT_FALSE(scene.springs.any_held());
+  EXPECT_GT(held / scene.springs.responses[0].now.shear, 5.);
+
+  scene.move(right);
+  EXPECT_EQ(state(), ContactState::sliding);
+  EXPECT_FALSE(scene.springs.any_held());
+}
