@@ -226,7 +226,11 @@ namespace hybrid::dda
 
   bool LinearSolver::is_worth_trying()
   {
-    if (factor_is_current || failures < few_failures)
+    if (factor_is_current)
+      return true;
+    if (factor.is_cheap())
+      return false;
+    if (failures < few_failures)
       return true;
     passed_over = (passed_over + 1) % retry_every;
     return passed_over == 0;

@@ -12,6 +12,11 @@ namespace hybrid::dda
 {
   namespace
   {
+    /// Products of 6x6 blocks per block up to which BlockLu serves. It would be faster than UMFPACK
+    /// up to some 800, but is worth more than the iterations that an old factor is given only so
+    /// far.
+    constexpr long few_products = 100;
+
     /// One 6x6 block of a block column.
     struct Entry
     {
@@ -331,9 +336,15 @@ namespace hybrid::dda
 
   bool SparseFactor::factorize(const BlockMatrix &matrix)
   {
-    size   = 0;
-    use_lu = !(matrix.symmetric && cholesky->factorize(matrix));
-    if (use_lu && !lu->factorize(matrix))
+    size = 0;
+    if (matrix.symmetric && cholesky->factorize(matrix))
+      kind = Kind::cholesky;
+    else if (block_lu.analyze(matrix) <= few_products * matrix.n_blocks() &&
+             block_lu.factorize(matrix))
+      kind = Kind::block_lu;
+    else if (lu->factorize(matrix))
+      kind = Kind::lu;
+    else
       return false;
     size = 6 * matrix.n_blocks();
     return true;
@@ -343,9 +354,11 @@ namespace hybrid::dda
 
   void SparseFactor::serialize(restart::Archive &archive, const BlockMatrix &matrix)
   {
-    archive(size, use_lu);
-    lu->serialize(archive, matrix, size > 0 && use_lu);
-    cholesky->serialize(archive, size > 0 && !use_lu);
+    archive(size, kind);
+    lu->serialize(archive, matrix, size > 0 && kind == Kind::lu);
+    cholesky->serialize(archive, size > 0 && kind == Kind::cholesky);
+    BlockLu none;
+    archive(size > 0 && kind == Kind::block_lu ? block_lu : none);
   }
 
 
@@ -359,9 +372,17 @@ namespace hybrid::dda
 
   void SparseFactor::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
   {
-    if (use_lu)
-      lu->solve(b, x);
-    else
-      cholesky->solve(b, x);
+    switch (kind)
+      {
+        case Kind::cholesky:
+          cholesky->solve(b, x);
+          break;
+        case Kind::lu:
+          lu->solve(b, x);
+          break;
+        case Kind::block_lu:
+          block_lu.solve(b, x);
+          break;
+      }
   }
 } // namespace hybrid::dda

@@ -4,6 +4,7 @@
 #include <hybrid/dda/block_matrix.h>
 
 #include <cstdlib>
+#include <vector>
 
 namespace hybrid::test
 {
@@ -41,17 +42,20 @@ namespace hybrid::test
 
 
 
-  /// Positive definite: random springs between blocks i, i + 1, i + 3 and nodes, on a random mass.
-  inline dda::BlockMatrix random_block_matrix(const int n_blocks, const int n_nodes)
+  /// Positive definite: random springs between blocks i, i + 1, i + 3 (or other @p distances) and
+  /// nodes, on a random mass.
+  inline dda::BlockMatrix random_block_matrix(const int               n_blocks,
+                                              const int               n_nodes,
+                                              const std::vector<int> &distances = {1, 3})
   {
     using namespace dda;
     std::srand(1);
     std::vector<BlockMatrix::Pair> pairs, couplings;
     for (int i = 0; i < n_blocks; ++i)
       {
-        for (const int j : {i + 1, i + 3})
-          if (j < n_blocks)
-            pairs.push_back({i, j});
+        for (const int distance : distances)
+          if (i + distance < n_blocks)
+            pairs.push_back({i, i + distance});
         if (n_nodes > 1)
           for (const int k : {i % (n_nodes - 1), i % (n_nodes - 1) + 1})
             couplings.push_back({i, k});
@@ -94,10 +98,12 @@ namespace hybrid::test
 
 
   /// The same, as joints that slide with friction make it: rows and columns differ by @p size.
-  inline dda::BlockMatrix
-  unsymmetric_block_matrix(const int n_blocks, const int n_nodes, const double size)
+  inline dda::BlockMatrix unsymmetric_block_matrix(const int               n_blocks,
+                                                   const int               n_nodes,
+                                                   const double            size,
+                                                   const std::vector<int> &distances = {1, 3})
   {
-    dda::BlockMatrix m = random_block_matrix(n_blocks, n_nodes);
+    dda::BlockMatrix m = random_block_matrix(n_blocks, n_nodes, distances);
     for (auto &part : m.diagonal)
       part += size * dda::Mat6::Random();
     for (auto &part : m.lower)

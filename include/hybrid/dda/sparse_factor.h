@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/block_lu.h>
 #include <hybrid/dda/block_matrix.h>
 
 #include <Eigen/Core>
@@ -11,8 +12,9 @@ namespace hybrid::dda
 {
   /**
    * Sparse factor of the blocks' part of a BlockMatrix: Cholesky (CHOLMOD)
-   * while the matrix is symmetric and positive definite, LU (UMFPACK) while
-   * joints slide with friction or soften. Analyses are kept with the pattern.
+   * while the matrix is symmetric and positive definite, LU while joints slide
+   * with friction or soften: BlockLu where few blocks touch, else UMFPACK.
+   * Analyses of CHOLMOD and UMFPACK are kept with the pattern.
    */
   class SparseFactor
   {
@@ -24,6 +26,12 @@ namespace hybrid::dda
 
     /// @return false if the matrix is singular.
     bool factorize(const BlockMatrix &matrix);
+
+    /// A new factor costs less than some iterations with this one.
+    bool is_cheap() const
+    {
+      return kind == Kind::block_lu;
+    }
 
     /// True if a factor of this size is there.
     bool ready(int n_blocks) const;
@@ -38,9 +46,18 @@ namespace hybrid::dda
   private:
     struct Cholesky;
     struct Lu;
+
+    enum class Kind
+    {
+      cholesky,
+      lu,
+      block_lu
+    };
+
     std::unique_ptr<Cholesky> cholesky;
     std::unique_ptr<Lu>       lu;
-    int                       size   = 0;     ///< of the factor there is, 0: none
-    bool                      use_lu = false; ///< which of them it is
+    BlockLu                   block_lu;
+    int                       size = 0; ///< of the factor there is, 0: none
+    Kind                      kind = Kind::cholesky;
   };
 } // namespace hybrid::dda
