@@ -8,7 +8,8 @@ namespace hybrid::dda
 {
   void WholeUpdates::begin(const int most, const double residual)
   {
-    left = most;
+    constexpr double near_balance = 1e-3;
+    left                          = residual > near_balance ? most : 0;
     residuals.assign(1, residual);
   }
 

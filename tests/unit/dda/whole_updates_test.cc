@@ -52,3 +52,14 @@ TEST(WholeUpdates, those_in_a_circle_are_given_up)
   updates.judge(0.8 * (1. + 1e-9));
   EXPECT_FALSE(updates.go_on());
 }
+
+
+
+TEST(WholeUpdates, none_near_balance)
+{
+  WholeUpdates updates;
+  updates.begin(9, 1e-4);
+  EXPECT_FALSE(updates.go_on());
+  updates.begin(9, 1e-2);
+  EXPECT_TRUE(updates.go_on());
+}
