@@ -23,7 +23,9 @@ namespace hybrid::dda
   {
     for (int b = 0; b < model.n_blocks(); ++b)
       {
-        const double ratio = displacement_ratio(model, b);
+        // Exact in free flight, but for the strains of a shape that rings.
+        const Vec6  &d     = trial.increment[b];
+        const double ratio = d.head<2>().norm() / model.blocks[b].size + std::abs(d[2]);
         if (ratio <= model.iteration.maximum_displacement_ratio || !springs.of_block(b).empty())
           continue;
         result.displacement_ratio = ratio;
