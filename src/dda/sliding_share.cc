@@ -7,7 +7,7 @@ namespace hybrid::dda
 {
   bool SlidingShare::adapt(const double part)
   {
-    const double before = share;
+    const double     before = share;
     constexpr double least = 1e-3, most = 1., factor = 8.;
     if (part < 0.25)
       share = std::min(most, std::max(least, factor * share));

@@ -141,8 +141,8 @@ TEST(BeddingSlip, a_plane_that_opens_loses_the_energy_of_its_cut_off_only)
 
 
 
-// Broken in tension while it carries shear: the plane loses the elastic energy of both. Without friction it
-// loses nothing else.
+// Broken in tension while it carries shear: the plane loses the elastic energy of both. Without
+// friction it loses nothing else.
 TEST(BeddingSlip, a_plane_that_breaks_loses_the_shear_stress_that_it_drops)
 {
   auto scene                          = parameters(1e12);
