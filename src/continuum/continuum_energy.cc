@@ -33,6 +33,16 @@ namespace hybrid::continuum
   }
 
 
+  void Continuum::Implementation::add_boundary(const std::vector<double> &on_boundary,
+                                               std::vector<double>       &x) const
+  {
+    const auto &edge_nodes = boundary->boundary_nodes();
+    for (std::size_t k = 0; k < edge_nodes.size(); ++k)
+      for (int c = 0; c < 2; ++c)
+        x[2 * edge_nodes[k] + c] += on_boundary[2 * k + c];
+  }
+
+
   Vec2 Continuum::Implementation::base_reaction(const double              *u,
                                                 const double              *v,
                                                 const double              *a,

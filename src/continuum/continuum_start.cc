@@ -70,10 +70,7 @@ namespace hybrid::continuum
         gather_boundary(state.displacement, edge_u0);
         boundary->springs().add_forces({edge_u0, incoming0.displacement}, edge_force0);
       }
-    const auto &edge_nodes = boundary->boundary_nodes();
-    for (std::size_t k = 0; k < edge_nodes.size(); ++k)
-      for (int c = 0; c < 2; ++c)
-        product[2 * edge_nodes[k] + c] += edge_force0[2 * k + c];
+    add_boundary(edge_force0, product);
     if (!point_loads.empty())
       point_loads.add_forces(state.time, product);
 

@@ -146,10 +146,7 @@ namespace hybrid::continuum
         std::fill(edge0.begin(), edge0.end(), 0.); // k u is in A
         boundary->springs().add_forces({edge0, incoming1.displacement}, edge_force1);
       }
-    const auto &edge_nodes = boundary->boundary_nodes();
-    for (std::size_t k = 0; k < edge_nodes.size(); ++k)
-      for (int c = 0; c < 2; ++c)
-        product[2 * edge_nodes[k] + c] += edge_force1[2 * k + c];
+    add_boundary(edge_force1, product);
 
     if (!point_loads.empty())
       point_loads.add_forces(state.time + dt, product);

@@ -2,6 +2,8 @@
 #include <hybrid/dda/contact_frame.h>
 #include <hybrid/dda/spring_work.h>
 
+#include <algorithm>
+
 namespace hybrid::dda
 {
   namespace

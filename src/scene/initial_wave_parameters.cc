@@ -7,13 +7,11 @@ namespace hybrid::scene
   {
     Vec2 parse_point(const std::string &text)
     {
-      std::vector<double> x;
-      for (const std::string &part : split(text, ','))
-        if (const auto number = parse_number(part))
-          x.push_back(*number);
-      if (x.size() != 2 || split(text, ',').size() != 2)
-        throw InputError("must be two numbers, x, y");
-      return {x[0], x[1]};
+      const std::vector<std::string> parts = split(text, ',');
+      if (parts.size() == 2)
+        if (const auto x = parse_number(parts[0]), y = parse_number(parts[1]); x && y)
+          return {*x, *y};
+      throw InputError("must be two numbers, x, y");
     }
   } // namespace
 

@@ -134,6 +134,7 @@ namespace hybrid::continuum
 
     // energy of a step (continuum_energy.cc)
     void gather_boundary(const std::vector<double> &x, std::vector<double> &on_boundary) const;
+    void add_boundary(const std::vector<double> &on_boundary, std::vector<double> &x) const;
     void add_energy(ContinuumState &state, double dt, const Eigen::VectorXd *force);
     Vec2 base_reaction(const double              *u,
                        const double              *v,

@@ -20,10 +20,10 @@ namespace hybrid::dda
    * does on gap and slip [J/m].
    *
    * The force turns with its bodies, while each body's increment is one vector for the whole step:
-   * of a spinning body, -F ds w dt for a force F towards the axis, an arc ds and a spin w. The mean
-   * of the forces at both ends is free of it; weights w at the end and 1 - w at the start take w -
-   * 1/2 of it from the motion, which is how Newmark's dissipative pairs slow a spinning bonded
-   * body: dw/dt = -(gamma - 1/2) dt w^3 for masses far from each other.
+   * of a body that spins with W, -F ds W dt for a force F towards the axis and an arc ds. The mean
+   * of the forces at both ends is free of it; weights w at the end and 1 - w at the start take
+   * w - 1/2 of it from the motion, which is how Newmark's dissipative pairs slow a spinning bonded
+   * body: dW/dt = -(gamma - 1/2) dt W^3 for masses far from each other.
    */
   double turning_work(const SpringStep &step, std::size_t number);
 } // namespace hybrid::dda
