@@ -172,6 +172,25 @@ namespace hybrid::dda
                                   const JointHistory    &history,
                                   const JointDamping    &damping) const
   {
+    return respond(kinematics, history, damping, false);
+  }
+
+
+
+  JointResponse JointLaw::respond_locked(const JointKinematics &kinematics,
+                                         const JointHistory    &history,
+                                         const JointDamping    &damping) const
+  {
+    return respond(kinematics, history, damping, true);
+  }
+
+
+
+  JointResponse JointLaw::respond(const JointKinematics &kinematics,
+                                  const JointHistory    &history,
+                                  const JointDamping    &damping,
+                                  const bool             sticks) const
+  {
     JointResponse r;
     r.history = history;
     normal_response(kinematics.gap, r);
@@ -196,7 +215,7 @@ namespace hybrid::dda
         at.residual_cohesion *= left;
         at.cohesion_by_gap = left > 0. ? residual_cohesion / (fade.end - fade.begin) : 0.;
       }
-    if (std::abs(trial) > shear_strength(at, history.softening))
+    if (!sticks && std::abs(trial) > shear_strength(at, history.softening))
       {
         slide(trial, spring, at, r);
         r.history.plastic_slip = kinematics.slip + r.shear / spring - shift;
@@ -218,20 +237,6 @@ namespace hybrid::dda
         r.normal += viscous;
         r.normal_by_gap += dashpot;
       }
-    return r;
-  }
-
-
-
-  JointResponse JointLaw::respond_locked(const JointKinematics &kinematics,
-                                         const JointHistory    &history) const
-  {
-    JointResponse r;
-    r.history = history;
-    normal_response(kinematics.gap, r);
-    r.shear = r.elastic_shear = -k_s * (kinematics.slip - history.plastic_slip);
-    r.shear_by_slip           = k_s;
-    r.state                   = ContactState::locked;
     return r;
   }
 

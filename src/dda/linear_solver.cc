@@ -14,7 +14,9 @@ namespace hybrid::dda
     constexpr int hard_limit   = 2000;
     constexpr int few_failures = 2; ///< of old factors in a row, after which they are passed over
     constexpr int retry_every  = 8; ///< matrices, to see if an old factor serves again
-  }                                 // namespace
+    constexpr int few_factors  = 4; ///< half of those made before sweeps are tried again
+    constexpr int many_factors = 512;
+  } // namespace
 
 
 
@@ -37,7 +39,7 @@ namespace hybrid::dda
 
   void LinearSolver::serialize(restart::Archive &archive, const BlockMatrix &matrix)
   {
-    archive(use_factor, factor_is_current, failures, passed_over);
+    archive(use_factor, factor_is_current, failures, passed_over, patience, factors);
     factor.serialize(archive, matrix);
   }
 
@@ -59,6 +61,7 @@ namespace hybrid::dda
     const int nodes = 6 * matrix.n_blocks();
     factor.solve(residual, z);
     z.tail(z.size() - nodes) = residual.tail(z.size() - nodes);
+    matrix.add_blocks_to_nodes(z, z, -1.);
     base.solve(z.data() + nodes);
   }
 
@@ -224,6 +227,21 @@ namespace hybrid::dda
 
 
 
+  bool LinearSolver::are_sweeps_due() const
+  {
+    return !factor_is_current && !factor.is_cheap() && factors >= patience;
+  }
+
+
+
+  void LinearSolver::judge_sweeps(const bool served)
+  {
+    patience = served ? few_factors : std::min(2 * patience, many_factors);
+    factors  = 0;
+  }
+
+
+
   bool LinearSolver::is_worth_trying()
   {
     if (factor_is_current)
@@ -260,12 +278,14 @@ namespace hybrid::dda
       return use_factor ? solve_with_factor(matrix, target, x)
                         : solve_swept(matrix.symmetric, target, x);
     };
-    use_factor = use_factor && factor.ready(matrix.n_blocks());
+    use_factor = use_factor && factor.ready(matrix.n_blocks()) && !are_sweeps_due();
     if (!use_factor || is_worth_trying())
       {
         result = attempt(use_factor ? factor_limit : swept_limit);
         if (use_factor && !factor_is_current)
           failures = result.converged ? 0 : failures + 1;
+        if (!use_factor)
+          judge_sweeps(result.converged);
         if (result.converged)
           return result;
       }
@@ -273,7 +293,10 @@ namespace hybrid::dda
     const int spent    = result.iterations;
     bool      factored = false;
     if (!factor_is_current || !use_factor)
-      factored = use_factor = factor_is_current = factor.factorize(matrix);
+      {
+        factored = use_factor = factor_is_current = factor.factorize(matrix);
+        ++factors;
+      }
     result = attempt(hard_limit);
     result.iterations += spent;
     result.factored = factored;

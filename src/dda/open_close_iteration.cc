@@ -19,6 +19,17 @@ namespace hybrid::dda
     {
       return 0.5 / newmark.beta;
     }
+
+
+
+    /// Part of the @p residual that the linear solver may leave: the faster the residual falls, the
+    /// less (Eisenstat and Walker 1996, choice 2); nothing in a step's first iteration.
+    double forcing_term(const double residual, const double previous)
+    {
+      constexpr double most = 1e-3, factor = 0.1;
+      const double     ratio = residual / previous;
+      return std::min(most, factor * ratio * ratio);
+    }
   } // namespace
 
 
@@ -410,8 +421,10 @@ namespace hybrid::dda
           }
         stale = false;
 
-        const double               target = 0.2 * model.iteration.tolerance * reference;
-        const LinearSolver::Result linear = solver.solve(matrix, residual, scale, target, update);
+        const double               left = std::max(0.2 * model.iteration.tolerance,
+                                     forcing_term(result.residual, previous) * result.residual);
+        const LinearSolver::Result linear =
+          solver.solve(matrix, residual, scale, left * reference, update);
         result.solver_iterations += linear.iterations;
         result.factorizations += linear.factored ? 1 : 0;
         previous                  = result.residual;

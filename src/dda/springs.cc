@@ -47,7 +47,7 @@ namespace hybrid::dda
 
 
 
-    /// Contacts in two trials, one after the other: both slide, but not the same way.
+    /// A spring in two trials, one after the other: it slides in both, but not the same way.
     bool is_reversed(const SpringState &before, const SpringState &now)
     {
       return before.state == ContactState::sliding && now.state == ContactState::sliding &&
@@ -205,7 +205,7 @@ namespace hybrid::dda
     for (std::size_t s = 0; s < springs.size(); ++s)
       {
         if (springs[s].joint >= 0)
-          evaluate_joint(model, state, trial, s);
+          evaluate_joint(model, state, trial, s, reversed);
         else
           evaluate_contact(state, trial, s, reversed);
         set_forces(trial, s);
@@ -214,10 +214,11 @@ namespace hybrid::dda
 
 
 
-  void Springs::evaluate_joint(const Model      &model,
-                               const DdaState   &state,
-                               const Trial      &trial,
-                               const std::size_t s)
+  void Springs::evaluate_joint(const Model       &model,
+                               const DdaState    &state,
+                               const Trial       &trial,
+                               const std::size_t  s,
+                               const ReversedSlip reversed)
   {
     const Spring   &spring   = springs[s];
     Response       &response = responses[s];
@@ -248,22 +249,25 @@ namespace hybrid::dda
         : trial.displacement[v];
     // The jump is summed over the steps: differences of places would cost digits far from the
     // origin.
-    SpringState &now       = response.now;
-    now.jump               = spring.old.jump + moved_q - moved_p;
-    now.gap                = response.normal.dot(now.jump);
-    now.slip               = response.tangent.dot(now.jump);
-    response.place         = (1. - point.position) * pa + point.position * pb + 0.5 * now.jump;
-    response.weight[0]     = 1.;
-    response.weight[1]     = 0.;
-    response.held          = false;
-    const SpringState &old = spring.old;
-    const double       damping_time =
+    const SpringState  before = response.now;
+    const SpringState &old    = spring.old;
+    SpringState       &now    = response.now;
+    now.jump                  = old.jump + moved_q - moved_p;
+    now.gap                   = response.normal.dot(now.jump);
+    now.slip                  = response.tangent.dot(now.jump);
+    response.place            = (1. - point.position) * pa + point.position * pb + 0.5 * now.jump;
+    response.weight[0]        = 1.;
+    response.weight[1]        = 0.;
+    const double damping_time =
       joint.within_bedrock() ? model.bedrock_damping_time : model.joint_damping_time;
-    const JointDamping damping{damping_time / trial.dt,
+    const JointDamping    damping{damping_time / trial.dt,
                                old.gap,
                                old.slip - old.history.plastic_slip};
-    set_response(spring.law->respond({now.gap, now.slip, spring.cohesive}, old.history, damping),
-                 response);
+    const JointKinematics kinematics{now.gap, now.slip, spring.cohesive};
+    set_response(spring.law->respond(kinematics, old.history, damping), response);
+    response.held = reversed == ReversedSlip::locks && is_reversed(before, now);
+    if (response.held)
+      set_response(spring.law->respond_locked(kinematics, old.history, damping), response);
   }
 
 

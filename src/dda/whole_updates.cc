@@ -17,7 +17,7 @@ namespace hybrid::dda
 
   void WholeUpdates::judge(const double residual)
   {
-    constexpr double most_growth = 4., same = 1e-6;
+    constexpr double most_growth = 100., same = 1e-6;
     const bool       comes_back =
       std::any_of(residuals.begin(), residuals.end(), [&](const double earlier) {
         return std::abs(residual - earlier) <= same * earlier;

@@ -137,9 +137,10 @@ namespace hybrid::dda
                           const JointHistory    &history,
                           const JointDamping    &damping = {}) const;
 
-    /// What the point would bear if it stuck whatever its shear strength; without damping.
+    /// What the point would bear if it stuck whatever its shear strength.
     JointResponse respond_locked(const JointKinematics &kinematics,
-                                 const JointHistory    &history) const;
+                                 const JointHistory    &history,
+                                 const JointDamping    &damping = {}) const;
 
     /// The same springs with another strength.
     JointLaw with(const JointStrength &other) const
@@ -178,6 +179,12 @@ namespace hybrid::dda
     JointStrength strength;
     double        k_n; ///< [Pa/m]
     double        k_s; ///< [Pa/m]
+
+    /// @param sticks its shear strength is not asked for.
+    JointResponse respond(const JointKinematics &kinematics,
+                          const JointHistory    &history,
+                          const JointDamping    &damping,
+                          bool                   sticks) const;
 
     /// Opening at which no traction is left [m]; 0 without tensile strength.
     double critical_opening() const;

@@ -20,9 +20,9 @@ namespace hybrid::dda
    * Preconditioner: a symmetric Gauss-Seidel sweep where inertia dominates (small
    * steps, soft joints), or a sparse factor of an earlier matrix, kept until it
    * serves badly (static stage, stiff joints); where hundreds of contacts change from one
-   * matrix to the next an old factor is mostly passed over. The choice follows iteration
-   * counts only, so results are deterministic. Preconditioner of the base:
-   * BaseBand.
+   * matrix to the next an old factor is mostly passed over, and sweeps are tried again now and
+   * then. The choice follows iteration counts only, so results are deterministic. Preconditioner
+   * of the base: BaseBand, before the blocks with sweeps, after them with a factor.
    */
   class LinearSolver
   {
@@ -95,6 +95,8 @@ namespace hybrid::dda
     bool            factor_is_current = false;
     int             failures          = 0; ///< of old factors, in a row
     int             passed_over       = 0; ///< old factors since one was last tried
+    int             patience          = 4; ///< factors to be made before sweeps are tried again
+    int             factors           = 0; ///< made since sweeps were last tried
     Eigen::VectorXd unknown, r, dual_r, p, dual_p, q, t, dual_t, shadow, z; ///< work
 
     void precondition(const BlockMatrix &matrix, const Eigen::VectorXd &residual);
@@ -109,6 +111,12 @@ namespace hybrid::dda
     Result stabilised_gradients(System &system, int limit);
 
     Result solve_swept(bool symmetric, const Target &target, Eigen::VectorXd &x);
+
+    /// True if so many factors had to be made that sweeps may serve better by now.
+    bool are_sweeps_due() const;
+
+    /// Sweeps were tried.
+    void judge_sweeps(bool served);
 
     /// True if a try with the factor there is promises more than a new one.
     bool is_worth_trying();

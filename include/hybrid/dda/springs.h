@@ -73,8 +73,8 @@ namespace hybrid::dda
       double      normal_by_gap = 0., shear_by_slip = 0., shear_by_gap = 0.; ///< tangents [Pa/m]
     };
 
-    /// What becomes of a contact that slid one way in the trial before and slides the other way
-    /// now.
+    /// What becomes of a joint or contact that slid one way in the trial before and slides the
+    /// other way now.
     enum class ReversedSlip
     {
       slides, ///< the law is followed: its friction turns round
@@ -163,8 +163,11 @@ namespace hybrid::dda
 
     void add_force_on_base(std::size_t s, Eigen::VectorXd &forces) const;
 
-    void
-    evaluate_joint(const Model &model, const DdaState &state, const Trial &trial, std::size_t s);
+    void evaluate_joint(const Model    &model,
+                        const DdaState &state,
+                        const Trial    &trial,
+                        std::size_t     s,
+                        ReversedSlip    reversed);
 
     void evaluate_contact(const DdaState &state,
                           const Trial    &trial,

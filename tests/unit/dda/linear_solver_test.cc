@@ -137,6 +137,43 @@ TEST(LinearSolver, old_factors_that_fail_are_passed_over)
 
 
 
+// Once factors have had to be made anew again and again, sweeps may do better than they did.
+TEST(LinearSolver, sweeps_are_tried_again)
+{
+  LinearSolver solver;
+  BlockMatrix  stiff = random_block_matrix(60, 0);
+  stiffen(stiff, 1e5);
+  EXPECT_TRUE(check(solver, stiff, nullptr).factored);
+  int factored = 0;
+  for (int k = 0; k < 40; ++k)
+    {
+      BlockMatrix m = random_block_matrix(60, 0);
+      for (Mat6 &block : m.diagonal) // an old factor is no good
+        block += std::pow(10., 4. * std::rand() / RAND_MAX) * Mat6::Identity();
+      factored += check(solver, m, nullptr).factored ? 1 : 0;
+    }
+  EXPECT_GT(factored, 0);
+  EXPECT_LT(factored, 20);
+  EXPECT_TRUE(check(solver, stiff, nullptr).factored);
+}
+
+
+
+// Blocks first, then the base: in one place after the other, not each as if there were no other.
+TEST(LinearSolver, a_factor_and_a_base_take_few_iterations)
+{
+  constexpr int         swept = 40; // tried before
+  BlockMatrix           m     = random_block_matrix(60, 8);
+  const Eigen::MatrixXd base  = base_stiffness(16);
+  stiffen(m, 1e5);
+  LinearSolver               solver;
+  const LinearSolver::Result result = check(solver, m, &base);
+  EXPECT_TRUE(result.factored);
+  EXPECT_LE(result.iterations, swept + 6);
+}
+
+
+
 TEST(LinearSolver, base_with_a_banded_stiffness_of_its_own)
 {
   BlockMatrix           m = random_block_matrix(15, 8);

@@ -140,28 +140,59 @@ TEST(Springs, contacts_do_not_depend_on_the_place_in_the_section)
 
 
 
+namespace
+{
+  /// Move blocks so far, one way and the other, that the first spring slides.
+  void slide_there_and_back(SpringScene           &scene,
+                            const Eigen::VectorXd &there,
+                            const Eigen::VectorXd &back)
+  {
+    using Reversed  = Springs::ReversedSlip;
+    const auto &now = scene.springs.responses[0].now;
+
+    scene.move(there, Reversed::locks);
+    EXPECT_EQ(now.state, ContactState::sliding);
+    EXPECT_FALSE(scene.springs.responses[0].held);
+    scene.move(back, Reversed::locks);
+    EXPECT_EQ(now.state, ContactState::locked);
+    EXPECT_TRUE(scene.springs.any_held());
+    const double held = now.shear;
+    scene.move(back, Reversed::locks); // from sticking it may slide either way
+    EXPECT_EQ(now.state, ContactState::sliding);
+    EXPECT_FALSE(scene.springs.responses[0].held);
+    EXPECT_GT(held / now.shear, 5.);
+
+    scene.move(there);
+    EXPECT_EQ(now.state, ContactState::sliding);
+    EXPECT_FALSE(scene.springs.any_held());
+  }
+} // namespace
+
+
+
 TEST(Springs, a_contact_that_slides_back_sticks_first)
 {
-  using Reversed = Springs::ReversedSlip;
   SpringScene     scene(false);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(20), left = right;
   right.segment<2>(0) = right.segment<2>(6) = Vec2(1e-4, -1e-6); // m; tan 85 degrees = 11.4
   left.segment<2>(0) = left.segment<2>(6) = Vec2(-1e-4, -1e-6);
-  const auto state                        = [&]() { return scene.springs.responses[0].now.state; };
+  slide_there_and_back(scene, right, left);
+}
 
-  scene.move(right, Reversed::locks);
-  EXPECT_EQ(state(), ContactState::sliding);
-  EXPECT_FALSE(scene.springs.any_held());
-  scene.move(left, Reversed::locks);
-  EXPECT_EQ(state(), ContactState::locked);
-  EXPECT_TRUE(scene.springs.any_held());
-  const double held = scene.springs.responses[0].now.shear;
-  scene.move(left, Reversed::locks); // from sticking it may slide either way
-  EXPECT_EQ(state(), ContactState::sliding);
-  EXPECT_FALSE(scene.springs.any_held());
-  EXPECT_GT(held / scene.springs.responses[0].now.shear, 5.);
 
-  scene.move(right);
-  EXPECT_EQ(state(), ContactState::sliding);
-  EXPECT_FALSE(scene.springs.any_held());
+
+TEST(Springs, a_joint_that_slides_back_sticks_first)
+{
+  SpringScene   scene(true);
+  JointStrength soft;
+  soft.tensile  = 1e9;
+  soft.cohesion = soft.residual_cohesion = 1e3; // Pa: slides from some 1e-6 m on
+  for (Joint &joint : scene.model.joints)
+    joint.law = joint.law.with(soft);
+  scene.state.contacts.clear();
+  scene.springs.collect(scene.model, scene.state);
+  Eigen::VectorXd up = Eigen::VectorXd::Zero(20), down = up; // of the second block, along the joint
+  up[7]   = 1e-4;
+  down[7] = -1e-4;
+  slide_there_and_back(scene, up, down);
 }

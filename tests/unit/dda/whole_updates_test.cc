@@ -29,11 +29,11 @@ TEST(WholeUpdates, as_many_as_are_allowed)
 
 TEST(WholeUpdates, those_that_lead_away_are_given_up)
 {
-  for (const double far : {5., std::numeric_limits<double>::quiet_NaN()})
+  for (const double far : {101., std::numeric_limits<double>::quiet_NaN()})
     {
       WholeUpdates updates;
       updates.begin(9, 1.);
-      updates.judge(3.);
+      updates.judge(30.);
       EXPECT_TRUE(updates.go_on());
       updates.judge(far);
       EXPECT_FALSE(updates.go_on());
