@@ -9,13 +9,21 @@ namespace hybrid::dda
 {
   namespace
   {
-    constexpr int swept_limit  = 40; ///< iterations with sweeps before a factor is made
     constexpr int factor_limit = 12; ///< iterations with an old factor before a new one is made
     constexpr int hard_limit   = 2000;
     constexpr int few_failures = 2; ///< of old factors in a row, after which they are passed over
     constexpr int retry_every  = 8; ///< matrices, to see if an old factor serves again
     constexpr int few_factors  = 4; ///< half of those made before sweeps are tried again
     constexpr int many_factors = 512;
+
+
+
+    /// Iterations with sweeps before a factor is made: its work grows as n^(3/2) (George 1973),
+    /// that of a sweep as n.
+    int swept_limit(const int n_blocks)
+    {
+      return std::max(40, static_cast<int>(0.8 * std::sqrt(n_blocks)));
+    }
   } // namespace
 
 
@@ -281,7 +289,7 @@ namespace hybrid::dda
     use_factor = use_factor && factor.ready(matrix.n_blocks()) && !are_sweeps_due();
     if (!use_factor || is_worth_trying())
       {
-        result = attempt(use_factor ? factor_limit : swept_limit);
+        result = attempt(use_factor ? factor_limit : swept_limit(matrix.n_blocks()));
         if (use_factor && !factor_is_current)
           failures = result.converged ? 0 : failures + 1;
         if (!use_factor)

@@ -62,7 +62,9 @@ namespace hybrid::dda
         mass[b]                 = mass_matrix(model.blocks[b], block.rotation);
         predicted[b]            = dt * v + dt * dt * (0.5 - beta) * a;
         predicted_rate[b]       = v + dt * (1. - gamma) * a;
-        trial.increment[b]      = dt * v + 0.5 * dt * dt * block.acceleration; // as if all stays
+        trial.increment[b]      = dt * v;
+        if (guesses_acceleration)
+          trial.increment[b] += 0.5 * dt * dt * block.acceleration;
         scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
       }
     assert(base.displacement.size() == 2 * m);
@@ -339,12 +341,32 @@ namespace hybrid::dda
     solver.set_base_stiffness(base.prescribed ? nullptr : base.stiffness);
     if (is_restored)
       solver.matrix_restored(matrix);
-    is_restored = false;
+    is_restored          = false;
+    guesses_acceleration = true;
     predict(model, state, base, dt);
     if (guess != nullptr)
       trial.increment = *guess;
     takes_whole   = false;
     sliding_share = {};
+  }
+
+
+
+  double OpenCloseIteration::choose_guess(const Model        &model,
+                                          const DdaState     &state,
+                                          const BaseResponse &base)
+  {
+    const double with_acceleration = evaluate(model, state, base);
+    if (!whole_updates.begin(model.iteration.whole_updates, with_acceleration))
+      return with_acceleration;
+    guesses_acceleration = false;
+    predict(model, state, base, trial.dt);
+    const double without = evaluate(model, state, base);
+    if (without < with_acceleration)
+      return without;
+    guesses_acceleration = true;
+    predict(model, state, base, trial.dt);
+    return evaluate(model, state, base);
   }
 
 
@@ -382,12 +404,12 @@ namespace hybrid::dda
     int              search_start = 0; ///< iteration in which the line search begins
 
     double previous = std::numeric_limits<double>::infinity();
-    result.residual = evaluate(model, state, base);
+    result.residual =
+      guess == nullptr ? choose_guess(model, state, base) : evaluate(model, state, base);
     springs.connect(model, matrix);
     bool stale =
       tangent_dt != dt || tangent_pattern != matrix.pattern_version() || tangent_share > 0.;
-    whole_updates.begin(model.iteration.whole_updates, result.residual);
-    takes_whole = whole_updates.go_on();
+    takes_whole = whole_updates.begin(model.iteration.whole_updates, result.residual);
     for (; result.iterations < model.iteration.maximum_iterations; ++result.iterations)
       {
         if (takes_whole && !whole_updates.go_on())

@@ -6,11 +6,12 @@
 
 namespace hybrid::dda
 {
-  void WholeUpdates::begin(const int most, const double residual)
+  bool WholeUpdates::begin(const int most, const double residual)
   {
     constexpr double near_balance = 1e-3;
     left                          = residual > near_balance ? most : 0;
     residuals.assign(1, residual);
+    return go_on();
   }
 
 

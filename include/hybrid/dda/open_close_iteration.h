@@ -46,10 +46,10 @@ namespace hybrid::dda
    * consistent tangent; the tangent is kept as long as it serves. Not converged is a status: the
    * state is changed only by accept().
    *
-   * The first iterations take whole updates, and a contact whose slip would turn round sticks
-   * before it may slide back (Shi 1988). With its friction at once the other way a line search ends
-   * near the first contact of hundreds that should stick, and every iteration finds but one of
-   * them. Only if whole updates do not settle there is a line search, with the law alone.
+   * The first iterations take whole updates, and a joint or contact whose slip would turn round
+   * sticks before it may slide back (Shi 1988). With its friction at once the other way a line
+   * search ends near the first contact of hundreds that should stick, and every iteration finds but
+   * one of them. Only if whole updates do not settle there is a line search, with the law alone.
    */
   class OpenCloseIteration
   {
@@ -64,7 +64,7 @@ namespace hybrid::dda
     }
 
     /// Solve the step from @p state; @p model must outlive the call to accept(). @p guess: the
-    /// increments of all blocks to begin with, instead of those of an unchanged acceleration.
+    /// increments of all blocks to begin with, instead of those of the last motion.
     StepResult solve(const Model             &model,
                      const DdaState          &state,
                      const BaseResponse      &base,
@@ -122,8 +122,9 @@ namespace hybrid::dda
     int             tangent_pattern = -1;
     bool            is_restored     = false; ///< the tangent is that of a checkpoint
     WholeUpdates    whole_updates;
-    bool            takes_whole = false; ///< updates: no line search, ReversedSlip::locks
-    double          reference   = 0.;    ///< norm of absolute forces [N]
+    bool            takes_whole          = false; ///< updates: no line search, ReversedSlip::locks
+    bool            guesses_acceleration = true;  ///< the trial begins as if it stayed the same
+    double          reference            = 0.;    ///< norm of absolute forces [N]
 
     /// Collect the springs and set where the iteration starts.
     void begin(const Model             &model,
@@ -179,6 +180,10 @@ namespace hybrid::dda
     /// or slides back on the way would otherwise make the iteration cycle. All of it while
     /// it takes_whole.
     LineSearch search_line(const Model &model, const DdaState &state, const BaseResponse &base);
+
+    /// Begin the trial with the acceleration as it was or, far from balance, with none where that
+    /// is closer. @return relative norm of the residual there
+    double choose_guess(const Model &model, const DdaState &state, const BaseResponse &base);
 
     /// End whole updates: go on by the law alone from where they led, or from the start if that is
     /// closer. @return relative norm of the residual there

@@ -10,15 +10,16 @@ namespace hybrid::dda
    *
    * Whole updates let all contacts change their states at once, and the residual with them: it may
    * rise, and falls at once when the states are right. They are given up after so many, when they
-   * lead away (the residual has become several times that of the start), or when they go round in a
-   * circle (a residual comes back). A step that begins near balance, where few contacts change,
+   * lead away (the residual has become a hundred times that of the start), or when they go round in
+   * a circle (a residual comes back). A step that begins near balance, where few contacts change,
    * takes none.
    */
   class WholeUpdates
   {
   public:
     /// A step begins. @param most number, 0: none. @param residual [-] at the start
-    void begin(int most, double residual);
+    /// @return go_on()
+    bool begin(int most, double residual);
 
     /// The next update shall be taken as a whole.
     bool go_on() const
