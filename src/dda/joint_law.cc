@@ -126,6 +126,16 @@ namespace hybrid::dda
 
 
 
+  double JointLaw::damage_by_gap(const double gap) const
+  {
+    const double elastic = strength.tensile / k_n, critical = critical_opening();
+    if (gap <= elastic || gap >= critical)
+      return 0.;
+    return elastic * critical / (gap * gap * (critical - elastic));
+  }
+
+
+
   double JointLaw::largest_opening(const double damage) const
   {
     const double elastic  = strength.tensile / k_n;
@@ -157,12 +167,18 @@ namespace hybrid::dda
 
 
 
+  double JointLaw::bond_cohesion(const double softening) const
+  {
+    if (strength.cohesion == strength.residual_cohesion) // infinite, perhaps
+      return 0.;
+    return (strength.cohesion - strength.residual_cohesion) * (1. - softened_part(softening));
+  }
+
+
+
   double JointLaw::shear_strength(const Strain &at, const double softening) const
   {
-    const double bond = strength.cohesion == strength.residual_cohesion
-                          ? 0.
-                          : (strength.cohesion - strength.residual_cohesion) *
-                              (1. - softened_part(softening)) * (1. - at.damage);
+    const double bond = bond_cohesion(softening) * (1. - at.damage);
     return std::max(0., bond + at.residual_cohesion + at.normal * friction_at(softening));
   }
 
@@ -208,7 +224,9 @@ namespace hybrid::dda
     const double spring = (1. + damping.ratio) * k_s;
     const double shift  = damping.ratio / (1. + damping.ratio) * damping.elastic_slip;
     const double trial  = -spring * (kinematics.slip - history.plastic_slip - shift);
-    Strain       at{r.elastic_normal, r.history.damage, residual_cohesion, 0.};
+    Strain       at{r.elastic_normal, r.history.damage, residual_cohesion, 0., 0.};
+    if (r.history.damage > history.damage)
+      at.damage_by_gap = damage_by_gap(kinematics.gap);
     if (kinematics.gap > fade.begin && fade.end > 0.)
       {
         const double left = std::max(0., (fade.end - kinematics.gap) / (fade.end - fade.begin));
@@ -306,7 +324,7 @@ namespace hybrid::dda
       {
         slope = (now - end) / left; // fall of strength per slip
         if (slope < spring)
-          x = std::max(0., std::min((std::abs(trial) - now) / (spring - slope), x));
+          x = std::max(0., std::min((std::abs(trial) - now) / (spring - slope), left));
         else
           slope = 0.; // brittle: straight to the residual
       }
@@ -314,10 +332,12 @@ namespace hybrid::dda
     r.history.softening = kappa + x;
     r.state             = ContactState::sliding;
 
-    r.shear_by_slip = -slope * spring / (spring - slope);
-    const double by_gap =
-      r.shear == 0. ? 0. : friction_at(r.history.softening) * r.normal_by_gap + at.cohesion_by_gap;
-    r.shear_by_gap = std::copysign(spring / (spring - slope) * by_gap, trial);
+    r.shear_by_slip     = -slope * spring / (spring - slope);
+    const double by_gap = r.shear == 0. ? 0.
+                                        : friction_at(r.history.softening) * r.normal_by_gap +
+                                            at.cohesion_by_gap +
+                                            bond_cohesion(r.history.softening) * at.damage_by_gap;
+    r.shear_by_gap      = std::copysign(spring / (spring - slope) * by_gap, trial);
   }
 
 

@@ -197,6 +197,9 @@ namespace hybrid::dda
 
     double damage_at(double gap) const;
 
+    /// Derivative of damage_at().
+    double damage_by_gap(double gap) const;
+
     /// Opening of the softening branch at which the bond had got this damage [m].
     double largest_opening(double damage) const;
 
@@ -218,7 +221,11 @@ namespace hybrid::dda
       double damage;            ///< [-]
       double residual_cohesion; ///< at this gap [Pa]
       double cohesion_by_gap;   ///< its fall with the gap [Pa/m]
+      double damage_by_gap;     ///< while it cracks [1/m]
     };
+
+    /// Cohesion above its residual, without damage [Pa].
+    double bond_cohesion(double softening) const;
 
     double shear_strength(const Strain &at, double softening) const;
 
