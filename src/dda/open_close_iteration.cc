@@ -23,7 +23,7 @@ namespace hybrid::dda
 
 
     /// Part of the @p residual that the linear solver may leave: the faster the residual falls, the
-    /// less (Eisenstat and Walker 1996, choice 2); nothing in a step's first iteration.
+    /// less (Eisenstat and Walker 1996, choice 2).
     double forcing_term(const double residual, const double previous)
     {
       constexpr double most = 1e-3, factor = 0.1;
@@ -396,16 +396,19 @@ namespace hybrid::dda
     if (flies_too_far(model, result))
       return result;
 
-    constexpr int    stall_window = 10;
-    constexpr double stalled_part = 0.3;
-    constexpr int    whole_every  = 3; ///< of a step's tangents is made of all rows
-    int              repairs      = 0;
-    double           window_start = std::numeric_limits<double>::infinity();
-    int              search_start = 0; ///< iteration in which the line search begins
+    constexpr int    stall_window   = 10;
+    constexpr double stalled_part   = 0.3;
+    constexpr int    whole_every    = 3; ///< of a step's tangents is made of all rows
+    constexpr int    few_iterations = 4;
+    int              repairs        = 0;
+    double           window_start   = std::numeric_limits<double>::infinity();
+    int              search_start   = 0; ///< iteration in which the line search begins
 
-    double previous = std::numeric_limits<double>::infinity();
     result.residual =
       guess == nullptr ? choose_guess(model, state, base) : evaluate(model, state, base);
+    // The first linear system is solved to the end where that may be all.
+    double previous = expects_many ? result.residual : std::numeric_limits<double>::infinity();
+    expects_many    = true;
     springs.connect(model, matrix);
     bool stale =
       tangent_dt != dt || tangent_pattern != matrix.pattern_version() || tangent_share > 0.;
@@ -459,6 +462,7 @@ namespace hybrid::dda
       }
     if (!result.converged)
       return result;
+    expects_many = result.iterations > few_iterations;
     finish(model);
     judge(model, result);
     result.converged = result.displacement_ratio <= model.iteration.maximum_displacement_ratio;
@@ -486,7 +490,7 @@ namespace hybrid::dda
   void OpenCloseIteration::serialize(restart::Archive &archive)
   {
     bool is_current = tangent_pattern == matrix.pattern_version();
-    archive(matrix, stiffness, tangent_dt, is_current);
+    archive(matrix, stiffness, tangent_dt, is_current, expects_many);
     solver.serialize(archive, matrix);
     if (!archive.is_reading())
       return;

@@ -63,8 +63,20 @@ namespace hybrid::dda
     const int p                  = order.place[block];
     inverse_diagonal[p]          = inverse(matrix->diagonal[block]);
     weight.segment<6>(6 * block) = matrix->diagonal[block].diagonal();
-    for (int k = row_begin[p]; k < row_begin[p + 1]; ++k)
-      entry[k] = slot[k] >= 0 ? matrix->off_diagonal[slot[k]] : matrix->lower[~slot[k]];
+    const auto copy              = [&](const int first, const int last) {
+      int end = first;
+      for (int k = first; k < last; ++k)
+        {
+          const Mat6 &from = slot[k] >= 0 ? matrix->off_diagonal[slot[k]] : matrix->lower[~slot[k]];
+          if (from.isZero(0.))
+            continue;
+          column[end]  = neighbour[k];
+          entry[end++] = from;
+        }
+      return end;
+    };
+    below_end[p] = copy(row_begin[p], row_middle[p]);
+    above_end[p] = copy(row_middle[p], row_begin[p + 1]);
   }
 
 
@@ -86,13 +98,13 @@ namespace hybrid::dda
 
     row_begin.assign(n + 1, 0);
     row_middle.assign(n, 0);
-    column.clear();
+    neighbour.clear();
     slot.clear();
     for (const auto &[row, other, s] : entries)
       {
         ++row_begin[row + 1];
         row_middle[row] += other < row ? 1 : 0;
-        column.push_back(order.block[other]);
+        neighbour.push_back(order.block[other]);
         slot.push_back(s);
       }
     for (int p = 0; p < n; ++p)
@@ -100,6 +112,9 @@ namespace hybrid::dda
         row_begin[p + 1] += row_begin[p];
         row_middle[p] += row_begin[p];
       }
+    below_end.resize(n);
+    above_end.resize(n);
+    column.resize(entries.size());
     entry.resize(entries.size());
     inverse_diagonal.resize(n);
     above.resize(6 * n);
@@ -127,7 +142,7 @@ namespace hybrid::dda
       for (int p = order.begin[part + 1] - 1; p >= order.begin[part]; --p)
         {
           const int  i   = order.block[p];
-          const Vec6 sum = product(row_middle[p], row_begin[p + 1], x) + matrix->row_of_nodes(i, x);
+          const Vec6 sum = product(row_middle[p], above_end[p], x) + matrix->row_of_nodes(i, x);
           Eigen::Map<Vec6>(above.data() + 6 * i) = sum;
           Eigen::Map<Vec6>(x.data() + 6 * i) =
             Eigen::Map<const Vec6>(hat.data() + 6 * i) - inverse_diagonal[p] * sum;
@@ -148,7 +163,7 @@ namespace hybrid::dda
         {
           const int  i = order.block[p];
           const Vec6 rest =
-            Eigen::Map<const Vec6>(b.data() + 6 * i) - product(row_begin[p], row_middle[p], result);
+            Eigen::Map<const Vec6>(b.data() + 6 * i) - product(row_begin[p], below_end[p], result);
           Eigen::Map<Vec6>(result.data() + 6 * i).noalias() = inverse_diagonal[p] * rest;
         }
     };
@@ -206,7 +221,7 @@ namespace hybrid::dda
     multiply_diagonal(x, y);
 #pragma omp parallel for schedule(static)
     for (int p = 0; p < n; ++p)
-      Eigen::Map<Vec6>(y.data() + 6 * order.block[p]) += product(row_begin[p], row_middle[p], x);
+      Eigen::Map<Vec6>(y.data() + 6 * order.block[p]) += product(row_begin[p], below_end[p], x);
     matrix->add_blocks_to_nodes(x, y);
   }
 } // namespace hybrid::dda

@@ -121,6 +121,7 @@ namespace hybrid::dda
     double          tangent_share   = 0.;  ///< SlidingShare of it
     int             tangent_pattern = -1;
     bool            is_restored     = false; ///< the tangent is that of a checkpoint
+    bool            expects_many    = false; ///< iterations, after the last step
     WholeUpdates    whole_updates;
     bool            takes_whole          = false; ///< updates: no line search, ReversedSlip::locks
     bool            guesses_acceleration = true;  ///< the trial begins as if it stayed the same

@@ -67,19 +67,23 @@ namespace hybrid::dda
     SweepOrder         order;
     std::vector<int>   row_begin;  ///< CSR over places of the sweep
     std::vector<int>   row_middle; ///< first entry of each row that a sweep visits later
-    std::vector<int>   column;     ///< block of each entry
+    std::vector<int>   neighbour;  ///< block of each entry
     std::vector<int>   slot;       ///< of each entry in the matrix; complement: in its lower part
-    std::vector<Mat6>  entry;      ///< of L and U, as a sweep reads them
-    std::vector<Mat6>  inverse_diagonal; ///< in the order of the sweep
-    Eigen::VectorXd    above;            ///< product with U [6 blocks], of the last backward sweep
-    Eigen::VectorXd    weight;           ///< diagonal of D
-    Eigen::VectorXd    place;            ///< (D + U)^-1 D x
+    // L and U as a sweep reads them: the entries that are not zero (pairs that touch), from the
+    // begin and from the middle of each row on.
+    std::vector<int>  below_end;
+    std::vector<int>  above_end;
+    std::vector<int>  column; ///< block of each
+    std::vector<Mat6> entry;
+    std::vector<Mat6> inverse_diagonal; ///< in the order of the sweep
+    Eigen::VectorXd   above;            ///< product with U [6 blocks], of the last backward sweep
+    Eigen::VectorXd   weight;           ///< diagonal of D
+    Eigen::VectorXd   place;            ///< (D + U)^-1 D x
 
     void order_rows();
 
     /// Copy one row.
     void set_row(int block);
-
 
     /// Entries @p first to @p last of a row times x.
     Vec6 product(int first, int last, const Eigen::VectorXd &x) const;
