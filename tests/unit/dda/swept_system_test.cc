@@ -158,3 +158,37 @@ TEST(SweptSystem, any_number_of_threads_gives_the_same_bits)
   omp_set_num_threads(threads);
   EXPECT_TRUE(one == two);
 }
+
+
+
+TEST(SweptSystem, pairs_that_part_and_touch_again)
+{
+  const BlockMatrix touching = unsymmetric_block_matrix(n_blocks, 0, 0.05);
+  BlockMatrix       m        = touching;
+  BaseBand          base;
+  base.set(nullptr);
+  SweptSystem           swept;
+  const Eigen::VectorXd x       = Eigen::VectorXd::Random(m.size());
+  const auto            product = [&](SweptSystem &system, const std::vector<int> &changed) {
+    Eigen::VectorXd y(m.size());
+    system.set(m, base, changed);
+    system.multiply(x, y);
+    return y;
+  };
+  const Eigen::VectorXd all = product(swept, {});
+  std::vector<int>      changed;
+  for (std::size_t s = 0; s < m.pairs.size(); s += 2)
+    {
+      m.off_diagonal[s].setZero();
+      m.lower[s].setZero();
+      changed.insert(changed.end(), m.pairs[s].begin(), m.pairs[s].end());
+    }
+  check(m, nullptr);
+  SweptSystem           fresh;
+  const Eigen::VectorXd without = product(swept, changed);
+  EXPECT_GT((without - all).norm(), 0.01 * all.norm());
+  EXPECT_EQ(without, product(fresh, {}));
+  m.off_diagonal = touching.off_diagonal;
+  m.lower        = touching.lower;
+  EXPECT_EQ(product(swept, changed), all);
+}
