@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/bedrock_forces.h>
-#include <hybrid/dda/block_damping.h>
 #include <hybrid/dda/open_close_iteration.h>
 #include <hybrid/restart/archive.h>
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace hybrid::dda
@@ -31,49 +29,6 @@ namespace hybrid::dda
       return std::min(most, factor * ratio * ratio);
     }
   } // namespace
-
-
-
-  void OpenCloseIteration::predict(const Model        &model,
-                                   const DdaState     &state,
-                                   const BaseResponse &base,
-                                   const double        dt)
-  {
-    const int    n = model.n_blocks(), m = model.n_base_nodes();
-    const double beta = model.newmark.beta, gamma = model.newmark.gamma;
-    trial.dt = dt;
-    trial.increment.resize(n);
-    trial.rate.resize(n);
-    trial.motion.resize(n);
-    trial.displacement.resize(state.geometry.vertices.size());
-    mass.resize(n);
-    predicted.resize(n);
-    predicted_rate.resize(n);
-    acceleration.resize(n);
-    contact_acceleration.resize(n);
-    scale.setOnes(6 * n + 2 * m);
-    block_damping_times(model, state, damping_time);
-#pragma omp parallel for schedule(static)
-    for (int b = 0; b < n; ++b)
-      {
-        const BlockState &block = state.blocks[b];
-        const Vec6        v     = model.dynamic_coefficient * block.velocity;
-        const Vec6        a     = block.acceleration - block.contact_acceleration;
-        mass[b]                 = mass_matrix(model.blocks[b], block.rotation);
-        predicted[b]            = dt * v + dt * dt * (0.5 - beta) * a;
-        predicted_rate[b]       = v + dt * (1. - gamma) * a;
-        trial.increment[b]      = dt * v;
-        if (guesses_acceleration)
-          trial.increment[b] += 0.5 * dt * dt * block.acceleration;
-        scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
-      }
-    assert(base.displacement.size() == 2 * m);
-    trial.base = base.displacement;
-    if (base.prescribed)
-      return;
-    base_start = base.load;
-    subtract_base_product(base.displacement, base_start);
-  }
 
 
 
@@ -325,62 +280,6 @@ namespace hybrid::dda
         const double zero = work_lower / (work_lower - work_upper);
         part              = lower + std::min(0.95, std::max(0.05, zero)) * (upper - lower);
       }
-  }
-
-
-
-  void OpenCloseIteration::begin(const Model             &model,
-                                 const DdaState          &state,
-                                 const BaseResponse      &base,
-                                 const double             dt,
-                                 const std::vector<Vec6> *guess)
-  {
-    springs.collect(model, state);
-    incoming = base.boundary_force;
-    solver.set_slices(model.slice);
-    solver.set_base_stiffness(base.prescribed ? nullptr : base.stiffness);
-    if (is_restored)
-      solver.matrix_restored(matrix);
-    is_restored          = false;
-    guesses_acceleration = true;
-    predict(model, state, base, dt);
-    if (guess != nullptr)
-      trial.increment = *guess;
-    takes_whole   = false;
-    sliding_share = {};
-  }
-
-
-
-  double OpenCloseIteration::choose_guess(const Model        &model,
-                                          const DdaState     &state,
-                                          const BaseResponse &base)
-  {
-    const double with_acceleration = evaluate(model, state, base);
-    if (!whole_updates.begin(model.iteration.whole_updates, with_acceleration))
-      return with_acceleration;
-    guesses_acceleration = false;
-    predict(model, state, base, trial.dt);
-    const double without = evaluate(model, state, base);
-    if (without < with_acceleration)
-      return without;
-    guesses_acceleration = true;
-    predict(model, state, base, trial.dt);
-    return evaluate(model, state, base);
-  }
-
-
-
-  double OpenCloseIteration::begin_line_search(const Model        &model,
-                                               const DdaState     &state,
-                                               const BaseResponse &base)
-  {
-    takes_whole       = false;
-    const double norm = evaluate(model, state, base);
-    if (norm <= whole_updates.first_residual())
-      return norm;
-    predict(model, state, base, trial.dt);
-    return evaluate(model, state, base);
   }
 
 
