@@ -35,17 +35,32 @@ namespace hybrid::dda
         mass[b]                 = mass_matrix(model.blocks[b], block.rotation);
         predicted[b]            = dt * v + dt * dt * (0.5 - beta) * a;
         predicted_rate[b]       = v + dt * (1. - gamma) * a;
-        trial.increment[b]      = dt * v;
-        if (guesses_acceleration)
-          trial.increment[b] += 0.5 * dt * dt * block.acceleration;
         scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
       }
     assert(base.displacement.size() == 2 * m);
-    trial.base = base.displacement;
+    start_trial(model, state, base);
     if (base.prescribed)
       return;
     base_start = base.load;
     subtract_base_product(base.displacement, base_start);
+  }
+
+
+
+  void OpenCloseIteration::start_trial(const Model        &model,
+                                       const DdaState     &state,
+                                       const BaseResponse &base)
+  {
+    const int    n  = model.n_blocks();
+    const double dt = trial.dt;
+#pragma omp parallel for schedule(static)
+    for (int b = 0; b < n; ++b)
+      {
+        trial.increment[b] = dt * (model.dynamic_coefficient * state.blocks[b].velocity);
+        if (guesses_acceleration)
+          trial.increment[b] += 0.5 * dt * dt * state.blocks[b].acceleration;
+      }
+    trial.base = base.displacement;
   }
 
 
@@ -58,12 +73,12 @@ namespace hybrid::dda
     if (!whole_updates.begin(model.iteration.whole_updates, with_acceleration))
       return with_acceleration;
     guesses_acceleration = false;
-    predict(model, state, base, trial.dt);
+    start_trial(model, state, base);
     const double without = evaluate(model, state, base);
     if (without < with_acceleration)
       return without;
     guesses_acceleration = true;
-    predict(model, state, base, trial.dt);
+    start_trial(model, state, base);
     return evaluate(model, state, base);
   }
 
@@ -100,7 +115,7 @@ namespace hybrid::dda
     const double norm = evaluate(model, state, base);
     if (norm <= whole_updates.first_residual())
       return norm;
-    predict(model, state, base, trial.dt);
+    start_trial(model, state, base);
     return evaluate(model, state, base);
   }
 } // namespace hybrid::dda

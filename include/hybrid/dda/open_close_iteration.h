@@ -182,6 +182,10 @@ namespace hybrid::dda
     /// it takes_whole.
     LineSearch search_line(const Model &model, const DdaState &state, const BaseResponse &base);
 
+    /// Set the trial's motion to the guess: velocities as they were, and accelerations if
+    /// guesses_acceleration; the base where the rock brings it.
+    void start_trial(const Model &model, const DdaState &state, const BaseResponse &base);
+
     /// Begin the trial with the acceleration as it was or, far from balance, with none where that
     /// is closer. @return relative norm of the residual there
     double choose_guess(const Model &model, const DdaState &state, const BaseResponse &base);
