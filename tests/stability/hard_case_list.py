@@ -130,8 +130,8 @@ CASES = {
         "1000": ["Mesh/Polygons file=%s" % (HARD / "bin_1000.csv"), "Mesh/Surface file=%s" % (HARD / "bin_1000_surface.csv"),
                  "Time/End time=8"]}),
     "majiagou_1g": Wanted(more=falls_apart, full_size={
-        "h = 2": ["Mesh/Numbers=Resolution/h = 2", "Time/End time=10", "Motion/Duration=12"],
-        "2 ms": ["Mesh/Numbers=Resolution/h = 4", "Time/End time=10", "Motion/Duration=12", "Time/Time step=0.002"]}),
+        "h = 2 m, 2 ms": ["Mesh/Numbers=Resolution/h = 2", "Time/End time=10", "Motion/Duration=12", "Time/Time step=0.002"],
+        "h = 4 m, 2 ms": ["Mesh/Numbers=Resolution/h = 4", "Time/End time=10", "Motion/Duration=12", "Time/Time step=0.002"]}),
     "wedge": Wanted(),
     "poisson_0499": Wanted(residual=0.001, refusals=[("40", ["Blocks/Penalty ratio=40"], "times as large would do")]),
     "quiet": Wanted(residual=0.001, full_size={"scene": ["Time/End time=1000"]}, more=rests(1e-6)),

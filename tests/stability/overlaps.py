@@ -2,6 +2,8 @@
 """How deep blocks are in each other and in the ground, from the pictures of a run."""
 
 import numpy as np
+from matplotlib.path import Path
+from scipy.spatial import cKDTree
 from vtu_file import picture_at, pictures
 
 
@@ -32,23 +34,27 @@ def between_blocks(blocks):
     The overlap is the shortest way to part them: the smallest overlap of their shadows on the normals of their edges.
     """
     low, high = np.array([b.min(axis=0) for b in blocks]), np.array([b.max(axis=0) for b in blocks])
+    reach = np.linalg.norm(high - low, axis=1).max()  # middles of boxes that meet are no farther apart
+    i, j = cKDTree((low + high) / 2).query_pairs(reach, output_type="ndarray").T
+    meet = ((low[i] < high[j]) & (low[j] < high[i])).all(axis=1)
+    i, j = i[meet], j[meet]
+    if len(i) == 0:
+        return 0.0
+    most = max(len(b) for b in blocks)
+    padded = np.array([np.vstack([b, np.repeat(b[-1:], most - len(b), axis=0)]) for b in blocks])
     size = np.sqrt([area(b) for b in blocks])
-    largest = 0.0
-    for i, block in enumerate(blocks):
-        near = np.nonzero((low < high[i]).all(axis=1) & (high > low[i]).all(axis=1))[0]
-        for j in near[near > i]:
-            largest = max(largest, overlap(block, blocks[j]) / min(size[i], size[j]))
-    return largest
+    apart = np.fmin(least_shadow(padded[i], padded[i], padded[j]), least_shadow(padded[j], padded[i], padded[j]))
+    return max((apart / np.minimum(size[i], size[j])).max(), 0.0)
 
 
-def overlap(one, other):
-    least = np.inf
-    for corners in (one, other):
-        edges = np.roll(corners, -1, axis=0) - corners
-        normals = np.column_stack([edges[:, 1], -edges[:, 0]]) / np.linalg.norm(edges, axis=1)[:, None]
-        a, b = one @ normals.T, other @ normals.T
-        least = min(least, np.minimum(a.max(axis=0) - b.min(axis=0), b.max(axis=0) - a.min(axis=0)).min())
-    return max(least, 0.0)
+def least_shadow(sides, one, other):
+    """Smallest overlap (p) of the shadows of p pairs of blocks (p x corners x 2) on the normals of the edges of `sides`."""
+    edges = np.roll(sides, -1, axis=1) - sides
+    lengths = np.linalg.norm(edges, axis=2, keepdims=True)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        normals = np.stack([edges[..., 1], -edges[..., 0]], axis=-1) / lengths  # NaN where a corner was repeated
+    a, b = (np.einsum("pcx,pex->pce", corners, normals) for corners in (one, other))
+    return np.fmin.reduce(np.fmin(a.max(axis=1) - b.min(axis=1), b.max(axis=1) - a.min(axis=1)), axis=1)
 
 
 def into_ground(blocks, line):
@@ -56,20 +62,9 @@ def into_ground(blocks, line):
     depth_below = 10 * np.ptp(line, axis=0).max()
     ends = [[line[-1, 0], line[:, 1].min() - depth_below], [line[0, 0], line[:, 1].min() - depth_below]]
     ring = np.vstack([line, ends])
-    largest = 0.0
-    for block in blocks:
-        for corner in block[inside(block, ring)]:
-            largest = max(largest, distance(corner, line) / np.sqrt(area(block)))
-    return largest
-
-
-def inside(points, ring):
-    """Which points are inside a closed polygon (crossings of a ray to the right)."""
-    a, b = ring[:, None], np.roll(ring, -1, axis=0)[:, None]
-    spans = (a[..., 1] > points[:, 1]) != (b[..., 1] > points[:, 1])
-    with np.errstate(divide="ignore", invalid="ignore"):
-        x = a[..., 0] + (points[:, 1] - a[..., 1]) * (b[..., 0] - a[..., 0]) / (b[..., 1] - a[..., 1])
-    return (spans & (x > points[:, 0])).sum(axis=0) % 2 == 1
+    corners, size = np.vstack(blocks), np.repeat(np.sqrt([area(b) for b in blocks]), [len(b) for b in blocks])
+    below = np.nonzero(Path(ring).contains_points(corners))[0]
+    return max((distance(corners[k], line) / size[k] for k in below), default=0.0)
 
 
 def distance(point, line):
@@ -103,7 +98,5 @@ def bedrock_surface(run, time):
     """Nodes of the contact surface, displaced as in a picture of the bedrock."""
     picture, _ = picture_at(run.directory, "continuum", time)
     surface = run.get("interface/position")
-    at = picture.points[:, :2]
-    moved = picture.point_fields["displacement [m]"]
-    nearest = [np.argmin(np.linalg.norm(at - p, axis=1)) for p in surface]
-    return surface + moved[nearest][:, :2]
+    _, nearest = cKDTree(picture.points[:, :2]).query(surface)
+    return surface + picture.point_fields["displacement [m]"][nearest][:, :2]
