@@ -262,7 +262,7 @@ namespace hybrid::dda
         const double norm = evaluate(model, state, base);
         const double work = residual.dot(update);
         if (takes_whole || start <= 0. || cut == maximum_cuts || !std::isfinite(norm) ||
-            std::abs(work) <= good_part * start || (cut == 0 && (work > 0. || start <= 0.)))
+            std::abs(work) <= good_part * start || (cut == 0 && work > 0.))
           return {norm, done};
         // Regula falsi; an end that stays is given half its weight (Illinois).
         if (work > 0.)

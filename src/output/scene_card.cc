@@ -41,19 +41,22 @@ namespace hybrid::output
 
 
 
-    void describe_effects(const scene::SceneParameters &scene,
-                          const scene::Motion          &motion,
-                          std::string                  &text)
+    std::string state(const bool on)
     {
-      const auto  state     = [](const bool on) { return on ? "on " : "off"; };
+      return on ? "on " : "off";
+    }
+
+
+
+    void describe_ground(const scene::SceneParameters &scene, std::string &text)
+    {
       const char *sides[]   = {"viscous", "free field", "rollers", "fixed"};
       const char *bases[]   = {"compliant", "rigid", "fixed"};
       const bool  continuum = scene.continuum_model == scene::ContinuumModel::elastic;
-      text += "Effects\n";
-      const bool layers    = scene.bedrock == scene::BedrockModel::layers;
-      const bool triangles = scene.bedrock == scene::BedrockModel::triangles;
+      const bool  layers    = scene.bedrock == scene::BedrockModel::layers;
+      const bool  triangles = scene.bedrock == scene::BedrockModel::triangles;
       text += line("  continuum          %s%s%s",
-                   state(continuum),
+                   state(continuum).c_str(),
                    continuum ? "  base " : "",
                    continuum ? bases[static_cast<int>(scene.continuum.base)] : "");
       if (layers || triangles)
@@ -66,34 +69,45 @@ namespace hybrid::output
           line("  sides              on   %s", sides[static_cast<int>(scene.continuum.sides)]);
       if (continuum)
         text += line("  boundary springs   %s  alpha_n %g, alpha_t %g",
-                     state(scene.continuum.boundary_springs),
+                     state(scene.continuum.boundary_springs).c_str(),
                      scene.continuum.normal_spring,
                      scene.continuum.tangential_spring);
       const std::size_t planes = has_sides ? scene.bedding.names.size() : 0;
       text += line("  bedding planes     %s  %zu %s joints",
-                   state(planes > 0),
+                   state(planes > 0).c_str(),
                    planes,
                    scene.bedding.slips ? "Mohr-Coulomb" : "elastic");
-      text += line("  blocks             %s", state(scene.blocks.enabled));
-      if (scene.blocks.enabled)
-        {
-          text += line("  fracture           %s", state(scene.blocks.bonded));
-          text += line("  block damping      %s  ratio %g at %g Hz",
-                       state(scene.blocks.damping_ratio > 0.),
-                       scene.blocks.damping_ratio,
-                       scene.blocks.damping_frequency);
-          text += line("  loose blocks       %s  damping %g of critical",
-                       state(scene.blocks.loose_damping > 0.),
-                       scene.blocks.loose_damping);
-        }
+    }
+
+
+
+    void describe_mass(const scene::SceneParameters &scene, std::string &text)
+    {
+      text += line("  blocks             %s", state(scene.blocks.enabled).c_str());
+      if (!scene.blocks.enabled)
+        return;
+      text += line("  fracture           %s", state(scene.blocks.bonded).c_str());
+      text += line("  block damping      %s  ratio %g at %g Hz",
+                   state(scene.blocks.damping_ratio > 0.).c_str(),
+                   scene.blocks.damping_ratio,
+                   scene.blocks.damping_frequency);
+      text += line("  loose blocks       %s  damping %g of critical",
+                   state(scene.blocks.loose_damping > 0.).c_str(),
+                   scene.blocks.loose_damping);
       const scene::HeterogeneityParameters &h = scene.heterogeneity;
-      if (scene.blocks.enabled && (h.modulus_shape > 0. || h.strength_shape > 0.))
+      if (h.modulus_shape > 0. || h.strength_shape > 0.)
         text += line("  heterogeneity      on   Weibull shapes: modulus %s, strength %s; seed %d",
                      shape_in_words(h.modulus_shape).c_str(),
                      shape_in_words(h.strength_shape).c_str(),
                      h.seed);
+    }
+
+
+
+    void describe_environment(const scene::SceneParameters &scene, std::string &text)
+    {
       text += line("  gravity            %s  %g m/s2",
-                   state(scene.environment.gravity > 0.),
+                   state(scene.environment.gravity > 0.).c_str(),
                    scene.environment.gravity);
       const bool  water     = scene.environment.water_level > -1e299;
       const char *methods[] = {"paper", "submerged", "pressures"};
@@ -101,9 +115,18 @@ namespace hybrid::output
                            scene.environment.water_level,
                            methods[static_cast<int>(scene.environment.water_method)])
                     : line("  water              off");
-      const bool loads = continuum && !scene.point_loads.loads.empty();
+    }
+
+
+
+    void describe_loads(const scene::SceneParameters &scene,
+                        const scene::Motion          &motion,
+                        std::string                  &text)
+    {
+      const bool continuum = scene.continuum_model == scene::ContinuumModel::elastic;
+      const bool loads     = continuum && !scene.point_loads.loads.empty();
       text += line("  point loads        %s  %zu forces, Ricker %g Hz",
-                   state(loads),
+                   state(loads).c_str(),
                    scene.point_loads.loads.size(),
                    scene.point_loads.frequency);
       const scene::InitialWaveParameters &wave    = scene.initial_wave;
@@ -136,6 +159,19 @@ namespace hybrid::output
               motion.peak_acceleration() / (scene.motion.outcrop ? 1. : 2.),
               motion.duration(),
               highest_frequency(motion));
+    }
+
+
+
+    void describe_effects(const scene::SceneParameters &scene,
+                          const scene::Motion          &motion,
+                          std::string                  &text)
+    {
+      text += "Effects\n";
+      describe_ground(scene, text);
+      describe_mass(scene, text);
+      describe_environment(scene, text);
+      describe_loads(scene, motion, text);
     }
 
 

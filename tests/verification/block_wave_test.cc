@@ -17,10 +17,14 @@ namespace
   using namespace hybrid;
   using namespace hybrid::test;
 
-  constexpr double size       = 1.;  ///< of a cell of two triangles [m]
-  constexpr double wavelength = 28.; ///< dominant: 28 cells, 40 blocks of size sqrt(1/2) m [m]
-  constexpr int    length     = 115; ///< cells along the strip
-  constexpr int    rows       = 4;   ///< cells across
+  constexpr double size       = 1.;   ///< of a cell of two triangles [m]
+  constexpr double wavelength = 28.;  ///< dominant: 28 cells, 40 blocks of size sqrt(1/2) m [m]
+  constexpr int    length     = 115;  ///< cells along the strip
+  constexpr int    rows       = 4;    ///< cells across
+  constexpr double dt         = 1e-3; ///< [s]
+  constexpr double amplitude  = 1e-4; ///< of the velocity [m/s]
+  constexpr double start      = 40.;  ///< middle of the wave at first [m]
+  constexpr double places[]   = {50., 80.}; ///< of the stations [m]
 
   /// Two triangles per cell, diagonals alternating; inner nodes moved by up to @p jitter of a cell.
   scene::SectionMesh triangles(const int nx, const int ny, const double jitter)
@@ -109,8 +113,25 @@ namespace
     std::vector<double> offset; ///< of the centroid from x [m]
     std::vector<double> history;
 
+    /// Mean place of the blocks [m].
+    double middle(const double place) const
+    {
+      double sum = 0.;
+      for (const double away : offset)
+        sum += away;
+      return place + sum / static_cast<double>(offset.size());
+    }
+
+    void record(const dda::DdaState &state, const int component)
+    {
+      double sum = 0.;
+      for (const int b : blocks)
+        sum += state.blocks[b].velocity[component];
+      history.push_back(sum / static_cast<double>(blocks.size()));
+    }
+
     /// Highest sample, with a parabola through its neighbours.
-    Arrival arrival(const double dt) const
+    Arrival arrival() const
     {
       std::size_t k = 1;
       for (std::size_t i = 1; i + 1 < history.size(); ++i)
@@ -124,99 +145,120 @@ namespace
 
 
 
-  void check_wave(const bool shear, const double jitter)
+  scene::SceneParameters strong_rock()
   {
-    constexpr double       dt = 1e-3, amplitude = 1e-4, start = 40., first = 50., second = 80.;
     scene::SceneParameters p             = block_parameters(30.);
     p.blocks.bonded                      = true;
     p.materials["rock"].cohesion         = 1e9;
     p.materials["rock"].tensile_strength = 1e9;
     p.environment.gravity                = 0.;
-    const Material &m                    = p.materials["rock"];
-    const double    c                    = shear ? m.s_wave_speed() : m.p_wave_speed();
-    const double    tail                 = (second - start + 15.) / c; // s
+    return p;
+  }
 
-    const scene::SectionMesh mesh = triangles(length, rows, jitter);
-    FixedBaseRun             run(mesh, p, walls(mesh));
+
+
+  /// Plane wave to the right: u' = -v / c, and the stresses of the continuum.
+  struct PlaneWave
+  {
+    Material material;
+    bool     shear;
+
+    double speed() const
+    {
+      return shear ? material.s_wave_speed() : material.p_wave_speed();
+    }
+
+    double velocity(const double x) const
+    {
+      return amplitude * ricker(x - start);
+    }
+
+    /// s_xx, s_yy, s_xy [Pa].
+    Eigen::Vector3d stress(const double x) const
+    {
+      const double strain  = -velocity(x) / speed();
+      const double modulus = material.density * speed() * speed();
+      return shear ? Eigen::Vector3d(0., 0., modulus * strain)
+                   : Eigen::Vector3d(modulus * strain, material.lame_lambda() * strain, 0.);
+    }
+
+    void put_into(dda::BlockState &block) const
+    {
+      constexpr double h     = 1e-3; // m
+      const double     x     = block.centroid.x();
+      const double     slope = (velocity(x + h) - velocity(x - h)) / (2. * h);
+      const int        along = shear ? 1 : 0;
+      block.velocity[along]  = velocity(x);
+      block.stress           = stress(x);
+      if (shear)
+        block.velocity[2] = 0.5 * slope;
+      block.velocity[shear ? 5 : 3] = slope;
+      block.acceleration[along]     = -speed() * slope;
+    }
+
+    /// Jumps that carry the tractions of the wave.
+    void put_into(const dda::Joint    &joint,
+                  const dda::Geometry &geometry,
+                  dda::JointState     &joint_state) const
+    {
+      const Vec2 a = geometry.vertices[joint.edge],
+                 b = geometry.vertices[geometry.next(joint.edge)];
+      const Vec2 t = (b - a).normalized(), n(t.y(), -t.x());
+      for (int end = 0; end < 2; ++end)
+        {
+          const Vec2            x = a + joint.points[end].position * (b - a);
+          const Eigen::Vector3d s = stress(x.x());
+          const Vec2            traction(s[0] * n.x() + s[2] * n.y(), s[2] * n.x() + s[1] * n.y());
+          joint_state.points[end].jump = n.dot(traction) / joint.law.normal_stiffness() * n +
+                                         t.dot(traction) / joint.law.shear_stiffness() * t;
+        }
+    }
+  };
+
+
+
+  /// Blocks with their middle within a cell of @p place.
+  Station station_at(const double place, const dda::DdaState &state)
+  {
+    Station station;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+      {
+        const double away = state.blocks[b].centroid.x() - place;
+        if (std::abs(away) < size)
+          {
+            station.blocks.push_back(b);
+            station.offset.push_back(away);
+          }
+      }
+    return station;
+  }
+
+
+
+  void check_wave(const bool shear, const double jitter)
+  {
+    const scene::SceneParameters p    = strong_rock();
+    const scene::SectionMesh     mesh = triangles(length, rows, jitter);
+    const PlaneWave              wave{p.materials.at("rock"), shear};
+    FixedBaseRun                 run(mesh, p, walls(mesh));
     add_wall_joints(run.model, shear);
     run.state           = dda::initial_state(run.model);
-    const int component = shear ? 1 : 0;
-    Station   stations[2];
-    for (int b = 0; b < run.model.n_blocks(); ++b)
-      {
-        dda::BlockState &block    = run.state.blocks[b];
-        const double     x        = block.centroid.x();
-        const double     v        = amplitude * ricker(x - start);
-        block.velocity[component] = v;
-        // right-going wave: u' = -v / c
-        const double h     = 1e-3,
-                     slope = amplitude * (ricker(x + h - start) - ricker(x - h - start)) / (2. * h);
-        const double modulus = m.density * c * c;
-        // stresses of the continuum; joints carry the same tractions
-        if (shear)
-          {
-            block.stress[2]   = -modulus * v / c;
-            block.velocity[2] = 0.5 * slope;
-            block.velocity[5] = slope;
-          }
-        else
-          {
-            block.stress[0]   = -modulus * v / c;
-            block.stress[1]   = -m.lame_lambda() * v / c;
-            block.velocity[3] = slope;
-          }
-        block.acceleration[component] = -c * slope;
-        for (int s = 0; s < 2; ++s)
-          {
-            const double away = x - (s == 0 ? first : second);
-            if (std::abs(away) < 1.0 * size)
-              {
-                stations[s].blocks.push_back(b);
-                stations[s].offset.push_back(away);
-              }
-          }
-      }
-    // Tractions of the wave in the joints.
+    Station stations[2] = {station_at(places[0], run.state), station_at(places[1], run.state)};
+    for (dda::BlockState &block : run.state.blocks)
+      wave.put_into(block);
     for (std::size_t j = 0; j < run.model.joints.size(); ++j)
-      {
-        const dda::Joint &joint = run.model.joints[j];
-        const Vec2        a     = run.state.geometry.vertices[joint.edge],
-                   b            = run.state.geometry.vertices[run.state.geometry.next(joint.edge)];
-        const Vec2 t            = (b - a).normalized(), n(t.y(), -t.x());
-        for (int end = 0; end < 2; ++end)
-          {
-            const Vec2      x = a + joint.points[end].position * (b - a);
-            const double    e = -amplitude * ricker(x.x() - start) / c;
-            Eigen::Matrix2d stress;
-            const double    modulus = m.density * c * c;
-            if (shear)
-              stress << 0., modulus * e, modulus * e, 0.;
-            else
-              stress << modulus * e, 0., 0., m.lame_lambda() * e;
-            const Vec2        traction = stress * n;
-            dda::SpringState &point    = run.state.joints[j].points[end];
-            point.jump                 = n.dot(traction) / joint.law.normal_stiffness() * n +
-                         t.dot(traction) / joint.law.shear_stiffness() * t;
-          }
-      }
-    const int steps = static_cast<int>(tail / dt);
-    for (int k = 0; k < steps; ++k)
+      wave.put_into(run.model.joints[j], run.state.geometry, run.state.joints[j]);
+
+    const double tail = (places[1] - start + 15.) / wave.speed(); // s
+    for (int k = 0; k < static_cast<int>(tail / dt); ++k)
       {
         ASSERT_TRUE(run.advance(dt, 0));
-        for (Station &s : stations)
-          {
-            double sum = 0.;
-            for (const int b : s.blocks)
-              sum += run.state.blocks[b].velocity[component];
-            s.history.push_back(sum / static_cast<double>(s.blocks.size()));
-          }
+        for (Station &station : stations)
+          station.record(run.state, shear ? 1 : 0);
       }
-    double distance = second - first;
-    for (int s = 0; s < 2; ++s)
-      for (const double away : stations[s].offset)
-        distance += (s == 0 ? -1. : 1.) * away / static_cast<double>(stations[s].blocks.size());
-    const Arrival one = stations[0].arrival(dt), two = stations[1].arrival(dt);
-    const double  expected = distance / c;
+    const double  distance = stations[1].middle(places[1]) - stations[0].middle(places[0]);
+    const Arrival one = stations[0].arrival(), two = stations[1].arrival();
+    const double  expected = distance / wave.speed();
     EXPECT_NEAR(two.time - one.time, expected, 0.01 * expected);
     EXPECT_NEAR(two.peak, one.peak, 0.02 * one.peak);
     EXPECT_NEAR(one.peak, amplitude, 0.04 * amplitude);
