@@ -53,7 +53,7 @@ function(hybrid_unit_test module)
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE hybrid_${module} ${ARG_DEPENDS} GTest::gtest GTest::gtest_main)
   add_test(NAME unit.${module} COMMAND ${target})
-  set_tests_properties(unit.${module} PROPERTIES LABELS unit TIMEOUT 300
+  set_tests_properties(unit.${module} PROPERTIES LABELS unit TIMEOUT 900
     ENVIRONMENT "OPENBLAS_NUM_THREADS=1;OMP_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
 endfunction()
 
