@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws snapshots of a hard case's run: blocks coloured by speed, and the ground.
+"""Draws snapshots of a hard case's run: blocks coloured by speed or displacement, and the ground.
 
-    draw_hard_case.py RUN_DIRECTORY FIGURE.png TIME TIME ... [--window X0,X1,Y0,Y1]
+    draw_hard_case.py RUN_DIRECTORY FIGURE.png TIME TIME ... [--window X0,X1,Y0,Y1] [--displacement]
 
 RUN_DIRECTORY is WORK_DIR/VARIANT of hard_cases.py; times in s; the window in m (default: around the blocks).
 """
@@ -25,10 +25,15 @@ from run_data import RunData  # noqa: E402
 from vtu_file import picture_at  # noqa: E402
 
 
-def speeds(picture):
-    """Speed of each block's middle [m/s]."""
-    velocity = picture.point_fields["velocity [m/s]"][:, :2]
-    return np.array([np.linalg.norm(velocity[c].mean(axis=0)) for c in picture.cells])
+def magnitudes(picture, field):
+    """Length of a vector field, "velocity [m/s]" or "displacement [m]", in the middle of each block."""
+    vectors = picture.point_fields[field][:, :2]
+    return np.array([np.linalg.norm(vectors[c].mean(axis=0)) for c in picture.cells])
+
+
+def edge_width(n_blocks):
+    """Of the blocks' edges [points]: the smaller the blocks, the thinner."""
+    return 0.6 if n_blocks <= 300 else 0.3 if n_blocks <= 3000 else 0.0
 
 
 def window_around(pictures):
@@ -39,10 +44,10 @@ def window_around(pictures):
     return [low[0] - room, high[0] + room, low[1] - room, high[1] + room]
 
 
-def draw(run, times, window, file):
+def draw(run, times, window, file, field):
     found = [picture_at(run.directory, "blocks", t) for t in times]
     window = window or window_around([p for p, _ in found])
-    fastest = max(speeds(p).max() for p, _ in found)
+    largest = max(magnitudes(p, field).max() for p, _ in found)
     wide = (window[1] - window[0]) > 2 * (window[3] - window[2])
     rows, columns = (len(times), 1) if wide else (1, len(times))
     ratio = (window[3] - window[2]) / (window[1] - window[0])
@@ -50,8 +55,8 @@ def draw(run, times, window, file):
     figure, axes = plot.subplots(rows, columns, figsize=(9, min(9.0, rows * (width * ratio + 0.45) + 0.3)), dpi=100,
                                  squeeze=False, sharex=True, sharey=True, constrained_layout=True)
     for axis, (picture, time) in zip(axes.flat, found):
-        shown = PolyCollection(overlaps.polygons(picture), array=speeds(picture), cmap="viridis", edgecolors="black",
-                               linewidths=0.3 if len(picture.cells) > 300 else 0.6, clim=(0, max(fastest, 1e-12)))
+        shown = PolyCollection(overlaps.polygons(picture), array=magnitudes(picture, field), cmap="viridis",
+                               edgecolors="black", linewidths=edge_width(len(picture.cells)), clim=(0, max(largest, 1e-12)))
         axis.add_collection(shown)
         line = overlaps.ground_line(run, time)
         axis.fill_between(*line.T, window[2] - 1, color="0.8", zorder=-1)
@@ -63,12 +68,13 @@ def draw(run, times, window, file):
         axis.tick_params(labelsize=7)
     figure.supxlabel("x [m]", fontsize=8)
     figure.supylabel("y [m]", fontsize=8)
-    figure.colorbar(shown, ax=axes, shrink=0.8).set_label("speed [m/s]", fontsize=8)
+    figure.colorbar(shown, ax=axes, shrink=0.8).set_label(field.replace("velocity", "speed"), fontsize=8)
     figure.savefig(file)
 
 
 def main():
-    arguments, window = sys.argv[1:], None
+    arguments, window = [a for a in sys.argv[1:] if a != "--displacement"], None
+    field = "displacement [m]" if "--displacement" in sys.argv else "velocity [m/s]"
     if "--window" in arguments:
         at = arguments.index("--window")
         window = [float(x) for x in arguments[at + 1].split(",")]
@@ -77,7 +83,7 @@ def main():
         sys.exit(__doc__)
     run = RunData(arguments[0])
     run.directory_path = pathlib.Path(arguments[0])
-    draw(run, [float(t) for t in arguments[2:]], window, arguments[1])
+    draw(run, [float(t) for t in arguments[2:]], window, arguments[1], field)
 
 
 if __name__ == "__main__":
