@@ -16,7 +16,7 @@ complaints = []
 
 
 def run(*words):
-    return subprocess.run([BINARY, *map(str, words)], cwd=WORK, capture_output=True, text=True, timeout=120)
+    return subprocess.run([BINARY, *map(str, words)], cwd=WORK, capture_output=True, text=True, timeout=600)
 
 
 def require(condition, text, result=None):

@@ -53,7 +53,7 @@ def run(words, expect=0, full=None):
             time.sleep(0.002)
         if process.poll() is None:
             resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (full[1], full[1]))
-    output, errors = process.communicate(timeout=120)
+    output, errors = process.communicate(timeout=6000)
     require(process.returncode == expect, f"{words[1:4]}: exit code {expect}, not {process.returncode}: {errors[-300:]}")
     if expect not in (0, 1, 130):
         lines = errors.splitlines()
@@ -185,7 +185,7 @@ def interrupt(number, wait):
         time.sleep(0.005)
     time.sleep(wait)
     process.send_signal(number)
-    output = process.communicate(timeout=60)[0]
+    output = process.communicate(timeout=600)[0]
     require(process.returncode == 130, f"signal {number}: exit code 130, not {process.returncode}")
     require(f"hybrid --resume {directory}" in output, f"signal {number}: says how to go on")
     return directory
@@ -242,7 +242,7 @@ def end_static_stage(number, wait, directory):
     while process.poll() is None and processor_time(process) < start + wait:
         time.sleep(0.005)
     process.send_signal(number)
-    output, errors = process.communicate(timeout=60)
+    output, errors = process.communicate(timeout=600)
     require(not errors, f"{directory.name}: nothing on stderr, not {errors}")
     return process.returncode, output
 
@@ -289,7 +289,7 @@ def check_processes():
     """Several processes of mpirun would write the same files."""
     directory = WORK / "processes"
     launcher = [os.environ["HYBRID_MPIEXEC"], "-n", "2", "--oversubscribe", "--allow-run-as-root"]
-    result = subprocess.run([*launcher, *words_of(COUPLED, directory)], capture_output=True, text=True, env=ENVIRONMENT, timeout=60)
+    result = subprocess.run([*launcher, *words_of(COUPLED, directory)], capture_output=True, text=True, env=ENVIRONMENT, timeout=600)
     require(result.returncode == 2, f"two processes: exit code 2, not {result.returncode}")
     require("error: hybrid runs in one process, but mpirun started 2" in result.stderr, f"two processes: {result.stderr[-300:]}")
     require(not directory.exists(), "two processes: nothing is written")
