@@ -16,6 +16,7 @@ import subprocess
 import sys
 
 SECONDS = 10  # processor time for one scene
+TIME_LIMIT = "has not come to an end of this file after 30 s"  # with sanitizers a list grows too slowly to need 2 GB before
 
 MATERIAL = """
 subsection Materials
@@ -249,8 +250,9 @@ Physical Curve("bedding_2") = {6};
     "point of a .geo far off the plane": (CONTINUUM, {"section.geo": SQUARE_GEO.replace("{80, 40, 0, h}", "{80, 40, -1e308, h}")},
                                           [r"section.geo: the point at \(80, 40, -1e\+308\) m is outside the plane z = 0"]),
     "list without end in a .geo": (CONTINUUM, geometry("L[] = {1:1e18};\n"),
-                                   [r"section.geo: gmsh needs more than 2 GB of memory before", r"\{1:1e9\}"]),
-    "list that falls without end": (CONTINUUM, geometry("L[] = {1:-1e308};\n"), [r"gmsh needs more than 2 GB of memory"]),
+                                   [r"section.geo: gmsh (needs more than 2 GB of memory before|" + TIME_LIMIT + ")", r"\{1:1e9\}"]),
+    "list that falls without end": (CONTINUUM, geometry("L[] = {1:-1e308};\n"),
+                                    [r"gmsh (needs more than 2 GB of memory|" + TIME_LIMIT + ")"]),
     "curve of a thousand million nodes": (CONTINUUM, geometry("Transfinite Curve {1} = 1e9;\n"),
                                           [r"gmsh needs more than 2 GB of memory"]),
     "mesh in millimetres": (MESH, {"section.msh": Section().text(1e3)},
@@ -273,7 +275,7 @@ def check(hybrid, scene):
     if {path: path.stat().st_mtime_ns for path in scene.parent.rglob("*")} != before:
         complaints.append(f"{scene.parent.name}: --check wrote something")
     taken = os.times().children_user - begin
-    if taken > SECONDS:
+    if taken > SECONDS and TIME_LIMIT not in result.stderr:
         complaints.append(f"{scene.parent.name}: {taken:.0f} s")
     return result
 
@@ -290,6 +292,9 @@ def fill(work, name, files):
 def try_fault(hybrid, work, name, scene, files, parts):
     result = check(hybrid, fill(work, name, {"scene.prm": scene, **files}))
     lines = result.stderr.splitlines()
+    if "AddressSanitizer: allocator is out of memory" in result.stderr:
+        print(f"{name}: left out, the sanitizer ends the program where an allocation fails")
+        return
     print(f"{name}:\n    {result.stderr.strip()}")
     if result.returncode != 2 or len(lines) != 1 or not lines[0].startswith("error: "):
         complaints.append(f"{name}: exit code {result.returncode}, {result.stderr!r}, {result.stdout[-300:]!r}")
