@@ -9,6 +9,10 @@
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
+#ifdef __SANITIZE_ADDRESS__
+#  include <dlfcn.h>
+#  include <new>
+#endif
 
 namespace hybrid::scene
 {
@@ -21,6 +25,7 @@ namespace hybrid::scene
     std::string      sentence; ///< made beforehand: a signal handler may not allocate
     struct sigaction earlier_action;
     rlimit           earlier_memory;
+    rlim_t           largest_space = 0; ///< while a limit lives [bytes]
 
     void say_and_end(int)
     {
@@ -73,12 +78,14 @@ namespace hybrid::scene
     rlimit limit   = earlier_memory;
     limit.rlim_cur = std::min(limit.rlim_cur, now + static_cast<rlim_t>(memory * 1e9));
     setrlimit(RLIMIT_AS, &limit);
+    largest_space = limit.rlim_cur;
   }
 
 
 
   ReadingLimit::~ReadingLimit()
   {
+    largest_space = 0;
     setrlimit(RLIMIT_AS, &earlier_memory);
     start_timer(0.); // stops it
     sigaction(SIGVTALRM, &earlier_action, nullptr);
@@ -91,4 +98,28 @@ namespace hybrid::scene
     return "gmsh needs more than " + short_number(memory) +
            " GB of memory before it has meshed anything: " + advice + ".";
   }
+
+
+
+  bool ReadingLimit::is_exceeded_by(const std::size_t size)
+  {
+    constexpr std::size_t book_keeping = 1000000; // of the allocator, at most
+    return largest_space > 0 && size > book_keeping &&
+           address_space() + size + book_keeping > largest_space;
+  }
 } // namespace hybrid::scene
+
+
+#ifdef __SANITIZE_ADDRESS__
+/// The sanitizer ends the program where an allocation fails; beyond the limit this one throws, as
+/// without sanitizer.
+void *
+operator new(const std::size_t size)
+{
+  using Allocation                  = void *(*)(std::size_t);
+  static const Allocation sanitized = reinterpret_cast<Allocation>(dlsym(RTLD_NEXT, "_Znwm"));
+  if (hybrid::scene::ReadingLimit::is_exceeded_by(size))
+    throw std::bad_alloc();
+  return sanitized(size);
+}
+#endif

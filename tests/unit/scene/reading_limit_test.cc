@@ -40,9 +40,6 @@ namespace hybrid::scene
 
     TEST(ReadingLimit, MemoryIsRefusedWhileItLives)
     {
-#ifdef __SANITIZE_ADDRESS__
-      GTEST_SKIP() << "the sanitizer ends the program where an allocation fails";
-#endif
       const std::size_t size = 3000000000;
       {
         const ReadingLimit limit("slope.geo");
