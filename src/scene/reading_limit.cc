@@ -39,7 +39,7 @@ namespace hybrid::scene
       itimerval timer        = {};
       timer.it_value.tv_sec  = static_cast<time_t>(seconds);
       timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (seconds - std::floor(seconds)));
-      setitimer(ITIMER_VIRTUAL, &timer, nullptr);
+      setitimer(ITIMER_PROF, &timer, nullptr);
     }
 
 
@@ -68,7 +68,7 @@ namespace hybrid::scene
                short_number(seconds) + " s of computing: " + advice + ".\n";
     struct sigaction action = {};
     action.sa_handler       = say_and_end;
-    sigaction(SIGVTALRM, &action, &earlier_action);
+    sigaction(SIGPROF, &action, &earlier_action);
     start_timer(seconds);
 
     getrlimit(RLIMIT_AS, &earlier_memory);
@@ -88,7 +88,7 @@ namespace hybrid::scene
     largest_space = 0;
     setrlimit(RLIMIT_AS, &earlier_memory);
     start_timer(0.); // stops it
-    sigaction(SIGVTALRM, &earlier_action, nullptr);
+    sigaction(SIGPROF, &earlier_action, nullptr);
   }
 
 
