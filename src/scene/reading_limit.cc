@@ -25,7 +25,6 @@ namespace hybrid::scene
     std::string      sentence; ///< made beforehand: a signal handler may not allocate
     struct sigaction earlier_action;
     rlimit           earlier_memory;
-    rlim_t           largest_space = 0; ///< while a limit lives [bytes]
 
     void say_and_end(int)
     {
@@ -50,6 +49,19 @@ namespace hybrid::scene
       std::ifstream("/proc/self/statm") >> pages;
       return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
     }
+
+
+#ifdef __SANITIZE_ADDRESS__
+    /// True if an allocation would fail for want of address space.
+    bool exceeds_limit(const std::size_t size)
+    {
+      constexpr std::size_t book_keeping = 1000000; // of the allocator, at most [bytes]
+      rlimit                limit;
+      return size > book_keeping && getrlimit(RLIMIT_AS, &limit) == 0 &&
+             limit.rlim_cur != RLIM_INFINITY &&
+             address_space() + size + book_keeping > limit.rlim_cur;
+    }
+#endif
 
 
     std::string short_number(const double number)
@@ -78,14 +90,12 @@ namespace hybrid::scene
     rlimit limit   = earlier_memory;
     limit.rlim_cur = std::min(limit.rlim_cur, now + static_cast<rlim_t>(memory * 1e9));
     setrlimit(RLIMIT_AS, &limit);
-    largest_space = limit.rlim_cur;
   }
 
 
 
   ReadingLimit::~ReadingLimit()
   {
-    largest_space = 0;
     setrlimit(RLIMIT_AS, &earlier_memory);
     start_timer(0.); // stops it
     sigaction(SIGPROF, &earlier_action, nullptr);
@@ -99,14 +109,6 @@ namespace hybrid::scene
            " GB of memory before it has meshed anything: " + advice + ".";
   }
 
-
-
-  bool ReadingLimit::is_exceeded_by(const std::size_t size)
-  {
-    constexpr std::size_t book_keeping = 1000000; // of the allocator, at most
-    return largest_space > 0 && size > book_keeping &&
-           address_space() + size + book_keeping > largest_space;
-  }
 } // namespace hybrid::scene
 
 
@@ -118,7 +120,7 @@ operator new(const std::size_t size)
 {
   using Allocation                  = void *(*)(std::size_t);
   static const Allocation sanitized = reinterpret_cast<Allocation>(dlsym(RTLD_NEXT, "_Znwm"));
-  if (hybrid::scene::ReadingLimit::is_exceeded_by(size))
+  if (hybrid::scene::exceeds_limit(size))
     throw std::bad_alloc();
   return sanitized(size);
 }

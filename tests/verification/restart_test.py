@@ -53,7 +53,7 @@ def run(words, expect=0, full=None):
             time.sleep(0.002)
         if process.poll() is None:
             resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (full[1], full[1]))
-    output, errors = process.communicate(timeout=6000)
+    output, errors = process.communicate(timeout=600)
     require(process.returncode == expect, f"{words[1:4]}: exit code {expect}, not {process.returncode}: {errors[-300:]}")
     if expect not in (0, 1, 130):
         lines = errors.splitlines()

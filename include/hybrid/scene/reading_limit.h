@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 namespace hybrid::scene
@@ -31,8 +30,5 @@ namespace hybrid::scene
 
     /// What to tell the user of a bad_alloc meanwhile, without the file.
     static std::string memory_sentence();
-
-    /// True if a limit lives and an allocation of @p size would fail [bytes].
-    static bool is_exceeded_by(std::size_t size);
   };
 } // namespace hybrid::scene
