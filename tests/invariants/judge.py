@@ -8,7 +8,8 @@ from scenes import GRAVITY, MASS, PENALTY, WATER, friction_angle, rock_young
 
 OVERLAP = 0.01  # of a block
 IMBALANCE = 0.01  # of the energies in play
-MOMENTUM = 3e-3  # of what the weight gives in the whole run
+MOMENTUM = 1e-5, 3e-3  # of what the weight gives in the whole run: contacts alone; with joints, whose weights are the scheme's
+CREEP = 0.05  # of the elastic settlement: what is at rest stays where it is
 SLIP = 0.02  # of Newmark's block
 SPREADS = 0.1  # loose triangles spread while they slide, so that some slide less and some more
 SCHEME = ("blocks_integration_loss", "bedrock_integration_loss", "contact_switch_loss")
@@ -75,12 +76,13 @@ def stands(run):
         moved = max(np.linalg.norm(now - then, axis=1).max() for now, then in zip(first[: run.n_mass], run.drawn))
         if moved > limit:
             yield "a block is %.3g m from where it was drawn after the static stage, elastic %.3g m" % (moved, limit)
+        limit *= CREEP
     elif run.options["bedrock"] != "rigid":
         limit += elastic_settlement(run) * MASS["young"] / rock_young(run.options)
     if run.options["motion"] == "none":
         slip = run.slip()
         if abs(slip) > limit:
-            yield "slips %.3g m at rest, elastic %.3g m" % (slip, limit)
+            yield "slips %.3g m at rest, allowed %.3g m" % (slip, limit)
 
 
 def slides_as_newmark(run):
@@ -89,7 +91,7 @@ def slides_as_newmark(run):
     whole = o["blocks"] == "loose" or o["strength"] == "strong"
     follows = o["belt"] != "never fails" and not (rock_young(o) < 1e8 and (o["motion"] != "none" or o["static"] == "none"))
     rocks = o["kind"] == "columns" and o["motion"] != "none"
-    if not whole or not follows or rocks or (o["friction"] == "holds" and o["motion"] == "none"):
+    if not whole or not follows or rocks or o["surface"] != "plane" or (o["friction"] == "holds" and o["motion"] == "none"):
         return
     buoyancy = WATER / MASS["density"] if o["water"] != "none" else 0.0
     moved = run.ground_history()
@@ -137,6 +139,6 @@ def momentum_balances(run):
     change = run.momentum(len(run.block_frames) - 1) - run.momentum(0)
     weight = run.weight() * run.time[-1]
     errors = [np.abs(change - weight + impulse).max() for impulse in run.interface_impulses()]
-    if min(errors) > MOMENTUM * abs(weight[1]):
+    if min(errors) > MOMENTUM[run.options["belt"] in ("slides", "never fails")] * abs(weight[1]):
         yield "%.3g %% of the weight's impulse is missing (%.3g of %.3g N s/m)" % (
             100 * min(errors) / abs(weight[1]), min(errors), abs(weight[1]))

@@ -22,6 +22,7 @@ FACTORS = {
     "nodes": ["shared", "own", "shifted"],
     "ratio": [1.0, 3.0, 10.0, 1.0 / 3.0],  # edge of a block over edge of a cell
     "angle": [20.0, 0.0, 10.0, 30.0],
+    "surface": ["plane", "valley", "ridge"],  # the slope changes in the middle of the mass
     "degree": [2, 1, 4],
     "rock": ["stiff", "soft", "mud"],
     "friction": ["holds", "slides"],
@@ -56,6 +57,9 @@ RULES = [
     (("belt", "friction"), lambda b, f: b != "never fails" or f == "holds"),
     (("friction", "static"), lambda f, s: f == "holds" or s != "equilibrium"),
     (("base", "motion"), lambda b, m: b != "fixed" or m == "none"),
+    (("surface", "nodes"), lambda s, n: s == "plane" or n != "shifted"),
+    (("surface", "kind"), lambda s, k: s == "plane" or k != "plate"),
+    (("surface", "ratio"), lambda s, r: s == "plane" or r in (1.0, 3.0, 10.0)),  # the bend lies on a node of the cells
     (("ratio", "degree"), lambda r, d: r < 10 or d < 4),
 ]
 
@@ -74,7 +78,7 @@ def geometry_of(options):
     elif options["kind"] == "plate":
         width, height, rows, columns = 4.0, 1.0, 1, 1
     cell = width / ratio
-    return {"angle": options["angle"], "cell": cell, "margin": max(2.0, cell), "rock": 4.0, "width": width,
+    return {"angle": options["angle"], "surface": options["surface"], "cell": cell, "margin": max(2.0, cell), "rock": 4.0, "width": width,
             "height": height, "columns": columns, "rows": rows, "kind": options["kind"],
             "shared": options["nodes"] == "shared", "phase": 0.37 * min(cell, 1.0) if options["nodes"] == "shifted" else 0.0}
 
@@ -89,7 +93,7 @@ def friction_angle(options):
     tangent = math.tan(math.radians(options["angle"]))
     if options["friction"] == "slides":
         return math.degrees(math.atan(0.5 * tangent))
-    return body_friction(options) if options["belt"] in ("none", "cohesive") else math.degrees(math.atan(1.5 * tangent + 0.2))
+    return body_friction(options) if options["belt"] in ("none", "cohesive") else math.degrees(math.atan(1.5 * tangent + 0.25))
 
 
 def body_friction(options):
@@ -97,7 +101,7 @@ def body_friction(options):
     steepest = options["angle"]
     if options["kind"] == "triangles" and options["blocks"] == "loose":
         steepest += math.degrees(math.atan(0.5))  # blocks are twice as wide as high
-    return math.degrees(math.atan(1.3 * math.tan(math.radians(steepest)) + 0.2))
+    return math.degrees(math.atan(1.3 * math.tan(math.radians(steepest)) + 0.25))
 
 
 class Scene:
@@ -128,6 +132,7 @@ class Scene:
         slope = math.radians(self.options["angle"])
         x = along * math.cos(slope) - away * math.sin(slope)
         y = along * math.sin(slope) + away * math.cos(slope)
+        y += sections.bend_of(self.geometry)(x)
         return self.mirror * x + self.shift[0], y + self.shift[1]
 
     def write(self, directory):

@@ -9,6 +9,7 @@ import math
 
 import numpy as np
 
+BEND = 0.08  # change of the slope's tangent on both sides of a valley or a ridge
 SLAB = 1.0 / 3.0  # where the plane bedding_1 cuts the bedrock: part of its height below the surface
 
 
@@ -32,16 +33,25 @@ class Section:
 
 
 def make_section(geometry):
-    """geometry: angle [deg], cell, margin, rock height [m], block width and height [m], columns, rows, kind, shared, phase."""
+    """geometry: angle [deg], surface, cell, margin, rock height [m], block width and height [m], columns, rows, kind, shared,
+    phase [m]."""
     section = Section()
     slope = math.radians(geometry["angle"])
     length = geometry["columns"] * geometry["width"]
     cell = geometry["cell"]
     u = grid_along(length, geometry["margin"], cell)
     heights = grid_down(geometry["rock"], cell)
-    add_bedrock(section, (u, heights), geometry["rock"], slope, length)
-    add_mass(section, geometry, slope)
+    bent = bend_of(geometry)
+    add_bedrock(section, (u, heights), geometry["rock"], slope, length, bent)
+    add_mass(section, geometry, slope, bent)
     return section
+
+
+def bend_of(geometry):
+    """What a valley or a ridge adds to the height of a point, a function of x [m]."""
+    knee = math.cos(math.radians(geometry["angle"])) * geometry["width"] * (geometry["columns"] // 2)  # a corner of blocks
+    bend = {"plane": 0.0, "valley": BEND, "ridge": -BEND}[geometry["surface"]]
+    return lambda x: bend * abs(x - knee)
 
 
 def grid_along(length, margin, cell):
@@ -67,12 +77,13 @@ def graded(height, first):
     return np.concatenate([[0.0], np.cumsum(steps)]) * height / sum(steps)
 
 
-def add_bedrock(section, grid, height, slope, length):
+def add_bedrock(section, grid, height, slope, length, bent):
     u, parts = grid
-    base = u[0] * math.sin(slope) - height
+    base = min(k * math.sin(slope) + bent(k * math.cos(slope)) for k in u) - height
 
     def node(i, j):
-        x, top = u[i] * math.cos(slope), u[i] * math.sin(slope)
+        x = u[i] * math.cos(slope)
+        top = u[i] * math.sin(slope) + bent(x)
         return section.node(x, base + parts[j] * (top - base))
 
     n, m = len(u), len(parts)
@@ -93,14 +104,15 @@ def add_bedrock(section, grid, height, slope, length):
     section.lines = lines
 
 
-def add_mass(section, geometry, slope):
+def add_mass(section, geometry, slope, bent):
     width, height = geometry["width"], geometry["height"]
     shared = geometry["shared"]
     along, away = np.array([math.cos(slope), math.sin(slope)]), np.array([-math.sin(slope), math.cos(slope)])
     shift = 0.0 if shared else geometry["phase"]
 
     def corner(i, k):
-        return (shift + i * width) * along + k * height * away
+        x, y = (shift + i * width) * along + k * height * away
+        return x, y + bent(x)
 
     for i in range(geometry["columns"]):
         for k in range(geometry["rows"]):
