@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block_solver.h>
+#include <hybrid/dda/contact_tolerances.h>
 #include <hybrid/dda/joint_release.h>
 #include <hybrid/restart/archive.h>
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <map>
 
 namespace hybrid::dda
@@ -27,6 +29,65 @@ namespace hybrid::dda
               0.25 * largest,
               ContactTolerances::smooth_angle,
               0.25 * smallest};
+    }
+
+
+
+    using Place = std::pair<double, double>; ///< x, y
+
+    /// Directions of the edges of all surfaces that begin or end at each place, with the rock on
+    /// the left.
+    std::multimap<Place, Vec2> surface_edges(const Geometry &geometry)
+    {
+      std::multimap<Place, Vec2> edges;
+      const auto                 add = [&](const Vec2 &a, const Vec2 &b) {
+        edges.insert({{a.x(), a.y()}, b - a});
+        edges.insert({{b.x(), b.y()}, b - a});
+      };
+      for (std::size_t k = 0; k + 1 < geometry.base_nodes.size(); ++k)
+        add(geometry.base_nodes[k + 1], geometry.base_nodes[k]);
+      for (int b = geometry.bedrock.first_block; b < geometry.n_blocks(); ++b)
+        for (int v = geometry.offset[b]; v < geometry.offset[b + 1]; ++v)
+          if (geometry.bedrock.next[v] != BedrockSurface::inside)
+            add(geometry.vertices[v], geometry.vertices[geometry.next(v)]);
+      return edges;
+    }
+
+
+
+    /// True if an edge of a block lies on the surface: they face each other within 3 degrees.
+    bool lies_on(const Vec2 &edge, const Vec2 &surface)
+    {
+      const double sine = cross(edge, surface) / (edge.norm() * surface.norm());
+      return edge.dot(surface) < 0. && std::abs(sine) <= ContactTolerances{}.entry_sine;
+    }
+
+
+
+    /// Blocks that do not look at a surface unless they are awake to all: those on a belt, and
+    /// bonded ones that only touch it with corners, as their neighbours hold them.
+    std::vector<char> blocks_held_off(const Model &model, const std::vector<char> &is_on_belt)
+    {
+      const Geometry   &g     = model.initial;
+      const auto        edges = surface_edges(g);
+      std::vector<char> held_off(model.blocks.size(), 0);
+      for (int b = 0; b < model.n_mass(); ++b)
+        {
+          bool touches = false, lies = false;
+          for (int v = g.offset[b]; v < g.offset[b + 1]; ++v)
+            {
+              const Vec2 &x    = g.vertices[v];
+              const auto  here = edges.equal_range({x.x(), x.y()});
+              for (auto e = here.first; e != here.second; ++e)
+                {
+                  touches = true;
+                  lies    = lies || lies_on(g.vertices[g.next(v)] - x, e->second) ||
+                         lies_on(x - g.vertices[g.previous(v)], e->second);
+                }
+            }
+          held_off[b] = is_on_belt[b] || (model.bonded[b] && touches && !lies) ? 1 : 0;
+        }
+      return held_off;
     }
   } // namespace
 
@@ -51,19 +112,7 @@ namespace hybrid::dda
           if (body != base_body)
             is_on_belt[body] = 1;
 
-    std::map<std::pair<double, double>, int> node_at;
-    for (int k = 0; k < model.n_base_nodes(); ++k)
-      node_at[{model.initial.base_nodes[k].x(), model.initial.base_nodes[k].y()}] = k;
-    for (std::size_t v = 0; v < model.initial.vertices.size(); ++v)
-      {
-        const Vec2 &x    = model.initial.vertices[v];
-        const auto  node = node_at.find({x.x(), x.y()});
-        if (node == node_at.end())
-          continue;
-        for (const int segment : {node->second - 1, node->second})
-          if (segment >= 0 && segment + 1 < model.n_base_nodes())
-            touching_base.push_back({model.initial.block_of[v], segment});
-      }
+    held_off = blocks_held_off(model, is_on_belt);
   }
 
 
@@ -114,27 +163,20 @@ namespace hybrid::dda
 
     SkippedPairs skipped;
     skipped.awake = awake = awake_blocks(state);
-    if (model.n_bedrock > 0)
-      for (int b = 0; b < model.n_blocks(); ++b)
-        skipped.bedrock.push_back(model.is_bedrock(b));
+    skipped.held_off      = held_off;
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       {
         const Joint &joint = model.joints[j];
         if (state.joints[j].released)
           continue;
-        if (joint.other == base_body)
-          skipped.bonded_base.push_back({joint.block, joint.points[0].other_vertex});
-        else
+        if (joint.other != base_body && !model.is_bedrock(joint.other))
           skipped.bonded.push_back({joint.block, joint.other});
+        else if (!model.is_bedrock(joint.block))
+          skipped.surface.push_back({joint.block,
+                                     joint.other,
+                                     joint.other == base_body ? joint.points[0].other_vertex
+                                                              : joint.points[1].other_vertex});
       }
-    // A block that only touches the base with a corner is held by its neighbours while it is not
-    // awake.
-    for (const auto &pair : touching_base)
-      if (skipped.awake[pair.first] != Awake::to_all)
-        skipped.bonded_base.push_back(pair);
-    std::sort(skipped.bonded_base.begin(), skipped.bonded_base.end());
-    skipped.bonded_base.erase(std::unique(skipped.bonded_base.begin(), skipped.bonded_base.end()),
-                              skipped.bonded_base.end());
     detection.set_skipped_pairs(skipped);
     return true;
   }

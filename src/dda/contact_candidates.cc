@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/contact.h>
 #include <hybrid/dda/contact_candidates.h>
+#include <hybrid/dda/outline_frames.h>
 #include <hybrid/dda/polygon.h>
 
 #include <algorithm>
@@ -19,13 +20,6 @@ namespace hybrid::dda
     bool has_pair(const Pairs &sorted, const int first, const int second)
     {
       return std::binary_search(sorted.begin(), sorted.end(), std::make_pair(first, second));
-    }
-
-    /// True if @p body has any pair in the list.
-    bool has_first(const Pairs &sorted, const int first)
-    {
-      const auto it = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(first, -1));
-      return it != sorted.end() && it->first == first;
     }
 
     /// Box around the displacements of points. NaN spoils it for good.
@@ -96,15 +90,15 @@ namespace hybrid::dda
 
   void ContactCandidates::set_skipped_pairs(const SkippedPairs &given)
   {
-    if (given.bonded == skipped.bonded && given.bonded_base == skipped.bonded_base &&
-        given.awake == skipped.awake && given.bedrock == skipped.bedrock)
+    if (given.bonded == skipped.bonded && given.surface == skipped.surface &&
+        given.awake == skipped.awake && given.held_off == skipped.held_off)
       return;
     skipped = given;
     lookup  = given;
     for (const auto &[a, b] : given.bonded)
       lookup.bonded.emplace_back(b, a);
     std::sort(lookup.bonded.begin(), lookup.bonded.end());
-    std::sort(lookup.bonded_base.begin(), lookup.bonded_base.end());
+    std::sort(lookup.surface.begin(), lookup.surface.end());
     is_outdated = true;
   }
 
@@ -156,59 +150,105 @@ namespace hybrid::dda
     awake_for      = -1.;
     distance_tests = 0;
 
-    const int n_nodes = static_cast<int>(geometry.base_nodes.size());
-    boxes.clear();
-    for (int i = 0; i + 1 < n_nodes; ++i)
-      boxes.push_back(box_around(&geometry.base_nodes[i], 2, distance + margin));
-    for (int b = 0; b < geometry.n_blocks(); ++b)
-      boxes.push_back(box_around(&geometry.vertices[geometry.offset[b]],
-                                 geometry.offset[b + 1] - geometry.offset[b],
-                                 distance + margin));
+    first_bedrock = geometry.bedrock.first_block;
+    list_boxes(geometry);
     grid.build(boxes);
 
     candidates.clear();
     apart_when_built.clear();
-    for (int i = 1; i + 1 < n_nodes; ++i) // the two ends of the base are no vertices
+    for (int i = 0; i < static_cast<int>(geometry.base_nodes.size()); ++i)
       add_candidates(geometry, base_body, i);
     for (int v = 0; v < static_cast<int>(geometry.vertices.size()); ++v)
-      add_candidates(geometry, geometry.block_of[v], v);
+      if (geometry.block_of[v] < first_bedrock ||
+          geometry.bedrock.next[v] != BedrockSurface::inside)
+        add_candidates(geometry, geometry.block_of[v], v);
+  }
+
+
+
+  void ContactCandidates::list_boxes(const Geometry &geometry)
+  {
+    boxes.clear();
+    bodies.clear();
+    for (int i = 0; i + 1 < static_cast<int>(geometry.base_nodes.size()); ++i)
+      {
+        boxes.push_back(box_around(&geometry.base_nodes[i], 2, distance + margin));
+        bodies.push_back({base_body, i});
+      }
+    const int n_mass = std::min(first_bedrock, geometry.n_blocks());
+    for (int b = 0; b < n_mass; ++b)
+      {
+        boxes.push_back(box_around(&geometry.vertices[geometry.offset[b]],
+                                   geometry.offset[b + 1] - geometry.offset[b],
+                                   distance + margin));
+        bodies.push_back({b, -1});
+      }
+    for (int v = geometry.offset[n_mass]; v < static_cast<int>(geometry.vertices.size()); ++v)
+      if (geometry.bedrock.next[v] != BedrockSurface::inside)
+        {
+          const Vec2 ends[2]{geometry.vertices[v], geometry.vertices[geometry.next(v)]};
+          boxes.push_back(box_around(ends, 2, distance + margin));
+          bodies.push_back({geometry.block_of[v], v});
+        }
   }
 
 
 
   void ContactCandidates::add_candidates(const Geometry &geometry, const int body, const int vertex)
   {
-    const Vec2 &point = body == base_body ? geometry.base_nodes[vertex] : geometry.vertices[vertex];
-    const int   n_segments = std::max(0, static_cast<int>(geometry.base_nodes.size()) - 1);
-
     found.clear();
-    grid.find(point, found);
-    std::sort(found.begin(), found.end()); // base segments first, as base_body is the smallest body
+    grid.find(position(geometry, body, vertex), found);
+    std::sort(found.begin(), found.end()); // in the order of bodies
     for (const int box : found)
-      if (box < n_segments)
-        {
-          if (body == base_body || is_skipped_base_pair(body, box))
-            continue;
-          ++distance_tests;
-          const Vec2 *ends = &geometry.base_nodes[box];
-          add({body, vertex, base_body, box}, distance_to_segment(ends[0], ends[1], point));
-        }
-      else
-        {
-          const int block = box - n_segments;
-          if (body == base_body
-                ? is_skipped_base_pair(block, vertex - 1) || is_skipped_base_pair(block, vertex)
-                : is_skipped_pair(body, block))
-            continue;
-          ++distance_tests;
-          const Vec2 *outline = &geometry.vertices[geometry.offset[block]];
-          const int   n       = geometry.offset[block + 1] - geometry.offset[block];
-          if (n > many_edges)
-            add_near_edges(geometry, {body, vertex, block, -1}, point);
-          else
-            add({body, vertex, block, -1},
-                contains(outline, n, point) ? 0. : distance_to_outline(outline, n, point));
-        }
+      if (!is_surface(geometry, bodies[box].first))
+        add_block(geometry, body, vertex, bodies[box].first);
+      else if (!is_surface(geometry, body))
+        add_edge_of_surface(geometry, body, vertex, box);
+  }
+
+
+
+  void ContactCandidates::add_edge_of_surface(const Geometry &geometry,
+                                              const int       block,
+                                              const int       vertex,
+                                              const int       number)
+  {
+    const auto [body, edge] = bodies[number];
+    if (is_skipped_edge({block, body, edge}))
+      return;
+    ++distance_tests;
+    add({block, vertex, body, edge},
+        distance_to_segment(position(geometry, body, edge),
+                            position(geometry, body, second_end(geometry, body, edge)),
+                            geometry.vertices[vertex]));
+  }
+
+
+
+  void ContactCandidates::add_block(const Geometry &geometry,
+                                    const int       body,
+                                    const int       vertex,
+                                    const int       block)
+  {
+    if (!is_surface(geometry, body))
+      {
+        if (is_skipped_pair(body, block))
+          return;
+      }
+    else
+      for (const int edge :
+           {edge_before(geometry, body, vertex), edge_after(geometry, body, vertex)})
+        if (edge >= 0 && is_skipped_edge({block, body_of(geometry, body, edge), edge}))
+          return;
+    ++distance_tests;
+    const Vec2 &point   = position(geometry, body, vertex);
+    const Vec2 *outline = &geometry.vertices[geometry.offset[block]];
+    const int   n       = geometry.offset[block + 1] - geometry.offset[block];
+    if (n > many_edges)
+      add_near_edges(geometry, {body, vertex, block, -1}, point);
+    else
+      add({body, vertex, block, -1},
+          contains(outline, n, point) ? 0. : distance_to_outline(outline, n, point));
   }
 
 
@@ -243,11 +283,8 @@ namespace hybrid::dda
   {
     if (block == other || has_pair(lookup.bonded, block, other))
       return true;
-    if (!lookup.bedrock.empty() && lookup.bedrock[block] && lookup.bedrock[other])
-      return true;
-    const bool is_awake =
-      lookup.awake.empty() ||
-      std::max(lookup.awake[block], lookup.awake[other]) >= needed(block, other);
+    const bool is_awake = lookup.awake.empty() ||
+                          std::max(lookup.awake[block], lookup.awake[other]) >= Awake::to_blocks;
     return !is_awake && are_neighbours(block, other);
   }
 
@@ -263,31 +300,33 @@ namespace hybrid::dda
 
 
 
-  Awake ContactCandidates::needed(const int block, const int other) const
-  {
-    const bool meets_bedrock =
-      !lookup.bedrock.empty() && lookup.bedrock[block] != lookup.bedrock[other];
-    return meets_bedrock ? Awake::to_all : Awake::to_blocks;
-  }
-
-
-
   bool ContactCandidates::is_first_look(const int body, const int other) const
   {
     if (was_awake.empty())
       return false;
-    if (body == base_body || other == base_body)
-      return was_awake[std::max(body, other)] != Awake::to_all;
-    return std::max(was_awake[body], was_awake[other]) < needed(body, other) &&
+    for (const int surface : {body, other})
+      if (surface == base_body || surface >= first_bedrock)
+        {
+          const int block = surface == body ? other : body;
+          return is_held_off(block) && was_awake[block] != Awake::to_all;
+        }
+    return std::max(was_awake[body], was_awake[other]) < Awake::to_blocks &&
            are_neighbours(body, other);
   }
 
 
 
-  bool ContactCandidates::is_skipped_base_pair(const int block, const int segment) const
+  bool ContactCandidates::is_held_off(const int block) const
   {
-    const bool is_awake = lookup.awake.empty() || lookup.awake[block] == Awake::to_all;
-    return is_awake ? has_pair(lookup.bonded_base, block, segment)
-                    : has_first(lookup.bonded_base, block);
+    return !lookup.held_off.empty() && lookup.held_off[block];
+  }
+
+
+
+  bool ContactCandidates::is_skipped_edge(const BondedEdge &pair) const
+  {
+    const bool is_awake = lookup.awake.empty() || lookup.awake[pair.block] == Awake::to_all;
+    return (!is_awake && is_held_off(pair.block)) ||
+           std::binary_search(lookup.surface.begin(), lookup.surface.end(), pair);
   }
 } // namespace hybrid::dda

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace hybrid::dda
@@ -95,6 +97,8 @@ namespace hybrid::dda
           else if (trials[i].history == ContactTrial::History::none &&
                    candidates.is_first_look(contact.vertex_body, contact.edge_body))
             contact.rest_gap = std::min(0., trials[i].gap - tolerances.extension());
+          else if (trials[i].history == ContactTrial::History::none && trials[i].gap < 0.)
+            take_stretch_beside(geometry, contact);
           contacts.push_back(contact);
         }
     settle(contacts, rest);
@@ -183,15 +187,23 @@ namespace hybrid::dda
       is_near[body] = 1;
       near_blocks.push_back(body);
     };
+    const auto add_with_surface = [&](const int body, const int edge) {
+      add(body);
+      if (body < geometry.bedrock.first_block)
+        return;
+      for (const int beside : {geometry.bedrock.previous[edge], geometry.bedrock.next[edge]})
+        if (beside >= 0)
+          add(geometry.block_of[beside]);
+    };
     for (const ContactCandidate &pair : candidates.awake())
       {
-        add(pair.vertex_body);
-        add(pair.edge_body);
+        add_with_surface(pair.vertex_body, pair.vertex);
+        add_with_surface(pair.edge_body, pair.edge);
       }
     for (const Contact &contact : contacts)
       {
-        add(contact.vertex_body);
-        add(contact.edge_body);
+        add_with_surface(contact.vertex_body, contact.vertex);
+        add_with_surface(contact.edge_body, contact.edge);
       }
   }
 
@@ -212,7 +224,7 @@ namespace hybrid::dda
         group          = group_at(i);
         const int body = list[i].vertex_body, vertex = list[i].vertex;
         char     &settled = RestWatch::settled(rest, body, vertex);
-        if (frames.corner(body, vertex) != Corner::convex)
+        if (frames.corner(body, vertex) != Corner::convex && !is_surface(geometry, body))
           {
             settled = 1;
             continue;
@@ -263,7 +275,7 @@ namespace hybrid::dda
     for (std::size_t j = group.begin; j < group.end; ++j)
       {
         add_body(geometry, list[j]);
-        if (j + 1 < group.end && list[j + 1].edge_body == list[j].edge_body)
+        if (j + 1 < group.end && is_same_body(geometry, list[j + 1].edge_body, list[j].edge_body))
           continue;
         const int n = selection.end_body();
         if (n == 0 && list[j].edge < 0 && is_lost(geometry, body, vertex, list[j].edge_body))
@@ -312,13 +324,53 @@ namespace hybrid::dda
 
 
 
+  void ContactDetection::take_stretch_beside(const Geometry &geometry, Contact &contact) const
+  {
+    const bool by_place = is_surface(geometry, contact.vertex_body);
+    if (by_place == is_surface(geometry, contact.edge_body))
+      return; // two blocks of the mass
+    const Vec2 &place   = position(geometry, contact.vertex_body, contact.vertex);
+    const int   block   = by_place ? contact.edge_body : contact.vertex_body;
+    const Vec2 &along   = frames.edge(contact.edge_body, contact.edge).direction;
+    double      nearest = std::numeric_limits<double>::infinity();
+    const auto  look    = [&](const int body, const int vertex) {
+      const Range beside = trials_of(body, vertex);
+      for (auto t = beside.first; t != beside.second; ++t)
+        {
+          const Contact &c         = t->contact;
+          const double   distance  = (position(geometry, body, vertex) - place).norm();
+          const Vec2    &direction = frames.edge(c.edge_body, c.edge).direction;
+          if (t->history != ContactTrial::History::same_edge || !(distance < nearest) ||
+              !(c.vertex_body == block || c.edge_body == block) ||
+              std::abs(along.dot(direction)) < tolerances.continuing_cosine)
+            continue;
+          nearest           = distance;
+          const double role = (c.vertex_body == block) == (contact.vertex_body == block) ? 1. : -1.;
+          contact.plastic_slip =
+            role * std::copysign(1., along.dot(direction)) * (c.plastic_slip - c.slip);
+        }
+    };
+    for (int v = geometry.offset[block]; v < geometry.offset[block + 1]; ++v)
+      look(block, v);
+    const int body = by_place ? contact.vertex_body : contact.edge_body;
+    const int edge = by_place ? contact.vertex : contact.edge;
+    for (const int place_beside :
+         {by_place ? edge_before(geometry, body, edge) : edge, end_place(geometry, body, edge)})
+      if (place_beside >= 0)
+        look(body_of(geometry, body, place_beside), place_beside);
+  }
+
+
+
   ContactDetection::Range ContactDetection::trials_of(const int body, const int vertex) const
   {
     const int first = body == base_body ? first_of_node[vertex] : first_of_vertex[vertex];
     Range     range;
     range.first  = first < 0 ? trials.end() : trials.begin() + first;
     range.second = range.first;
-    while (range.second != trials.end() && range.second->contact.vertex_body == body &&
+    // vertices of the base have numbers of their own
+    while (range.second != trials.end() &&
+           (range.second->contact.vertex_body == base_body) == (body == base_body) &&
            range.second->contact.vertex == vertex)
       ++range.second;
     return range;
@@ -335,8 +387,10 @@ namespace hybrid::dda
     const Contact &c    = trials[i].contact;
     const Vec2    &p    = position(geometry, c.vertex_body, c.vertex);
     const Vec2    &mine = frames.edge(c.edge_body, c.edge).normal;
-    for (const int end : {c.edge, second_end(geometry, c.edge_body, c.edge)})
+    for (const int end : {c.edge, end_place(geometry, c.edge_body, c.edge)})
       {
+        if (end < 0)
+          continue;
         const Vec2  &q     = position(geometry, c.edge_body, end);
         const double along = std::abs(frames.edge(c.edge_body, c.edge).direction.dot(p - q));
         if (along > 0.1 * tolerances.reach)
@@ -346,9 +400,11 @@ namespace hybrid::dda
           for (const int g : {edge_before(geometry, c.vertex_body, c.vertex),
                               edge_after(geometry, c.vertex_body, c.vertex)})
             {
+              if (g < 0)
+                continue;
               const Vec2  &normal = frames.edge(c.vertex_body, g).normal;
               const double height = tolerances.hysteresis() + 0.5 * std::max(0., -k->gap);
-              if (k->contact.edge_body != c.vertex_body &&
+              if (!is_same_body(geometry, k->contact.edge_body, c.vertex_body) &&
                   -mine.dot(normal) < tolerances.continuing_cosine &&
                   normal.dot(frames.edge(k->contact.edge_body, k->contact.edge).normal) >=
                     tolerances.continuing_cosine &&
@@ -368,15 +424,18 @@ namespace hybrid::dda
     const Contact      &c    = mine.contact;
     const Vec2         &n    = frames.edge(c.edge_body, c.edge).normal;
 
-    for (const int corner : {c.edge, second_end(geometry, c.edge_body, c.edge)})
+    for (const int corner : {c.edge, end_place(geometry, c.edge_body, c.edge)})
       {
+        if (corner < 0)
+          continue;
         const Range opposite = trials_of(c.edge_body, corner);
         for (auto it = opposite.first; it != opposite.second; ++it)
           {
             const int edge = it->contact.edge;
             // segments of the base have numbers of their own
-            if (it->gap >= 0. || it->contact.edge_body != c.vertex_body ||
-                (edge != c.vertex && second_end(geometry, c.vertex_body, edge) != c.vertex) ||
+            if (it->gap >= 0. || !is_same_body(geometry, it->contact.edge_body, c.vertex_body) ||
+                (edge != edge_after(geometry, c.vertex_body, c.vertex) &&
+                 edge != edge_before(geometry, c.vertex_body, c.vertex)) ||
                 -n.dot(frames.edge(c.vertex_body, edge).normal) >= tolerances.continuing_cosine)
               continue;
             const auto mine_key =

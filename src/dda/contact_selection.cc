@@ -81,8 +81,11 @@ namespace hybrid::dda
     vertex_body = body;
     vertex      = vertex_;
     point       = position(*geometry, body, vertex);
-    to_next     = frames->edge(body, edge_after(*geometry, body, vertex)).direction;
-    to_previous = -frames->edge(body, edge_before(*geometry, body, vertex)).direction;
+    // At an end of a surface the rock goes on straight.
+    const int after  = edge_after(*geometry, body, vertex),
+              before = edge_before(*geometry, body, vertex);
+    to_next          = frames->edge(body, after < 0 ? before : after).direction;
+    to_previous      = -frames->edge(body, before < 0 ? after : before).direction;
 
     old.set(*geometry, *frames, point, old_contacts, n_old);
     trials.clear();
@@ -135,17 +138,18 @@ namespace hybrid::dda
 
 
 
-  /// How far the vertex may be beside the edge: the room between the normals of two base
-  /// segments at a gentle ridge belongs to both of them, otherwise nobody would see a vertex there.
+  /// How far the vertex may be beside the edge: the room between the normals of two edges of a
+  /// surface at a gentle ridge belongs to both of them, otherwise nobody would see a vertex there.
   double ContactSelection::allowed_overhang(const ContactTrial &trial, const double along) const
   {
     const int    body = trial.contact.edge_body;
     const double plain =
       trial.history == History::same_edge ? tolerances.extension() : tolerances.coincidence();
-    if (body != base_body || trial.gap <= 0. || trial.overhang == 0.)
+    if (!is_surface(*geometry, body) || trial.gap <= 0. || trial.overhang == 0.)
       return plain;
-    const int other = along < 0. ? trial.contact.edge - 1 : trial.contact.edge + 1;
-    if (other < 0 || other + 1 >= static_cast<int>(geometry->base_nodes.size()))
+    const int edge  = trial.contact.edge;
+    const int other = along < 0. ? edge_before(*geometry, body, edge) : edge_following(body, edge);
+    if (other < 0)
       return plain;
     const Vec2  &normal = frames->edge(body, trial.contact.edge).normal;
     const double cosine = normal.dot(frames->edge(body, other).normal);
@@ -157,18 +161,26 @@ namespace hybrid::dda
 
 
 
+  /// The edge that begins where @p edge ends, or -1.
+  int ContactSelection::edge_following(const int body, const int edge) const
+  {
+    const int end = end_place(*geometry, body, edge);
+    return end < 0 ? -1 : edge_after(*geometry, body, end);
+  }
+
+
+
   /// The side below a seam: the vertex slides on an edge that the neighbour of this edge continues.
   bool ContactSelection::is_below_seam(const ContactTrial &trial) const
   {
     if (trial.history == History::same_edge)
       return false;
-    const int   body = trial.contact.edge_body;
-    const int   ends[2]{trial.contact.edge, second_end(*geometry, body, trial.contact.edge)};
+    const int   body = trial.contact.edge_body, edge = trial.contact.edge;
+    const int   ends[2]{edge, end_place(*geometry, body, edge)};
     const Vec2 &mine = frames->edge(body, trial.contact.edge).normal;
     for (int i = 0; i < 2; ++i)
       {
-        const int other =
-          i == 0 ? edge_before(*geometry, body, ends[0]) : edge_after(*geometry, body, ends[1]);
+        const int other = i == 0 ? edge_before(*geometry, body, edge) : edge_following(body, edge);
         if (other < 0 || frames->corner(body, ends[i]) != Corner::convex)
           continue;
         const Vec2 &normal = frames->edge(body, other).normal;
@@ -186,12 +198,11 @@ namespace hybrid::dda
   {
     if (trial.history != History::none || std::abs(trial.gap) > tolerances.coincidence())
       return false;
-    const int body = trial.contact.edge_body;
-    const int ends[2]{trial.contact.edge, second_end(*geometry, body, trial.contact.edge)};
+    const int body = trial.contact.edge_body, edge = trial.contact.edge;
+    const int ends[2]{edge, end_place(*geometry, body, edge)};
     for (int i = 0; i < 2; ++i)
       {
-        const int other =
-          i == 0 ? edge_before(*geometry, body, ends[0]) : edge_after(*geometry, body, ends[1]);
+        const int other = i == 0 ? edge_before(*geometry, body, edge) : edge_following(body, edge);
         if (other < 0 || frames->corner(body, ends[i]) != Corner::convex ||
             (position(*geometry, body, ends[i]) - point).norm() > 2. * tolerances.coincidence())
           continue;
@@ -211,7 +222,7 @@ namespace hybrid::dda
   {
     const int b = trial.contact.edge_body;
     if (trial.history == History::same_edge || trial.gap >= -tolerances.coincidence() ||
-        b == base_body)
+        is_surface(*geometry, b))
       return true;
     const int first = geometry->offset[b];
     return contains(&geometry->vertices[first], geometry->offset[b + 1] - first, point);
@@ -225,7 +236,7 @@ namespace hybrid::dda
   bool ContactSelection::has_crossed_corner(const ContactTrial &trial) const
   {
     const int body = trial.contact.edge_body;
-    if (vertex_body == base_body || body == base_body)
+    if (is_surface(*geometry, vertex_body) || is_surface(*geometry, body))
       return false;
     const std::vector<Vec2> &v     = geometry->vertices;
     const int                first = trial.contact.edge, second = geometry->next(first);
@@ -302,7 +313,7 @@ namespace hybrid::dda
     const Vec2  &na     = frames->edge(a.contact.edge_body, a.contact.edge).normal;
     const Vec2  &nb     = frames->edge(b.contact.edge_body, b.contact.edge).normal;
     const double height = tolerances.hysteresis() + 0.5 * std::max({0., -a.gap, -b.gap});
-    return a.contact.edge_body != b.contact.edge_body &&
+    return !is_same_body(*geometry, a.contact.edge_body, b.contact.edge_body) &&
            na.dot(nb) >= tolerances.continuing_cosine && std::abs(a.gap - b.gap) <= height;
   }
 

@@ -11,9 +11,11 @@ namespace hybrid::dda
   {
     using BodyPair = std::pair<int, int>; ///< the lower number first; base_body is the lowest
 
-    BodyPair in_order(const int a, const int b)
+    /// @param a, b bodies; all blocks of the bedrock are one.
+    BodyPair in_order(const Model &model, const int a, const int b)
     {
-      return std::minmax(a, b);
+      const auto body = [&](const int c) { return std::min(c, model.n_mass()); };
+      return std::minmax(body(a), body(b));
     }
 
 
@@ -41,7 +43,7 @@ namespace hybrid::dda
           joint.handed_over   = true;
           const double closed = -std::min(joint.points[0].gap, joint.points[1].gap);
           overlaps.push_back(
-            {in_order(model.joints[j].block, model.joints[j].other), std::max(closed, 0.)});
+            {in_order(model, model.joints[j].block, model.joints[j].other), std::max(closed, 0.)});
         }
       std::sort(overlaps.begin(), overlaps.end());
       return overlaps;
@@ -64,7 +66,7 @@ namespace hybrid::dda
       return;
     for (Contact &contact : state.contacts)
       {
-        const Overlap of_pair{in_order(contact.vertex_body, contact.edge_body), 0.};
+        const Overlap of_pair{in_order(model, contact.vertex_body, contact.edge_body), 0.};
         const auto    found = std::equal_range(overlaps.begin(), overlaps.end(), of_pair);
         for (auto joint = found.first; joint != found.second; ++joint)
           contact.rest_gap =

@@ -39,6 +39,7 @@ namespace hybrid::dda
       {
         collect_blocks();
         add_outlines();
+        join_bedrock_surface();
         add_blocks();
         add_joints();
         correct_stiffness();
@@ -77,6 +78,7 @@ namespace hybrid::dda
 
       void collect_blocks();
       void add_outlines();
+      void join_bedrock_surface();
       void add_blocks();
       void add_joints();
       void correct_stiffness();
@@ -123,6 +125,51 @@ namespace hybrid::dda
             }
           g.offset.push_back(static_cast<int>(g.vertices.size()));
         }
+    }
+
+
+
+    void Builder::join_bedrock_surface()
+    {
+      if (model.n_bedrock == 0)
+        return;
+      Geometry &g = model.initial;
+      // Edges of the bedrock by their nodes, and where those of the surface begin.
+      std::map<std::pair<int, int>, int> edges;
+      const auto                         for_each_edge = [&](const auto &act) {
+        for (std::size_t b = n_mass; b < outlines.size(); ++b)
+          for (std::size_t k = 0; k < outlines[b].size(); ++k)
+            act(g.offset[b] + static_cast<int>(k),
+                outlines[b][k],
+                outlines[b][(k + 1) % outlines[b].size()]);
+      };
+      for_each_edge([&](const int v, const int from, const int to) { edges[{from, to}] = v; });
+
+      g.bedrock.first_block = n_mass;
+      g.bedrock.next.resize(g.vertices.size());
+      g.bedrock.previous.resize(g.vertices.size());
+      for (int v = 0; v < static_cast<int>(g.vertices.size()); ++v)
+        {
+          const bool is_mass    = g.block_of[v] < n_mass;
+          g.bedrock.next[v]     = is_mass ? g.next(v) : BedrockSurface::inside;
+          g.bedrock.previous[v] = is_mass ? g.previous(v) : BedrockSurface::none;
+        }
+      std::map<int, int> begin_at; // node, first vertex
+      const auto         is_outside = [&](const int from, const int to) {
+        return edges.count({to, from}) == 0;
+      };
+      for_each_edge([&](const int v, const int from, const int to) {
+        if (is_outside(from, to))
+          begin_at[from] = v;
+      });
+      for_each_edge([&](const int v, const int from, const int to) {
+        if (!is_outside(from, to))
+          return;
+        const auto next   = begin_at.find(to);
+        g.bedrock.next[v] = next == begin_at.end() ? BedrockSurface::none : next->second;
+        if (next != begin_at.end())
+          g.bedrock.previous[next->second] = v;
+      });
     }
 
 

@@ -37,7 +37,9 @@ namespace hybrid::dda
     const double sine = std::sin(smooth_angle);
     resize(geometry);
     for (int b = 0; b < geometry.n_blocks(); ++b)
-      update_block(geometry, b, sine);
+      update_edges(geometry, b);
+    for (int b = 0; b < geometry.n_blocks(); ++b)
+      update_corners(geometry, b, sine);
     update_base(geometry, sine);
   }
 
@@ -50,7 +52,9 @@ namespace hybrid::dda
     const double sine = std::sin(smooth_angle);
     resize(geometry);
     for (const int b : blocks)
-      update_block(geometry, b, sine);
+      update_edges(geometry, b);
+    for (const int b : blocks)
+      update_corners(geometry, b, sine);
     update_base(geometry, sine);
   }
 
@@ -60,7 +64,6 @@ namespace hybrid::dda
   {
     block_edges.resize(geometry.vertices.size());
     block_corners.resize(geometry.vertices.size());
-    convex_blocks.resize(geometry.n_blocks());
     const int n_nodes = static_cast<int>(geometry.base_nodes.size());
     base_edges.resize(n_nodes > 0 ? n_nodes - 1 : 0);
     base_corners.assign(n_nodes, Corner::straight);
@@ -68,17 +71,21 @@ namespace hybrid::dda
 
 
 
-  void OutlineFrames::update_block(const Geometry &geometry, const int block, const double sine)
+  void OutlineFrames::update_edges(const Geometry &geometry, const int block)
   {
-    const int first = geometry.offset[block], end = geometry.offset[block + 1];
-    for (int v = first; v < end; ++v)
+    for (int v = geometry.offset[block]; v < geometry.offset[block + 1]; ++v)
       block_edges[v] = make_frame(geometry.vertices[v], geometry.vertices[geometry.next(v)], 1.);
-    convex_blocks[block] = 1;
-    for (int v = first; v < end; ++v)
+  }
+
+
+
+  void OutlineFrames::update_corners(const Geometry &geometry, const int block, const double sine)
+  {
+    for (int v = geometry.offset[block]; v < geometry.offset[block + 1]; ++v)
       {
-        block_corners[v] = make_corner(block_edges[geometry.previous(v)], block_edges[v], 1., sine);
-        if (block_corners[v] == Corner::reflex)
-          convex_blocks[block] = 0;
+        const int before = edge_before(geometry, block, v);
+        block_corners[v] = before < 0 ? Corner::straight
+                                      : make_corner(block_edges[before], block_edges[v], 1., sine);
       }
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/cohesive_length.h>
 #include <hybrid/dda/contact_frame.h>
+#include <hybrid/dda/contact_length.h>
 #include <hybrid/dda/springs.h>
 
 #include <algorithm>
@@ -137,14 +137,15 @@ namespace hybrid::dda
         const int         owner         = node_on_block ? contact.edge_body : contact.vertex_body;
         const ContactLaw &law           = law_of(model, contact);
         Spring            s;
-        s.block      = owner;
-        s.other      = on_base ? base_body : contact.edge_body;
-        s.contact    = static_cast<int>(c);
-        s.unilateral = true;
-        s.law        = &law.law;
-        s.length     = law.length;
+        s.block                    = owner;
+        s.other                    = on_base ? base_body : contact.edge_body;
+        s.contact                  = static_cast<int>(c);
+        s.unilateral               = true;
+        s.law                      = &law.law;
+        const ContactLength length = contact_length(geometry, state.contacts, contact, law.length);
+        s.length                   = length.spring;
         if (law.law.has_residual_cohesion())
-          s.cohesive = cohesive_length(geometry, state.contacts, contact) / law.length;
+          s.cohesive = length.spring > 0. ? length.overlap / length.spring : 0.;
         if (on_base)
           {
             s.node[0] = node_on_block ? contact.vertex : contact.edge;

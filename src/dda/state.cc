@@ -79,8 +79,9 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, Geometry &geometry)
   {
-    auto &[offset, block_of, vertices, base_nodes] = geometry;
-    archive(offset, block_of, vertices, base_nodes);
+    auto &[offset, block_of, vertices, base_nodes, bedrock] = geometry;
+    auto &[first_block, next, previous]                     = bedrock;
+    archive(offset, block_of, vertices, base_nodes, first_block, next, previous);
   }
 
 

@@ -68,9 +68,8 @@ namespace hybrid::dda
     const Model       &model;
     ContactDetection   detection;
     OpenCloseIteration iteration;
-    std::vector<std::pair<int, int>>
-                      touching_base; ///< (block, segment) that share a node at the start
-    std::vector<char> is_on_belt;    ///< per block
+    std::vector<char>  is_on_belt; ///< per block
+    std::vector<char>  held_off;   ///< per block, see SkippedPairs
     int changes = -1; ///< loosened, failed and released joints when the skip lists were made
     std::vector<Awake> awake; ///< per block, now
 

@@ -5,12 +5,13 @@
 #include <hybrid/dda/cell_grid.h>
 #include <hybrid/dda/geometry.h>
 
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace hybrid::dda
 {
-  /// A vertex near a block (edge = -1: any edge of it), one edge of it, or a base segment.
+  /// A vertex near a block (edge = -1: any edge of it), one edge of it, or one of a surface.
   struct ContactCandidate
   {
     int vertex_body; ///< block, or base_body
@@ -20,16 +21,34 @@ namespace hybrid::dda
   };
 
 
+  /// An edge of a surface that a block of the mass is bonded to.
+  struct BondedEdge
+  {
+    int block;
+    int body; ///< base_body, or block of the bedrock
+    int edge; ///< its first vertex or base node
+
+    friend bool operator<(const BondedEdge &a, const BondedEdge &b)
+    {
+      return std::tie(a.block, a.body, a.edge) < std::tie(b.block, b.body, b.edge);
+    }
+
+    friend bool operator==(const BondedEdge &a, const BondedEdge &b)
+    {
+      return a.block == b.block && a.body == b.body && a.edge == b.edge;
+    }
+  };
+
+
   /// Pairs of bodies that are no candidates. Empty lists skip nothing.
   struct SkippedPairs
   {
     std::vector<std::pair<int, int>>
-      bonded; ///< blocks with an unreleased joint between them: never candidates
-    std::vector<std::pair<int, int>>
-      bonded_base;                ///< (block, first node of base segment) with an unreleased joint
-    std::vector<Awake> awake;     ///< per block; empty: all look at everything
-    std::vector<char>  bedrock{}; ///< per block: part of the bedrock, whose blocks never meet each
-                                  ///< other; empty: none
+      bonded; ///< blocks of the mass with an unreleased joint between them: never candidates
+    std::vector<BondedEdge> surface; ///< with an unreleased joint: never candidates
+    std::vector<Awake>      awake;   ///< per block; empty: all look at everything
+    std::vector<char> held_off{};    ///< per block: does not look at a surface unless awake to all;
+                                     ///< empty: none
   };
 
 
@@ -43,15 +62,17 @@ namespace hybrid::dda
    * least d - 2 m, so a pair with d - 2 m above the distance is asleep: no
    * contact can arise there. Pairs of one block with itself are left out, and
    *   - bonded pairs of blocks: their joint carries the load;
-   *   - pairs of blocks of the bedrock;
    *   - blocks that share a vertex of the original mesh, unless one of them is
    *     awake: an intact mass has thousands of these, all at distance zero;
-   *   - a block bonded to the base and not awake to all, with the whole base; when
-   *     awake, with the segments (and their nodes) to which it is still bonded.
+   *   - edges (and their ends) of a surface to which a block is bonded;
+   *   - a block that is held off (bonded to the surface, or touching it with corners
+   *     only while its neighbours hold it) with the whole surface, until it is awake to all.
    *     A belt slides for centimetres over the bends of a base of straight segments,
    *     where corners would catch: a joint that has given way does not wake a block
-   *     on the belt to the base (nor to blocks of the bedrock). A block that
-   *     touches the base with a corner only is woken: it may be squeezed into it.
+   *     on the belt to the surface. A block that touches it with a corner only is
+   *     woken: it may be squeezed into it.
+   * Surfaces are the base and the outline of bedrock made of blocks (BedrockSurface); they
+   * never meet each other. Every place of a surface is a vertex, as it may bend.
    *
    * Candidates are sorted by vertex_body, vertex, edge_body, edge, so results
    * do not depend on when the list was built.
@@ -79,8 +100,8 @@ namespace hybrid::dda
       was_awake.assign(awake_then.begin(), awake_then.end());
     }
 
-    /// For a pair of the list: true if neighbours of the mesh, or block and base, look at each
-    /// other for the first time.
+    /// For a pair of the list: true if neighbours of the mesh, or a block that was held off and a
+    /// surface, look at each other for the first time.
     bool is_first_look(int body, int other) const;
 
     /// Pairs of the list that are not asleep, sorted: all that are within the distance, and some
@@ -108,7 +129,13 @@ namespace hybrid::dda
 
     void build(const Geometry &geometry);
 
+    void list_boxes(const Geometry &geometry);
+
     void add_candidates(const Geometry &geometry, int body, int vertex);
+
+    void add_edge_of_surface(const Geometry &geometry, int block, int vertex, int number);
+
+    void add_block(const Geometry &geometry, int body, int vertex, int block);
 
     /// The edges of a large outline near @p point, or @p any_edge if it is deep inside.
     void
@@ -120,12 +147,11 @@ namespace hybrid::dda
 
     bool are_neighbours(int block, int other) const;
 
-    /// How much two blocks must be awake to look at each other.
-    Awake needed(int block, int other) const;
-
     bool is_skipped_pair(int block, int other) const;
 
-    bool is_skipped_base_pair(int block, int segment) const;
+    bool is_skipped_edge(const BondedEdge &pair) const;
+
+    bool is_held_off(int block) const;
 
     const double distance;
     const double margin;
@@ -141,8 +167,10 @@ namespace hybrid::dda
     double            awake_for = -1.; ///< movement for which the awake pairs were chosen [m]
     std::vector<Vec2> built_vertices, built_nodes; ///< positions at the last build [m]
     CellGrid          grid;
-    std::vector<Box>  boxes; ///< base segments, then blocks
-    std::vector<int>  found;
-    long              distance_tests = 0;
+    std::vector<Box>  boxes; ///< of bodies: base segments, blocks of the mass, edges of bedrock
+    std::vector<std::pair<int, int>> bodies;            ///< body and edge (-1: any) of each box
+    int                              first_bedrock = 0; ///< BedrockSurface::first_block
+    std::vector<int>                 found;
+    long                             distance_tests = 0;
   };
 } // namespace hybrid::dda

@@ -23,10 +23,11 @@ namespace hybrid::dda
    *
    * Rules, in the order in which they are applied:
    *
-   * 1. *Vertices* are convex corners: of blocks by any angle above
-   *    smooth_angle, of the base likewise. A straight base node is no vertex,
-   *    else a block that slides over it would feel it. Reflex corners cannot
-   *    touch first.
+   * 1. *Vertices* are the convex corners of blocks, by any angle above
+   *    smooth_angle, and every place of a surface (base, or outline of bedrock made of blocks):
+   *    a surface that bends touches a sole between the block's corners. By rule 2 a place
+   *    where the surface is straight touches edges that lie along it only.
+   *    Reflex corners of blocks cannot touch first.
    * 2. *An edge is a partner* if the vertex is at most reach in front of it or
    *    max_depth behind it, projects on it (a contact that persists may hang
    *    over by reach / 100), and both edges of the vertex lie on the
@@ -174,6 +175,10 @@ namespace hybrid::dda
                             std::vector<ContactTrial>::const_iterator>;
 
     Range trials_of(int body, int vertex) const;
+
+    /// A new contact of a block and a surface begins with the elastic slip of the nearest one
+    /// between them, as part of whose length is its own from now on.
+    void take_stretch_beside(const Geometry &geometry, Contact &contact) const;
 
     bool is_above_seam(const Geometry &geometry, std::size_t trial) const;
 

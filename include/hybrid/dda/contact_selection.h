@@ -65,6 +65,8 @@ namespace hybrid::dda
 
     double allowed_overhang(const ContactTrial &trial, double along) const;
 
+    int edge_following(int body, int edge) const;
+
     bool is_below_seam(const ContactTrial &trial) const;
 
     bool is_undecided(const ContactTrial &trial) const;

@@ -3,10 +3,33 @@
 
 #include <hybrid/scene/types.h>
 
+#include <limits>
 #include <vector>
 
 namespace hybrid::dda
 {
+  /**
+   * How the outlines of bedrock that is made of blocks join to its surface.
+   *
+   * Edges that two blocks of the bedrock share are inside: nothing touches them.
+   * The others follow each other from block to block, so that the surface of
+   * this bedrock is one outline with corners only where the rock has them. A
+   * place of the surface is named by the first vertex of the edge that begins
+   * there.
+   */
+  struct BedrockSurface
+  {
+    static constexpr int none   = -1; ///< the surface ends: at a prescribed base
+    static constexpr int inside = -2; ///< not an edge of the surface
+
+    int first_block =
+      std::numeric_limits<int>::max(); ///< this block and those after it are bedrock
+    std::vector<int> next;     ///< per vertex: the edge after the edge that begins there; empty
+                               ///< without such bedrock, and blocks of the mass have their own
+    std::vector<int> previous; ///< per vertex: the edge before it
+  };
+
+
   /**
    * Where all bodies are: the polygons of the blocks in one flat array and the
    * polyline of the base. Outlines run counter-clockwise; the base lies to the
@@ -19,6 +42,7 @@ namespace hybrid::dda
     std::vector<int>  block_of;   ///< block of each vertex
     std::vector<Vec2> vertices;   ///< [m]
     std::vector<Vec2> base_nodes; ///< [m]; empty without a base
+    BedrockSurface    bedrock;
 
     int n_blocks() const
     {

@@ -32,7 +32,8 @@ namespace hybrid::dda
    * An edge is named by its first end. Blocks run counter-clockwise (outward
    * normal on the right of the direction), the base has its outward normal on
    * the left of the polyline; that is the only difference between them here.
-   * The two ends of the base polyline count as straight: the rock goes on.
+   * Blocks of the bedrock have the corners of its surface. The two ends of a
+   * surface count as straight: the rock goes on.
    */
   class OutlineFrames
   {
@@ -52,22 +53,17 @@ namespace hybrid::dda
       return body == base_body ? base_corners[vertex] : block_corners[vertex];
     }
 
-    /// True if @p block has no reflex corner.
-    bool is_convex(const int block) const
-    {
-      return convex_blocks[block];
-    }
-
   private:
     void resize(const Geometry &geometry);
 
-    void update_block(const Geometry &geometry, int block, double sine);
+    void update_edges(const Geometry &geometry, int block);
+
+    void update_corners(const Geometry &geometry, int block, double sine);
 
     void update_base(const Geometry &geometry, double sine);
 
     std::vector<EdgeFrame> block_edges, base_edges;
     std::vector<Corner>    block_corners, base_corners;
-    std::vector<char>      convex_blocks;
   };
 
 
@@ -77,10 +73,32 @@ namespace hybrid::dda
     return body == base_body ? geometry.base_nodes[vertex] : geometry.vertices[vertex];
   }
 
-  /// The edge before @p vertex, -1 at the first base node.
+  /// True for the base and for blocks of the bedrock: what the mass lies on.
+  inline bool is_surface(const Geometry &geometry, const int body)
+  {
+    return body == base_body || body >= geometry.bedrock.first_block;
+  }
+
+  /// True if both are parts of one body: that with the same number, or the bedrock.
+  inline bool is_same_body(const Geometry &geometry, const int body, const int other)
+  {
+    return body == other ||
+           (body >= geometry.bedrock.first_block && other >= geometry.bedrock.first_block);
+  }
+
+  /// The body of an edge, or of the vertex where it begins, that is part of @p body.
+  inline int body_of(const Geometry &geometry, const int body, const int edge)
+  {
+    return body == base_body ? base_body : geometry.block_of[edge];
+  }
+
+  /// The edge before @p vertex, -1 at the first place of a surface.
   inline int edge_before(const Geometry &geometry, const int body, const int vertex)
   {
-    return body == base_body ? vertex - 1 : geometry.previous(vertex);
+    if (body == base_body)
+      return vertex - 1;
+    return geometry.bedrock.previous.empty() ? geometry.previous(vertex)
+                                             : geometry.bedrock.previous[vertex];
   }
 
   /// The edge after @p vertex, -1 at the last base node.
@@ -90,9 +108,17 @@ namespace hybrid::dda
                                                                                            : vertex;
   }
 
-  /// Second end of an edge.
+  /// Second end of an edge: where it is.
   inline int second_end(const Geometry &geometry, const int body, const int edge)
   {
     return body == base_body ? edge + 1 : geometry.next(edge);
+  }
+
+  /// Second end of an edge: the vertex as contacts name it (BedrockSurface), -1 at the last place
+  /// of the bedrock's surface.
+  inline int end_place(const Geometry &geometry, const int body, const int edge)
+  {
+    return body == base_body || geometry.bedrock.next.empty() ? second_end(geometry, body, edge)
+                                                              : geometry.bedrock.next[edge];
   }
 } // namespace hybrid::dda

@@ -258,17 +258,19 @@ namespace
     g.base_nodes = {{-1., 0.}, {1.5, 0.}, {4., 0.}};
     ContactDetection detection(parameters);
     detection.set_neighbours({0, 1, 3, 4}, {1, 0, 2, 1});
-    SkippedPairs skipped{{{0, 1}, {1, 2}},
-                         {{0, 0}, {1, 0}, {1, 1}, {2, 1}},
-                         {Awake::no, Awake::no, Awake::no}};
+    SkippedPairs skipped{
+      {{0, 1}, {1, 2}},
+      {{0, base_body, 0}, {1, base_body, 0}, {1, base_body, 1}, {2, base_body, 1}},
+      {Awake::no, Awake::no, Awake::no},
+      {1, 1, 1}};
     detection.set_skipped_pairs(skipped);
     Contacts contacts;
     detection.update(g, contacts);
     EXPECT_TRUE(contacts.empty()) << "an intact mass has no contacts";
 
-    skipped.bonded      = {{0, 1}}; // joint between 1 and 2 released
-    skipped.bonded_base = {{0, 0}, {1, 0}, {1, 1}};
-    skipped.awake       = {Awake::no, Awake::to_all, Awake::to_all};
+    skipped.bonded  = {{0, 1}}; // joint between 1 and 2 released
+    skipped.surface = {{0, base_body, 0}, {1, base_body, 0}, {1, base_body, 1}};
+    skipped.awake   = {Awake::no, Awake::to_all, Awake::to_all};
     detection.set_skipped_pairs(skipped);
     detection.update(g, contacts);
     for (const Contact &c : contacts)
@@ -323,7 +325,10 @@ namespace
     ContactDetection detection(parameters);
     detection.set_neighbours({0, 1, 2}, {1, 0});
     Contacts     contacts;
-    SkippedPairs skipped{{}, {{0, 0}, {1, 1}}, {Awake::to_blocks, Awake::no}};
+    SkippedPairs skipped{{},
+                         {{0, base_body, 0}, {1, base_body, 1}},
+                         {Awake::to_blocks, Awake::no},
+                         {1, 1}};
     detection.set_skipped_pairs(skipped);
     detection.set_was_awake({Awake::to_blocks, Awake::no});
     detection.update(g, contacts);
@@ -345,12 +350,113 @@ namespace
     ContactDetection detection(parameters);
     detection.set_neighbours({0, 0}, {});
     Contacts contacts;
-    detection.set_skipped_pairs({{}, {{0, 1}}, {Awake::to_all}});
+    detection.set_skipped_pairs({{}, {{0, base_body, 1}}, {Awake::to_all}, {1}});
     detection.set_was_awake({Awake::to_blocks});
     detection.update(g, contacts);
     const Contact *corner = find(contacts, 0, base_body, 0);
     ASSERT_NE(corner, nullptr) << "over the segment to which it was never bonded";
     EXPECT_NEAR(corner->rest_gap, -0.004 - 0.01 * parameters.reach, 1e-12);
+  }
+
+  TEST(ContactDetection, BondedBlockThatIsNotHeldOffLooksAtTheBase)
+  {
+    Geometry g   = blocks({square(0., -0.001)});
+    g.base_nodes = {{-1., 0.}, {4., 0.}};
+    ContactDetection detection(parameters);
+    detection.set_neighbours({0, 0}, {});
+    Contacts contacts;
+    detection.set_skipped_pairs({{}, {}, {Awake::no}, {0}});
+    detection.set_was_awake({Awake::no});
+    detection.update(g, contacts);
+    ASSERT_EQ(contacts.size(), 2u);
+    for (const Contact &c : contacts)
+      EXPECT_EQ(c.rest_gap, 0.) << "it has always looked";
+    detection.set_skipped_pairs({{}, {}, {Awake::no}, {1}});
+    detection.update(g, contacts);
+    EXPECT_TRUE(contacts.empty());
+  }
+
+  // ------------------------------------------------------------- places of surfaces
+
+  /// The contact of a place of the base with an edge, or nullptr.
+  const Contact *find_place(const Contacts &contacts, const int node, const int edge)
+  {
+    for (const Contact &c : contacts)
+      if (c.vertex_body == base_body && c.vertex == node && c.edge == edge)
+        return &c;
+    return nullptr;
+  }
+
+  TEST(ContactDetection, EveryPlaceOfTheBaseBelowASoleTouchesIt)
+  {
+    Geometry g   = blocks({square(0.05, 0.)});
+    g.base_nodes = {{-1., 0.}, {0., 0.}, {0.2, 0.}, {0.5, 0.}, {0.9, 0.}, {2., 0.}};
+    ContactDetection detection(parameters);
+    Contacts         contacts;
+    detection.update(g, contacts);
+    for (const int node : {2, 3, 4})
+      EXPECT_NE(find_place(contacts, node, 0), nullptr) << node;
+    EXPECT_EQ(contacts.size(), 5u) << "three places and two corners";
+  }
+
+  TEST(ContactDetection, PlaceThatEntersASoleTakesTheStretchOfTheCornerThatPassesIt)
+  {
+    Geometry g   = blocks({square(0.15, -0.001)});
+    g.base_nodes = {{-1., 0.}, {0., 0.}, {1.2, 0.}, {4., 0.}};
+    ContactDetection detection(parameters);
+    Contacts         contacts;
+    detection.update(g, contacts);
+    ASSERT_EQ(contacts.size(), 2u);
+    for (Contact &c : contacts)
+      {
+        c.slip         = 0.5;
+        c.plastic_slip = 0.498; // stretched by 2 mm to the right
+      }
+    for (Vec2 &v : g.vertices)
+      v.x() += 0.06;
+    detection.update(g, contacts);
+    const Contact *place = find_place(contacts, 2, 0);
+    ASSERT_NE(place, nullptr);
+    EXPECT_NEAR(place->slip - place->plastic_slip, -0.002, 1e-12)
+      << "the base lies to the left of the block by as much";
+  }
+
+  /// A square of the mass on bedrock of two triangles, whose upper sides make one straight surface
+  /// from x = -1 to 3 with a place at x = 1.
+  Geometry square_on_triangles(const double x, const double y)
+  {
+    Geometry g =
+      blocks({square(x, y), {{-1., 0.}, {0., -1.}, {1., 0.}}, {{1., 0.}, {2., -1.}, {3., 0.}}});
+    constexpr int   in = BedrockSurface::inside, none = BedrockSurface::none;
+    BedrockSurface &rock = g.bedrock;
+    rock.first_block     = 1;
+    rock.next            = {1, 2, 3, 0, in, in, none, in, in, 6};
+    rock.previous        = {3, 0, 1, 2, none, none, 9, none, none, none};
+    return g;
+  }
+
+  TEST(ContactDetection, TrianglesOfTheBedrockAreOneSurface)
+  {
+    ContactDetection detection(parameters);
+    for (const double x : {0.5, 1., 0.999, 1.001, 0.})
+      {
+        const Geometry g = square_on_triangles(x, -0.001);
+        Contacts       contacts;
+        detection.update(g, contacts);
+        EXPECT_GE(contacts.size(), 2u) << x;
+        for (const Contact &c : contacts)
+          {
+            const bool on_rock = c.vertex_body == 0 && (c.edge == 6 || c.edge == 9);
+            const bool on_sole = c.vertex == 6 && c.edge_body == 0 && c.edge == 0;
+            EXPECT_TRUE(on_rock || on_sole)
+              << "at " << x << " vertex " << c.vertex << " edge " << c.edge;
+          }
+      }
+    const Geometry over_seam = square_on_triangles(0.5, -0.001);
+    Contacts       contacts;
+    detection.update(over_seam, contacts);
+    EXPECT_EQ(contacts.size(), 3u);
+    EXPECT_NE(find(contacts, 6, 0, 0), nullptr) << "the place between the triangles";
   }
 
   // ------------------------------------------------------------- rest

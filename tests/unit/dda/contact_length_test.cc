@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block_scenes.h"
 
-#include <hybrid/dda/cohesive_length.h>
+#include <hybrid/dda/contact_length.h>
 
 #include <gtest/gtest.h>
 
@@ -15,11 +15,13 @@ namespace
 
   constexpr double degree = M_PI / 180.;
 
+  constexpr double corner_alone = 0.5; // what a corner alone stands for [m]
+
   /// Lengths of the contacts that a search finds between two bodies.
   struct Lengths
   {
     int    n     = 0;
-    double total = 0., largest = 0.; // m
+    double total = 0., largest = 0., springs = 0.; // m
 
     Lengths(const scene::SectionMesh &mesh,
             const std::vector<Vec2>  &base,
@@ -31,10 +33,12 @@ namespace
       for (const Contact &c : run.state.contacts)
         if (std::minmax(c.vertex_body, c.edge_body) == std::minmax(first, second))
           {
-            const double length = cohesive_length(run.state.geometry, run.state.contacts, c);
+            const ContactLength length =
+              contact_length(run.state.geometry, run.state.contacts, c, corner_alone);
             ++n;
-            total += length;
-            largest = std::max(largest, length);
+            total += length.overlap;
+            largest = std::max(largest, length.overlap);
+            springs += length.spring;
           }
     }
   };
@@ -74,7 +78,7 @@ namespace
 
 
 
-TEST(CohesiveLength, is_half_of_the_edge_at_each_end_whatever_the_block)
+TEST(ContactLength, is_that_of_the_edge_in_all_whatever_the_pieces_of_the_base)
 {
   for (const int pieces : {1, 3, 50})
     for (const double angle : {0., 35. * degree})
@@ -84,9 +88,10 @@ TEST(CohesiveLength, is_half_of_the_edge_at_each_end_whatever_the_block)
                           straight_base(angle, 1.3, 7., pieces),
                           base_body,
                           0);
-          EXPECT_EQ(l.n, 2);
           EXPECT_NEAR(l.total, size, 1e-12);
-          EXPECT_NEAR(l.largest, 0.5 * size, 1e-12);
+          EXPECT_NEAR(l.springs, size, 1e-12);
+          EXPECT_TRUE(pieces > 1 || l.n == 2) << l.n;
+          EXPECT_LE(l.largest, 0.5 * size + 1e-12);
         }
   for (const double height : {0.2, 1., 3.})
     {
@@ -94,14 +99,14 @@ TEST(CohesiveLength, is_half_of_the_edge_at_each_end_whatever_the_block)
                       straight_base(0., 1.3, 7., 9),
                       base_body,
                       0);
-      EXPECT_EQ(l.n, 2) << height;
+      EXPECT_EQ(l.n, 4) << height;
       EXPECT_NEAR(l.total, 2., 1e-12) << height;
     }
 }
 
 
 
-TEST(CohesiveLength, a_corner_alone_has_none)
+TEST(ContactLength, a_corner_alone_has_none)
 {
   for (const double tilt : {5., 30., 45.})
     {
@@ -111,6 +116,7 @@ TEST(CohesiveLength, a_corner_alone_has_none)
                       0);
       EXPECT_GE(l.n, 1) << tilt;
       EXPECT_EQ(l.total, 0.) << tilt;
+      EXPECT_EQ(l.springs, l.n * corner_alone) << tilt;
     }
   const Lengths nearly(square_blocks(1, 1, 1., 2. * degree),
                        straight_base(0., 5., 5.),
@@ -122,7 +128,7 @@ TEST(CohesiveLength, a_corner_alone_has_none)
 
 
 
-TEST(CohesiveLength, blocks_on_blocks_have_their_overlap)
+TEST(ContactLength, blocks_on_blocks_have_their_overlap)
 {
   const std::vector<Vec2> base = straight_base(0., 5., 5.);
   for (const double shift : {0.4, -0.7, 1e-9, 0.})
@@ -138,7 +144,7 @@ TEST(CohesiveLength, blocks_on_blocks_have_their_overlap)
 
 
 
-TEST(CohesiveLength, gentle_bends_of_the_base_divide_or_belong_to_the_edge)
+TEST(ContactLength, gentle_bends_of_the_base_divide_or_belong_to_the_edge)
 {
   for (const double bend : {-2., -0.5, 0.5, 2.}) // positive: a ridge below the block [deg]
     {
@@ -148,20 +154,18 @@ TEST(CohesiveLength, gentle_bends_of_the_base_divide_or_belong_to_the_edge)
         for (Vec2 &node : base)
           node.y() += 0.3 * dip;
       const Lengths l(square_blocks(1, 1), base, base_body, 0);
-      EXPECT_EQ(l.n, bend > 0. ? 3 : 2) << bend;
       EXPECT_NEAR(l.total, 1., 1e-3) << bend;
     }
 }
 
 
 
-TEST(CohesiveLength, what_hangs_over_the_end_of_an_edge_does_not_count)
+TEST(ContactLength, what_hangs_over_the_end_of_an_edge_does_not_count)
 {
-  // On the end of the base, which is no corner, one half is left of what touches.
+  // On the end of the base, and on a ridge that is no seam, the node has the other half.
   const Lengths end(square_blocks(1, 1), straight_base(0., 5., 0.4), base_body, 0);
-  EXPECT_EQ(end.n, 1);
-  EXPECT_NEAR(end.total, 0.2, 1e-12);
-  // On a ridge of the base that is no seam, its node has the other half.
+  EXPECT_EQ(end.n, 2);
+  EXPECT_NEAR(end.total, 0.4, 1e-12);
   const Lengths edge(square_blocks(1, 1), {{-5., 0.}, {0.4, 0.}, {5., -4.}}, base_body, 0);
   EXPECT_EQ(edge.n, 2);
   EXPECT_NEAR(edge.total, 0.4, 1e-12);
@@ -169,7 +173,42 @@ TEST(CohesiveLength, what_hangs_over_the_end_of_an_edge_does_not_count)
 
 
 
-TEST(CohesiveLength, straight_corners_of_a_layer_do_not_divide_it)
+TEST(ContactLength, passes_from_overlap_to_corner_as_the_edges_turn_apart)
+{
+  double before = 1.; // all of the sole
+  for (const double tilt : {0.01, 0.5, 1., 2., 2.9, 3.1})
+    {
+      const Lengths l(square_blocks(1, 1, 1., tilt * degree),
+                      straight_base(0., 5., 5., 50),
+                      base_body,
+                      0);
+      EXPECT_LE(std::abs(l.springs - before), 1.) << tilt;
+      before = l.springs;
+    }
+  EXPECT_NEAR(before, corner_alone, 1e-12) << "the lower corner alone";
+}
+
+
+
+TEST(ContactLength, is_shared_where_nodes_of_both_are_at_one_place)
+{
+  for (const double shift : {0., 1e-7, -1e-7, 1e-3, -1e-3, 0.3})
+    {
+      std::vector<Vec2> base = straight_base(0., 5., 5., 10); // nodes every metre
+      for (Vec2 &node : base)
+        node.x() += shift;
+      const Lengths one(square_blocks(1, 1), base, base_body, 0);
+      EXPECT_NEAR(one.total, 1., 1e-7) << shift;
+      EXPECT_NEAR(one.springs, 1., 1e-7) << shift;
+      const scene::SectionMesh row = square_blocks(3, 1);
+      for (const int block : {0, 1, 2})
+        EXPECT_NEAR(Lengths(row, base, base_body, block).total, 1., 1e-7) << shift << " " << block;
+    }
+}
+
+
+
+TEST(ContactLength, straight_corners_of_a_layer_do_not_divide_it)
 {
   scene::SectionMesh mesh = squares({{-0.25, 1.}});
   const int          n    = static_cast<int>(mesh.nodes.size());
