@@ -135,8 +135,11 @@ TEST(CoupledStep, without_blocks_is_a_step_of_the_continuum)
   scene::SceneParameters scene = coupled_parameters();
   scene.blocks.enabled         = false;
   const std::vector<double> a(20, 1.);
-  continuum::Continuum rock(section_mesh(Section()), scene, scene::Motion(1e-3, a), MPI_COMM_WORLD);
-  coupling::CoupledState state;
+  continuum::Continuum      rock(section_mesh(Section()),
+                            scene,
+                            {scene::Motion(1e-3, a), scene.motion},
+                            MPI_COMM_WORLD);
+  coupling::CoupledState    state;
   state.continuum                 = rock.initial_state();
   continuum::ContinuumState alone = state.continuum;
   coupling::CoupledStep     step(nullptr, nullptr, &rock);
