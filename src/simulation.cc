@@ -385,7 +385,7 @@ namespace hybrid
             break;
           }
         run.clock.accept();
-        state.time = state.blocks.time = state.continuum.time = run.clock.time();
+        state.set_time(run.clock.time());
         ++summary.steps;
 
         const auto accepted = SteadyClock::now();
@@ -393,7 +393,7 @@ namespace hybrid
                                  result,
                                  dt,
                                  std::chrono::duration<double>(accepted - begin).count());
-        progress.update(state.time,
+        progress.update(state.time(),
                         summary.steps - first_step,
                         summary.iterations - first_iteration);
         output_time += seconds_since(accepted);

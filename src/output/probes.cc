@@ -246,7 +246,7 @@ namespace hybrid::output
         motion.displacement = state.blocks.base_displacement.head<2>();
         if (base != nullptr)
           {
-            const coupling::PrescribedMotion prescribed = base->prescribed_motion(state.time);
+            const coupling::PrescribedMotion prescribed = base->prescribed_motion(state.time());
             motion.velocity                             = prescribed.velocity;
             motion.acceleration                         = prescribed.acceleration;
           }

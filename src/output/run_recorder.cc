@@ -172,9 +172,9 @@ namespace hybrid::output
 
   void RunRecorder::record_motion(const coupling::CoupledState &state)
   {
-    const Vec2 input[3] = {parts.motion.outcrop_acceleration(state.time),
-                           parts.motion.outcrop_velocity(state.time),
-                           parts.motion.outcrop_displacement(state.time)};
+    const Vec2 input[3] = {parts.motion.outcrop_acceleration(state.time()),
+                           parts.motion.outcrop_velocity(state.time()),
+                           parts.motion.outcrop_displacement(state.time())};
     for (int k = 0; k < 3; ++k)
       file.append(input_series[k], input[k].data());
     input_acceleration.insert(input_acceleration.end(), {input[0].x(), input[0].y()});
@@ -211,25 +211,25 @@ namespace hybrid::output
         ? parts.continuum->audit_energy(state.continuum, parts.scene.time.time_step)
         : continuum::ContinuumEnergy();
     const std::vector<double> &terms    = ledger.update(state, bedrock);
-    const double               residual = ledger.residual();
-    file.append(energy_time, &state.time);
+    const double               residual = ledger.residual(), now = state.time();
+    file.append(energy_time, &now);
     file.append(energy_residual, &residual);
     for (std::size_t k = 0; k < terms.size(); ++k)
       file.append(energy_series[k], &terms[k]);
     bedding.record(state, file);
-    last_audit = state.time;
+    last_audit = now;
   }
 
 
 
   void RunRecorder::record_picture(const coupling::CoupledState &state)
   {
+    const double now = last_picture = state.time();
     pictures.add(state);
-    slip.record_profile(state.blocks, state.time, file);
-    last_picture = state.time;
+    slip.record_profile(state.blocks, now, file);
     if (interface_time < 0)
       return;
-    file.append(interface_time, &state.time);
+    file.append(interface_time, &now);
     file.append(interface_force, state.blocks.base_force.data());
   }
 
@@ -252,8 +252,9 @@ namespace hybrid::output
                                 const double                  wall_time)
   {
     const double iterations = step.iterations, solver_iterations = step.solver_iterations;
-    times.push_back(state.time);
-    file.append(time_series, &state.time);
+    const double now = state.time();
+    times.push_back(now);
+    file.append(time_series, &now);
     file.append(step_series[0], &dt);
     file.append(step_series[1], &iterations);
     file.append(step_series[2], &solver_iterations);
@@ -263,19 +264,19 @@ namespace hybrid::output
     slip.record(state.blocks, file);
 
     const double early = 1e-9 * dt;
-    if (state.time >= next_audit - early)
+    if (now >= next_audit - early)
       {
         record_energy(state);
         const double interval = parts.scene.output.audit_interval;
-        while (next_audit <= state.time + early)
+        while (next_audit <= now + early)
           next_audit += std::max(interval, dt);
         if (interval < dt) // every step, also after one that is cut
-          next_audit = state.time + interval;
+          next_audit = now + interval;
       }
-    if (parts.scene.output.picture_interval > 0. && state.time >= next_picture - early)
+    if (parts.scene.output.picture_interval > 0. && now >= next_picture - early)
       {
         record_picture(state);
-        while (next_picture <= state.time + early)
+        while (next_picture <= now + early)
           next_picture += std::max(parts.scene.output.picture_interval, dt);
       }
     flush_if_due();
@@ -391,9 +392,9 @@ namespace hybrid::output
 
   void RunRecorder::finish(const coupling::CoupledState &state, Summary &summary)
   {
-    if (last_audit != state.time)
+    if (last_audit != state.time())
       record_energy(state);
-    if (last_picture != state.time)
+    if (last_picture != state.time())
       record_picture(state);
     write_section(state);
     if (parts.blocks != nullptr)

@@ -123,7 +123,7 @@ TEST(CoupledStep, all_clocks_agree)
   CoupledRun run(Section(), coupled_parameters());
   for (int k = 0; k < 10; ++k)
     ASSERT_TRUE(run.advance(1e-3));
-  EXPECT_NEAR(run.state.time, 0.01, 1e-15);
+  EXPECT_NEAR(run.state.time(), 0.01, 1e-15);
   EXPECT_NEAR(run.state.blocks.time, 0.01, 1e-15);
   EXPECT_NEAR(run.state.continuum.time, 0.01, 1e-15);
 }
@@ -149,5 +149,5 @@ TEST(CoupledStep, without_blocks_is_a_step_of_the_continuum)
       rock.step(alone, 1e-3);
     }
   EXPECT_EQ(state.continuum.displacement, alone.displacement);
-  EXPECT_NEAR(state.time, 0.01, 1e-15);
+  EXPECT_NEAR(state.time(), 0.01, 1e-15);
 }

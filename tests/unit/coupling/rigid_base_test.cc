@@ -97,5 +97,5 @@ TEST(RigidBase, carries_a_block)
   const double moved = amplitude * period * period / (2. * M_PI);
   EXPECT_NEAR(state.blocks.base_displacement[0], moved, 1e-5);
   EXPECT_NEAR(state.blocks.blocks[0].centroid.x() - start, moved, 1e-3 * moved);
-  EXPECT_NEAR(state.time, 1.5, 1e-12);
+  EXPECT_NEAR(state.time(), 1.5, 1e-12);
 }

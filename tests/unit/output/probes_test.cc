@@ -117,7 +117,7 @@ TEST(Probes, the_base_has_the_velocity_and_acceleration_of_the_motion)
   Probes                    probes(&scene.model, nullptr, &base);
   const int                 p = probes.add(Vec2(0.5, -5.), "below");
   probes.set_reference(scene.state);
-  scene.state.time         = 0.75;
+  scene.state.set_time(0.75);
   const PointMotion motion = probes.sample(scene.state, p);
   EXPECT_LT((motion.velocity - Vec2(1.5, 0.)).norm(), 1e-14);
   EXPECT_LT((motion.acceleration - Vec2(2., 0.)).norm(), 1e-14);
