@@ -46,6 +46,22 @@ namespace hybrid
 
 
 
+    /// What of the slip on the sliding surface is left at the end, in the last line of a run.
+    std::string describe(const output::Summary::Slip &slip)
+    {
+      if (std::isnan(slip.mean_left))
+        return "";
+      char text[100];
+      std::snprintf(text,
+                    sizeof(text),
+                    "slip left on the sliding surface %.3g m, at most %.3g m, ",
+                    slip.mean_left,
+                    slip.largest_left);
+      return text;
+    }
+
+
+
     /// The polyline of a rigid base: sliding surface and ground of the mesh, left to right.
     std::vector<Vec2> surface_of(const scene::SectionMesh &mesh)
     {
@@ -80,7 +96,7 @@ namespace hybrid
     , log(run_log)
     , mesh(scene::read_section_mesh(parameters.mesh))
     , input(scene::make_input_motion(parameters.motion, parameters.time))
-    , motion(input.motion)
+    , motion(input.motion, parameters.motion)
   {
     scene::check_section_mesh(mesh, scene);
     if (mesh.bedrock_cells.size() >= large_mesh)
@@ -88,8 +104,6 @@ namespace hybrid
                " cells of bedrock: this takes a while");
     if (scene.continuum_model == scene::ContinuumModel::elastic)
       continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
-    if (!scene.motion.outcrop)
-      motion = motion.scaled(2.); // an outcrop moves twice as much as the incident wave
     if (scene.has_blocks())
       make_blocks();
     else if (continuum != nullptr)
@@ -112,13 +126,7 @@ namespace hybrid
         state.continuum = continuum->initial_state();
       }
     else
-      {
-        const double angle = scene.motion.angle * M_PI / 180.;
-        base               = std::make_unique<coupling::RigidBase>(surface_of(mesh),
-                                                     motion,
-                                                     Vec2(std::cos(angle), std::sin(angle)),
-                                                     scene.motion.start);
-      }
+      base = std::make_unique<coupling::RigidBase>(surface_of(mesh), motion);
     blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, base->surface_nodes()));
     state.blocks = dda::initial_state(*blocks);
   }
@@ -141,7 +149,7 @@ namespace hybrid
 
   void Simulation::check_points() const
   {
-    output::Probes probes(blocks.get(), continuum.get());
+    output::Probes probes(blocks.get(), continuum.get(), base.get());
     for (const scene::Monitor &monitor : scene.monitors.monitors)
       probes.add(monitor.position, monitor.name);
     for (const scene::Borehole &hole : scene.monitors.boreholes)
@@ -159,7 +167,7 @@ namespace hybrid
   void Simulation::print_card() const
   {
     const output::SceneCard card =
-      output::make_scene_card(scene, motion, blocks.get(), continuum.get());
+      output::make_scene_card(scene, motion.outcrop(), blocks.get(), continuum.get());
     log.info(card.text);
     for (const std::string &note : input.notes)
       log.info("Motion     " + note);
@@ -377,7 +385,7 @@ namespace hybrid
             break;
           }
         run.clock.accept();
-        state.time = state.blocks.time = state.continuum.time = run.clock.time();
+        state.set_time(run.clock.time());
         ++summary.steps;
 
         const auto accepted = SteadyClock::now();
@@ -385,7 +393,7 @@ namespace hybrid
                                  result,
                                  dt,
                                  std::chrono::duration<double>(accepted - begin).count());
-        progress.update(state.time,
+        progress.update(state.time(),
                         summary.steps - first_step,
                         summary.iterations - first_iteration);
         output_time += seconds_since(accepted);
@@ -432,13 +440,14 @@ namespace hybrid
     std::snprintf(
       text,
       sizeof(text),
-      "%s: %ld steps, %.4g s simulated, %ld cuts, joints failed %ld tensile %ld shear, energy residual %.2e",
+      "%s: %ld steps, %.4g s simulated, %ld cuts, joints failed %ld tensile %ld shear, %senergy residual %.2e",
       summary.finished ? "Finished" : "Stopped",
       summary.steps,
       summary.simulated_time,
       summary.wasted.cuts,
       summary.joints.tensile,
       summary.joints.shear,
+      describe(summary.slip).c_str(),
       summary.energy_residual);
     log.info(text);
     if (status == RunStatus::interrupted)
