@@ -7,6 +7,7 @@
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/initial_velocities.h>
 #include <hybrid/dda/model_builder.h>
+#include <hybrid/output/line_card.h>
 #include <hybrid/output/memory_estimate.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/output/progress.h>
@@ -161,6 +162,11 @@ namespace hybrid
     const output::SceneCard card =
       output::make_scene_card(scene, motion, blocks.get(), continuum.get());
     log.info(card.text);
+    const std::string lines = output::describe_lines(mesh, scene);
+    if (!lines.empty())
+      log.info(lines);
+    if (!input.scaling.empty())
+      log.info("Motion     " + input.scaling);
     for (const std::string &note : input.notes)
       log.info("Motion     " + note);
     for (const std::string &warning : input.warnings)

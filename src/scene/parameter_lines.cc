@@ -127,7 +127,13 @@ namespace hybrid::scene
       const std::string key    = trim(rest.substr(0, equals));
       if (equals == std::string::npos || key.empty())
         throw InputError(file, line, "'set " + rest + "' must have the form 'set NAME = VALUE'");
-      lines.push_back({file, line, section, key, trim(rest.substr(equals + 1)), false});
+      lines.push_back({file,
+                       line,
+                       section,
+                       key,
+                       trim(rest.substr(equals + 1)),
+                       false,
+                       static_cast<int>(files.size()) - 1});
     }
 
     void Scanner::include(const std::string &name, const std::string &file, const int line)

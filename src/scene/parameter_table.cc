@@ -161,8 +161,9 @@ namespace hybrid::scene
     if (found == implementation->index.end())
       refuse_unknown(line);
 
-    Entry &entry = implementation->entries[found->second];
-    if (entry.is_set && !line.is_override)
+    Entry     &entry      = implementation->entries[found->second];
+    const bool is_variant = line.depth < entry.line.depth; // of a file that it includes
+    if (entry.is_set && !line.is_override && !is_variant)
       throw line.error("parameter '" + line.path() + "' is set a second time; the first is at " +
                        entry.line.file + ":" + std::to_string(entry.line.line));
     entry.is_set = true;

@@ -77,6 +77,7 @@ namespace hybrid::scene
       for (const ParameterLine &line : lines)
         table.set(line);
       table.assign();
+      scene.motion.file_unit_is_set = table.is_set("Motion/Unit");
       resolve_bedrock(scene, table);
       resolve_scheme(scene, table);
       check(scene, table);
