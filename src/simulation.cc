@@ -9,6 +9,7 @@
 #include <hybrid/dda/model_builder.h>
 #include <hybrid/output/line_card.h>
 #include <hybrid/output/memory_estimate.h>
+#include <hybrid/output/mesh_progress.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/scene_card.h>
@@ -19,7 +20,6 @@
 #include <hybrid/scene/geometry_warnings.h>
 #include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/mesh_check.h>
-#include <hybrid/scene/section_mesh_reader.h>
 #include <hybrid/scene/settings_without_effect.h>
 #include <hybrid/scene/unit_check.h>
 #include <hybrid/simulation_run.h>
@@ -33,11 +33,6 @@ namespace hybrid
 {
   namespace
   {
-    /// Cells of bedrock whose matrices take so long that a user should know what is going on.
-    constexpr std::size_t large_mesh = 100000;
-
-
-
     /// Largest resident memory so far [MB].
     double peak_memory()
     {
@@ -79,14 +74,12 @@ namespace hybrid
                          MPI_Comm                      communicator)
     : scene(parameters)
     , log(run_log)
-    , mesh(scene::read_section_mesh(parameters.mesh))
+    , mesh(output::read_section_mesh(parameters.mesh, log))
     , input(scene::make_input_motion(parameters.motion, parameters.time))
     , motion(input.motion)
   {
+    const auto heartbeat = output::tell_of_preparation(mesh, log);
     scene::check_section_mesh(mesh, scene);
-    if (mesh.bedrock_cells.size() >= large_mesh)
-      log.info("Preparing " + std::to_string(mesh.bedrock_cells.size()) +
-               " cells of bedrock: this takes a while");
     if (scene.continuum_model == scene::ContinuumModel::elastic)
       continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
     if (!scene.motion.outcrop)
