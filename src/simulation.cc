@@ -17,6 +17,7 @@
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/doubtful_values.h>
 #include <hybrid/scene/edge_chain.h>
+#include <hybrid/scene/free_field_check.h>
 #include <hybrid/scene/geometry_warnings.h>
 #include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/mesh_check.h>
@@ -167,6 +168,8 @@ namespace hybrid
     for (const std::string &warning : scene::unit_warnings(mesh, scene))
       log.warning(warning);
     for (const std::string &warning : scene::geometry_warnings(mesh, scene))
+      log.warning(warning);
+    for (const std::string &warning : scene::free_field_warnings(mesh, scene))
       log.warning(warning);
     for (const std::string &warning : scene::doubtful_values(scene, input.motion))
       log.warning(warning);
