@@ -106,17 +106,17 @@ namespace hybrid::scene
       const Column column = column_of(mesh, side);
       const bool   left   = side == "left";
       const Ground ground = ground_beside(mesh, scene, column, left);
-      const int    first  = left ? 0 : samples; // the place at the side
       double       most = 0., where = 0.;
-      for (int k = 0; k <= samples; ++k)
+      for (int i = 0; i <= samples; ++i) // from the side inwards
         {
+          const int    k          = left ? i : samples - i;
           const double difference = ground.y[k] - column.top;
-          const double allowed = (k == first ? difference_at : difference_near) * column.height();
+          const double allowed    = (i == 0 ? difference_at : difference_near) * column.height();
           if (ground.y[k] > -1e299 && std::abs(difference) > allowed &&
-              std::abs(difference) > std::abs(most))
+              std::abs(difference) > std::abs(most) + 1e-9 * column.height())
             {
               most  = difference;
-              where = ground.x[k];
+              where = i == 0 ? column.x : ground.x[k];
             }
         }
       if (most == 0.)

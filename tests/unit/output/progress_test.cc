@@ -75,7 +75,7 @@ namespace hybrid::output
       EXPECT_GT(longest_line(run(true, 80)), 60u);
       const std::string usual = run(true, 80);
       EXPECT_NE(usual.find("t = 0.504 of 1 s  left 0:05  100 steps/s"), std::string::npos) << usual;
-      EXPECT_NE(run(true, 40).find("[###...]  50.4 %  t = 0.504 of 1 s\r"), std::string::npos)
+      EXPECT_NE(run(true, 40).find("[#####......]  50.4 %  t = 0.504 of 1 s\r"), std::string::npos)
         << run(true, 40);
     }
 

@@ -323,7 +323,7 @@ namespace hybrid::scene::test
       "record.txt:1: found 3 columns; expected time [s] and acceleration (the decimal mark "
       "must be a point: 0.01 for 0,01)");
     expect_part(text_error("0,00;0,0\n0,01;0,3\n"), "(the decimal mark must be a point");
-    expect_part(text_error("\"0\",\"0\"\n"), "(leave the quotation marks away)");
+    expect_part(text_error("\"0\",\"0\"\n\"1\",\"0\"\n"), "(leave the quotation marks away)");
     expect_part(text_error("0.1\n0.2\n0.3\n"), "to accelerations alone add the time before each");
     expect_part(text_error("PEER NGA\nACC IN G\nNPTS=  3, DT= .01\n 0.1 0.2 0.3\n"),
                 "record.txt:3: this is a record of PEER (NPTS and DT in its header); set "
