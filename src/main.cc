@@ -3,6 +3,7 @@
 #include <hybrid/command_line.h>
 #include <hybrid/output/plot_command.h>
 #include <hybrid/output/progress.h>
+#include <hybrid/output/version.h>
 #include <hybrid/restart/checkpoint_file.h>
 #include <hybrid/restart/write_error.h>
 #include <hybrid/run_directory.h>
@@ -209,6 +210,9 @@ main(int argc, char **argv)
         {
           case Action::help:
             std::cout << usage();
+            return 0;
+          case Action::version:
+            std::cout << output::version_text();
             return 0;
           case Action::print_parameters:
             scene::print_all_parameters(std::cout);

@@ -7,7 +7,9 @@
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/initial_velocities.h>
 #include <hybrid/dda/model_builder.h>
+#include <hybrid/output/line_card.h>
 #include <hybrid/output/memory_estimate.h>
+#include <hybrid/output/mesh_progress.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/scene_card.h>
@@ -15,10 +17,10 @@
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/doubtful_values.h>
 #include <hybrid/scene/edge_chain.h>
+#include <hybrid/scene/free_field_check.h>
 #include <hybrid/scene/geometry_warnings.h>
 #include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/mesh_check.h>
-#include <hybrid/scene/section_mesh_reader.h>
 #include <hybrid/scene/settings_without_effect.h>
 #include <hybrid/scene/unit_check.h>
 #include <hybrid/simulation_run.h>
@@ -32,11 +34,6 @@ namespace hybrid
 {
   namespace
   {
-    /// Cells of bedrock whose matrices take so long that a user should know what is going on.
-    constexpr std::size_t large_mesh = 100000;
-
-
-
     /// Largest resident memory so far [MB].
     double peak_memory()
     {
@@ -94,14 +91,12 @@ namespace hybrid
                          MPI_Comm                      communicator)
     : scene(parameters)
     , log(run_log)
-    , mesh(scene::read_section_mesh(parameters.mesh))
+    , mesh(output::read_section_mesh(parameters.mesh, log))
     , input(scene::make_input_motion(parameters.motion, parameters.time))
     , motion(input.motion, parameters.motion)
   {
+    const auto heartbeat = output::tell_of_preparation(mesh, log);
     scene::check_section_mesh(mesh, scene);
-    if (mesh.bedrock_cells.size() >= large_mesh)
-      log.info("Preparing " + std::to_string(mesh.bedrock_cells.size()) +
-               " cells of bedrock: this takes a while");
     if (scene.continuum_model == scene::ContinuumModel::elastic)
       continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
     if (scene.has_blocks())
@@ -169,6 +164,11 @@ namespace hybrid
     const output::SceneCard card =
       output::make_scene_card(scene, motion.outcrop(), blocks.get(), continuum.get());
     log.info(card.text);
+    const std::string lines = output::describe_lines(mesh, scene);
+    if (!lines.empty())
+      log.info(lines);
+    if (!input.scaling.empty())
+      log.info("Motion     " + input.scaling);
     for (const std::string &note : input.notes)
       log.info("Motion     " + note);
     for (const std::string &warning : input.warnings)
@@ -176,6 +176,8 @@ namespace hybrid
     for (const std::string &warning : scene::unit_warnings(mesh, scene))
       log.warning(warning);
     for (const std::string &warning : scene::geometry_warnings(mesh, scene))
+      log.warning(warning);
+    for (const std::string &warning : scene::free_field_warnings(mesh, scene))
       log.warning(warning);
     for (const std::string &warning : scene::doubtful_values(scene, input.motion))
       log.warning(warning);
