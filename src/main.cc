@@ -10,6 +10,7 @@
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/scene_reader.h>
 #include <hybrid/simulation.h>
+#include <hybrid/waiting_threads.h>
 
 #include <csignal>
 #include <exception>
@@ -155,6 +156,8 @@ namespace
                 int                          &argc,
                 char                       **&argv)
   {
+    if (command.action != Action::check)
+      sleep_while_waiting(scene.threads, argv);
     const bool force = command.force || command.action == Action::resume;
     if (command.action == Action::run && !force)
       refuse_earlier_run(scene.output.directory);
@@ -184,6 +187,7 @@ namespace
   int resume_run(const CommandLine &command, int &argc, char **&argv)
   {
     const scene::SceneParameters scene = read_scene_of_run(command.target, command.overrides);
+    sleep_while_waiting(scene.threads, argv);
     if (has_not_begun(command.target))
       return run_scene(command, scene, argc, argv);
     const restart::CheckpointContent checkpoint =
