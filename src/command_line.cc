@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/command_line.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/nearest_name.h>
 
 namespace hybrid
 {
@@ -13,6 +14,8 @@ namespace hybrid
            "  hybrid --print-parameters      every parameter with default, range, unit and help\n"
            "  hybrid --resume DIRECTORY      go on with a run that was stopped or killed, from its last checkpoint\n"
            "  hybrid plot DIRECTORY          all pictures of a run, in DIRECTORY/figures\n"
+           "  hybrid --version               version, commit, and the libraries it was built with\n"
+           "  hybrid --help                  this text; also hybrid help\n"
            "  -s \"Section/Name=value\"        override one parameter (repeatable)\n"
            "  --force                        replace the results of an earlier run in the output directory\n"
            "\n"
@@ -32,18 +35,36 @@ namespace hybrid
       if (chosen != Action::run && chosen != action)
         throw InputError("'" + word +
                          "' cannot be combined with another action; give one of "
-                         "--check, --resume, --print-parameters and plot");
+                         "--check, --resume, --print-parameters, --version and plot");
       chosen = action;
     }
 
 
 
-    /// @throws InputError for a word that is an option without its dashes.
+    const std::vector<std::string> options =
+      {"--check", "--resume", "--force", "--help", "--print-parameters", "--version"};
+
+
+
+    InputError unknown_option(const std::string &word)
+    {
+      return InputError("unknown option '" + word + "'" + scene::suggestion(word, options) +
+                        "; hybrid --help lists the options");
+    }
+
+
+
+    /// @throws InputError for a word that is an option without its dashes, or meant as an action.
     void refuse_bare_option(const std::string &word)
     {
-      for (const char *option : {"check", "resume", "force", "help", "print-parameters"})
-        if (word == option)
-          throw InputError("'" + word + "' is no action; did you mean '--" + word + "'?");
+      std::vector<std::string> names{"plot"};
+      for (const std::string &option : options)
+        names.push_back(option.substr(2));
+      const bool        is_file = word.find_first_of("./") != std::string::npos;
+      const std::string meant   = is_file ? "" : scene::nearest_name(word, names);
+      if (!meant.empty())
+        throw InputError("'" + word + "' is no action; did you mean '" +
+                         (meant == "plot" ? "" : "--") + meant + "'?");
     }
   } // namespace
 
@@ -58,6 +79,8 @@ namespace hybrid
       {
         const std::string &word = words[i];
         if (word == "-h" || word == "--help")
+          return {};
+        if (words.size() == 1 && word == "help")
           return {};
         if (word == "-s")
           {
@@ -74,18 +97,20 @@ namespace hybrid
           result.force = true;
         else if (word == "--print-parameters")
           choose(Action::print_parameters, word, result.action);
+        else if (word == "--version" || (words.size() == 1 && word == "version"))
+          choose(Action::version, word, result.action);
         else if (word == "plot" && targets.empty() && result.action == Action::run)
           result.action = Action::plot;
         else if (word == "compare" || word == "study")
           throw InputError("'" + word + "' is not finished in this version");
         else if (!word.empty() && word[0] == '-')
-          throw InputError("unknown option '" + word + "'; hybrid --help lists the options");
+          throw unknown_option(word);
         else
           targets.push_back(word);
       }
     if (words.empty())
       return {};
-    if (result.action == Action::print_parameters)
+    if (result.action == Action::print_parameters || result.action == Action::version)
       return result;
     if (targets.size() > 1)
       refuse_bare_option(targets[0]);

@@ -3,12 +3,14 @@
 #include <hybrid/command_line.h>
 #include <hybrid/output/plot_command.h>
 #include <hybrid/output/progress.h>
+#include <hybrid/output/version.h>
 #include <hybrid/restart/checkpoint_file.h>
 #include <hybrid/restart/write_error.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/scene_reader.h>
 #include <hybrid/simulation.h>
+#include <hybrid/waiting_threads.h>
 
 #include <csignal>
 #include <exception>
@@ -154,6 +156,8 @@ namespace
                 int                          &argc,
                 char                       **&argv)
   {
+    if (command.action != Action::check)
+      sleep_while_waiting(scene.threads, argv);
     const bool force = command.force || command.action == Action::resume;
     if (command.action == Action::run && !force)
       refuse_earlier_run(scene.output.directory);
@@ -183,6 +187,7 @@ namespace
   int resume_run(const CommandLine &command, int &argc, char **&argv)
   {
     const scene::SceneParameters scene = read_scene_of_run(command.target, command.overrides);
+    sleep_while_waiting(scene.threads, argv);
     if (has_not_begun(command.target))
       return run_scene(command, scene, argc, argv);
     const restart::CheckpointContent checkpoint =
@@ -209,6 +214,9 @@ main(int argc, char **argv)
         {
           case Action::help:
             std::cout << usage();
+            return 0;
+          case Action::version:
+            std::cout << output::version_text();
             return 0;
           case Action::print_parameters:
             scene::print_all_parameters(std::cout);

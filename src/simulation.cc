@@ -7,7 +7,9 @@
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/initial_velocities.h>
 #include <hybrid/dda/model_builder.h>
+#include <hybrid/output/line_card.h>
 #include <hybrid/output/memory_estimate.h>
+#include <hybrid/output/mesh_progress.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/scene_card.h>
@@ -15,10 +17,10 @@
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/doubtful_values.h>
 #include <hybrid/scene/edge_chain.h>
+#include <hybrid/scene/free_field_check.h>
 #include <hybrid/scene/geometry_warnings.h>
 #include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/mesh_check.h>
-#include <hybrid/scene/section_mesh_reader.h>
 #include <hybrid/scene/settings_without_effect.h>
 #include <hybrid/scene/unit_check.h>
 #include <hybrid/simulation_run.h>
@@ -32,16 +34,27 @@ namespace hybrid
 {
   namespace
   {
-    /// Cells of bedrock whose matrices take so long that a user should know what is going on.
-    constexpr std::size_t large_mesh = 100000;
-
-
-
     /// Largest resident memory so far [MB].
     double peak_memory()
     {
       rusage usage;
       return getrusage(RUSAGE_SELF, &usage) == 0 ? usage.ru_maxrss / 1024. : 0.;
+    }
+
+
+
+    /// What of the slip on the sliding surface is left at the end, in the last line of a run.
+    std::string describe(const output::Summary::Slip &slip)
+    {
+      if (std::isnan(slip.mean_left))
+        return "";
+      char text[100];
+      std::snprintf(text,
+                    sizeof(text),
+                    "slip left on the sliding surface %.3g m, at most %.3g m, ",
+                    slip.mean_left,
+                    slip.largest_left);
+      return text;
     }
 
 
@@ -78,18 +91,14 @@ namespace hybrid
                          MPI_Comm                      communicator)
     : scene(parameters)
     , log(run_log)
-    , mesh(scene::read_section_mesh(parameters.mesh))
+    , mesh(output::read_section_mesh(parameters.mesh, log))
     , input(scene::make_input_motion(parameters.motion, parameters.time))
-    , motion(input.motion)
+    , motion(input.motion, parameters.motion)
   {
+    const auto heartbeat = output::tell_of_preparation(mesh, log);
     scene::check_section_mesh(mesh, scene);
-    if (mesh.bedrock_cells.size() >= large_mesh)
-      log.info("Preparing " + std::to_string(mesh.bedrock_cells.size()) +
-               " cells of bedrock: this takes a while");
     if (scene.continuum_model == scene::ContinuumModel::elastic)
       continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
-    if (!scene.motion.outcrop)
-      motion = motion.scaled(2.); // an outcrop moves twice as much as the incident wave
     if (scene.has_blocks())
       make_blocks();
     else if (continuum != nullptr)
@@ -112,13 +121,7 @@ namespace hybrid
         state.continuum = continuum->initial_state();
       }
     else
-      {
-        const double angle = scene.motion.angle * M_PI / 180.;
-        base               = std::make_unique<coupling::RigidBase>(surface_of(mesh),
-                                                     motion,
-                                                     Vec2(std::cos(angle), std::sin(angle)),
-                                                     scene.motion.start);
-      }
+      base = std::make_unique<coupling::RigidBase>(surface_of(mesh), motion);
     blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, base->surface_nodes()));
     state.blocks = dda::initial_state(*blocks);
   }
@@ -141,7 +144,7 @@ namespace hybrid
 
   void Simulation::check_points() const
   {
-    output::Probes probes(blocks.get(), continuum.get());
+    output::Probes probes(blocks.get(), continuum.get(), base.get());
     for (const scene::Monitor &monitor : scene.monitors.monitors)
       probes.add(monitor.position, monitor.name);
     for (const scene::Borehole &hole : scene.monitors.boreholes)
@@ -159,8 +162,13 @@ namespace hybrid
   void Simulation::print_card() const
   {
     const output::SceneCard card =
-      output::make_scene_card(scene, motion, blocks.get(), continuum.get());
+      output::make_scene_card(scene, motion.outcrop(), blocks.get(), continuum.get());
     log.info(card.text);
+    const std::string lines = output::describe_lines(mesh, scene);
+    if (!lines.empty())
+      log.info(lines);
+    if (!input.scaling.empty())
+      log.info("Motion     " + input.scaling);
     for (const std::string &note : input.notes)
       log.info("Motion     " + note);
     for (const std::string &warning : input.warnings)
@@ -168,6 +176,8 @@ namespace hybrid
     for (const std::string &warning : scene::unit_warnings(mesh, scene))
       log.warning(warning);
     for (const std::string &warning : scene::geometry_warnings(mesh, scene))
+      log.warning(warning);
+    for (const std::string &warning : scene::free_field_warnings(mesh, scene))
       log.warning(warning);
     for (const std::string &warning : scene::doubtful_values(scene, input.motion))
       log.warning(warning);
@@ -377,7 +387,7 @@ namespace hybrid
             break;
           }
         run.clock.accept();
-        state.time = state.blocks.time = state.continuum.time = run.clock.time();
+        state.set_time(run.clock.time());
         ++summary.steps;
 
         const auto accepted = SteadyClock::now();
@@ -385,7 +395,7 @@ namespace hybrid
                                  result,
                                  dt,
                                  std::chrono::duration<double>(accepted - begin).count());
-        progress.update(state.time,
+        progress.update(state.time(),
                         summary.steps - first_step,
                         summary.iterations - first_iteration);
         output_time += seconds_since(accepted);
@@ -432,13 +442,14 @@ namespace hybrid
     std::snprintf(
       text,
       sizeof(text),
-      "%s: %ld steps, %.4g s simulated, %ld cuts, joints failed %ld tensile %ld shear, energy residual %.2e",
+      "%s: %ld steps, %.4g s simulated, %ld cuts, joints failed %ld tensile %ld shear, %senergy residual %.2e",
       summary.finished ? "Finished" : "Stopped",
       summary.steps,
       summary.simulated_time,
       summary.wasted.cuts,
       summary.joints.tensile,
       summary.joints.shear,
+      describe(summary.slip).c_str(),
       summary.energy_residual);
     log.info(text);
     if (status == RunStatus::interrupted)

@@ -20,7 +20,8 @@ namespace hybrid
                 simulation.motion,
                 simulation.input.fit,
                 simulation.blocks.get(),
-                simulation.continuum.get()},
+                simulation.continuum.get(),
+                simulation.base.get()},
                mode)
     , schedule(simulation.scene.checkpoint)
   {}
@@ -64,7 +65,7 @@ namespace hybrid
     run.recorder.flush(); // run.h5 is never behind the checkpoint
     restart::Archive archive = restart::Archive::writer();
     archive.put(scene.used_prm);
-    archive.put(fingerprint(mesh, motion));
+    archive.put(fingerprint(mesh, motion.outcrop()));
     serialize(archive, run);
     restart::write_checkpoint(checkpoint_file(scene.output.directory),
                               {layout(run), archive.content()});
@@ -113,7 +114,7 @@ namespace hybrid
     std::uint64_t    number = 0;
     archive(parameters, number);
     check_same_scene(parameters, scene.used_prm);
-    if (number != fingerprint(mesh, motion))
+    if (number != fingerprint(mesh, motion.outcrop()))
       throw InputError("the mesh or the motion is not that of the run in '" +
                        scene.output.directory + "': a file of the scene has changed since");
 

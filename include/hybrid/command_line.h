@@ -14,6 +14,7 @@ namespace hybrid
     resume,
     print_parameters,
     plot,
+    version,
     help
   };
 

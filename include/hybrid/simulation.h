@@ -9,6 +9,7 @@
 #include <hybrid/output/log.h>
 #include <hybrid/output/run_recorder.h>
 #include <hybrid/restart/checkpoint_file.h>
+#include <hybrid/scene/ground_motion.h>
 #include <hybrid/scene/input_motion.h>
 #include <hybrid/scene/scene_parameters.h>
 #include <hybrid/scene/section_mesh.h>
@@ -60,8 +61,8 @@ namespace hybrid
     const scene::SceneParameters          scene;
     output::Log                          &log;
     scene::SectionMesh                    mesh;
-    const scene::InputMotion              input;  ///< as given
-    scene::Motion                         motion; ///< at an outcrop
+    const scene::InputMotion              input; ///< as given
+    const scene::GroundMotion             motion;
     std::unique_ptr<continuum::Continuum> continuum;
     std::unique_ptr<dda::Model>           blocks;
     std::unique_ptr<coupling::Base>       base;

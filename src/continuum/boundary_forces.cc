@@ -9,8 +9,6 @@ namespace hybrid::continuum
 {
   namespace
   {
-    constexpr double pi = 3.14159265358979323846;
-
     std::vector<RockFace>
     required_faces(const RockMesh &rock, const scene::SectionMesh &section, const std::string &name)
     {
@@ -43,18 +41,13 @@ namespace hybrid::continuum
                                  const std::vector<Material>  &cell_material,
                                  const scene::SectionMesh     &section,
                                  const scene::SceneParameters &scene,
-                                 scene::Motion                 m)
+                                 scene::GroundMotion           m)
     : line(element_nodes.line)
     , elastic(element_nodes.line)
     , motion(std::move(m))
     , support(2 * element_nodes.positions.size(), Support::none)
     , place(element_nodes.positions.size(), -1)
   {
-    const double angle = scene.motion.angle * pi / 180.;
-    direction          = Vec2(std::cos(angle), std::sin(angle));
-    upgoing            = scene.motion.outcrop ? 0.5 : 1.;
-    start              = scene.motion.start;
-
     const auto base = required_faces(rock, section, "base");
     // Base last among supports, so that a corner moves with the base.
     half_space =
@@ -254,9 +247,9 @@ namespace hybrid::continuum
   {
     FreeFieldColumn::Input input;
     if (compliant)
-      input.wave_velocity = wave_velocity(time + dt);
+      input.wave_velocity = motion.upgoing_velocity(time + dt);
     if (moves)
-      input.acceleration = base_acceleration(time + dt);
+      input.acceleration = motion.outcrop_acceleration(time + dt);
     for (std::size_t c = 0; c < columns.size(); ++c)
       {
         const int o = column_offset[c];
@@ -270,7 +263,7 @@ namespace hybrid::continuum
 
   void BoundaryForces::incoming_base(const double time, const double *u, Incoming &in) const
   {
-    const Vec2 wave = wave_displacement(time);
+    const Vec2 wave = motion.upgoing_displacement(time);
     for (const auto &face : faces)
       for (const int k : face.nodes)
         for (int c = 0; c < 2 && face.is_base; ++c)
@@ -287,7 +280,7 @@ namespace hybrid::continuum
     in.force.assign(2 * nodes.size(), 0.);
     in.velocity.assign(2 * nodes.size(), 0.);
     in.displacement.assign(2 * nodes.size(), 0.);
-    const Vec2 wave = compliant ? Vec2(2. * wave_velocity(time)) : Vec2(0., 0.);
+    const Vec2 wave = compliant ? Vec2(2. * motion.upgoing_velocity(time)) : Vec2(0., 0.);
     for (const auto &face : faces)
       {
         const int n = static_cast<int>(face.nodes.size());
@@ -375,25 +368,5 @@ namespace hybrid::continuum
                     .dot(face.impedance * mean);
         }
     return loss;
-  }
-
-
-  Vec2 BoundaryForces::base_acceleration(const double time) const
-  {
-    return motion.empty() ? Vec2(0., 0.) : Vec2(motion.acceleration(time - start) * direction);
-  }
-
-
-  Vec2 BoundaryForces::wave_velocity(const double time) const
-  {
-    return motion.empty() ? Vec2(0., 0.)
-                          : Vec2(upgoing * motion.velocity(time - start) * direction);
-  }
-
-
-  Vec2 BoundaryForces::wave_displacement(const double time) const
-  {
-    return motion.empty() ? Vec2(0., 0.)
-                          : Vec2(upgoing * motion.displacement(time - start) * direction);
   }
 } // namespace hybrid::continuum

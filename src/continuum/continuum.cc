@@ -60,7 +60,7 @@ namespace hybrid::continuum
 
   Continuum::Continuum(const scene::SectionMesh     &mesh,
                        const scene::SceneParameters &scene,
-                       const scene::Motion          &motion,
+                       const scene::GroundMotion    &motion,
                        MPI_Comm                      communicator)
     : impl(std::make_unique<Implementation>())
   {

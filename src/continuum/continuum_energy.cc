@@ -242,10 +242,11 @@ namespace hybrid::continuum
   }
 
 
-  void Continuum::audit_energy(ContinuumState &state, const double dt) const
+  ContinuumEnergy Continuum::audit_energy(const ContinuumState &state, const double dt) const
   {
-    const auto         &m = *impl;
-    const std::size_t   n = m.n_dofs();
+    const auto         &m      = *impl;
+    ContinuumEnergy     energy = state.energy;
+    const std::size_t   n      = m.n_dofs();
     std::vector<double> product(n);
     const auto          form = [&](const std::vector<double> &x) {
       double sum = 0.;
@@ -254,16 +255,15 @@ namespace hybrid::continuum
       return 0.5 * sum;
     };
     m.matrices.multiply_inertia(state.velocity.data(), product.data());
-    state.energy.kinetic = form(state.velocity);
+    energy.kinetic = form(state.velocity);
     m.matrices.multiply_inertia(state.acceleration.data(), product.data());
-    state.energy.newmark =
-      (m.newmark.beta - 0.5 * m.newmark.gamma) * dt * dt * form(state.acceleration);
+    energy.newmark = (m.newmark.beta - 0.5 * m.newmark.gamma) * dt * dt * form(state.acceleration);
     m.matrices.multiply_stiffness(state.displacement.data(), product.data());
-    state.energy.strain = form(state.displacement);
+    energy.strain = form(state.displacement);
     if (m.slip != nullptr)
       {
-        state.energy.strain += m.slip->strain_correction(state.slip, state.displacement);
-        state.energy.bedding_static_stress = m.slip->static_energy(state.slip);
+        energy.strain += m.slip->strain_correction(state.slip, state.displacement);
+        energy.bedding_static_stress = m.slip->static_energy(state.slip);
       }
     if (!m.boundary->springs().empty())
       {
@@ -274,8 +274,9 @@ namespace hybrid::continuum
                              state.velocity.data() + n,
                              in);
         m.gather_boundary(state.displacement, u);
-        state.energy.boundary_springs =
+        energy.boundary_springs =
           0.5 * m.boundary->springs().product({u, in.displacement}, {u, in.displacement});
       }
+    return energy;
   }
 } // namespace hybrid::continuum

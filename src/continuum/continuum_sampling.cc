@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace hybrid::continuum
@@ -42,60 +43,62 @@ namespace hybrid::continuum
   } // namespace
 
 
-  int
-  Continuum::Implementation::nearest_cell(const Vec2 &position, Vec2 &local, double &distance) const
+  Continuum::Implementation::NearestCell
+  Continuum::Implementation::nearest_cell(const Vec2 &position, const double reach) const
   {
-    int best = -1;
-    distance = 1e300;
+    NearestCell best;
     for (std::size_t c = 0; c < nodes->cells.size(); ++c)
       {
         const Vec2 centre = nodes->map(c, Vec2(0.5, 0.5));
         double     radius = 0.;
         for (const int node : rock.cells[c])
           radius = std::max(radius, (rock.nodes[node] - centre).norm());
-        if ((position - centre).norm() > 1.5 * radius)
+        if ((position - centre).norm() > std::max(1.5 * radius, radius + reach))
           continue;
         const Vec2   at = local_coordinates(*nodes, c, position);
         const double d  = (nodes->map(c, at) - position).norm() / radius;
-        if (d < distance - 1e-9)
-          {
-            distance = d;
-            best     = static_cast<int>(c);
-            local    = at;
-          }
+        if (d < best.distance - 1e-9)
+          best = {static_cast<int>(c), at, d};
       }
     return best;
   }
 
 
-  Continuum::Implementation::Point
-  Continuum::Implementation::cell_point(const Vec2 &position, const std::string &what) const
+  Continuum::Point Continuum::Implementation::cell_point(const Vec2        &position,
+                                                         const std::string &what) const
   {
-    Vec2      local;
-    double    distance = 0.;
-    const int cell     = nearest_cell(position, local, distance);
-    if (cell < 0 || distance > tolerated_distance)
+    const NearestCell nearest = nearest_cell(position, 0.);
+    if (nearest.cell < 0 || nearest.distance > tolerated_distance)
       {
         std::ostringstream text;
         text << what << " at (" << position.x() << ", " << position.y()
              << ") m lies outside the bedrock";
         throw InputError(text.str());
       }
-    return {cell, nodes->values(local)};
+    return {nearest.cell, nodes->values(nearest.local)};
   }
 
 
-  int Continuum::add_point(const Vec2 &position, const std::string &name)
+  const std::vector<Vec2> &Continuum::node_positions() const
   {
-    impl->points.push_back(impl->cell_point(position, "Point '" + name + "'"));
-    return static_cast<int>(impl->points.size()) - 1;
+    return impl->nodes->positions;
   }
 
 
-  Continuum::Sample Continuum::sample(const ContinuumState &state, const int point) const
+  Continuum::Point Continuum::point(const Vec2 &position, const double reach) const
   {
-    const auto &p = impl->points.at(point);
-    Sample      result{Vec2(0., 0.), Vec2(0., 0.), Vec2(0., 0.)};
+    const auto nearest = impl->nearest_cell(position, reach);
+    if (nearest.cell < 0)
+      return {-1, {}, std::numeric_limits<double>::infinity()};
+    return {nearest.cell,
+            impl->nodes->values(nearest.local),
+            (impl->nodes->map(nearest.cell, nearest.local) - position).norm()};
+  }
+
+
+  Continuum::Sample Continuum::sample(const ContinuumState &state, const Point &p) const
+  {
+    Sample result{Vec2(0., 0.), Vec2(0., 0.), Vec2(0., 0.)};
     for (std::size_t k = 0; k < p.weights.size(); ++k)
       {
         const int i = 2 * impl->nodes->cells[p.cell][k];

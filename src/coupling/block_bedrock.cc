@@ -16,12 +16,6 @@ namespace hybrid::coupling
 
     constexpr int forces_per_edge = 2 * BoundaryEdge::n_points;
 
-    Vec2 direction_of(const scene::MotionParameters &parameters)
-    {
-      const double angle = parameters.angle * M_PI / 180.;
-      return {std::cos(angle), std::sin(angle)};
-    }
-
     /// The lowest layer always moves; triangles may stand on a fixed base.
     bool is_fixed(const SceneParameters &scene)
     {
@@ -32,17 +26,12 @@ namespace hybrid::coupling
 
 
   BlockBedrock::BlockBedrock(std::vector<Vec2>                nodes,
-                             const scene::Motion             &outcrop_motion,
+                             const scene::GroundMotion       &ground_motion,
                              const SceneParameters           &scene,
                              const std::vector<BoundaryEdge> &edges)
     : boundary(edges)
-    , base(std::move(nodes),
-           is_fixed(scene) ? scene::Motion() : outcrop_motion,
-           direction_of(scene.motion),
-           scene.motion.start)
-    , motion(is_fixed(scene) ? scene::Motion() : outcrop_motion)
-    , direction(direction_of(scene.motion))
-    , start_time(scene.motion.start)
+    , base(std::move(nodes), is_fixed(scene) ? scene::GroundMotion() : ground_motion)
+    , motion(is_fixed(scene) ? scene::GroundMotion() : ground_motion)
     , compliant(scene.bedrock == scene::BedrockModel::triangles &&
                 scene.continuum.base == scene::BaseBoundary::compliant)
     , line(scene.continuum.degree)
@@ -120,13 +109,9 @@ namespace hybrid::coupling
 
   void BlockBedrock::step_columns(const continuum::ContinuumState &state, const double dt)
   {
-    const double                      time = state.time + dt - start_time;
-    continuum::FreeFieldColumn::Input input;
-    if (!motion.empty())
-      {
-        input.wave_velocity = 0.5 * motion.velocity(time) * direction;
-        input.acceleration  = motion.acceleration(time) * direction;
-      }
+    const double                            time = state.time + dt;
+    const continuum::FreeFieldColumn::Input input{motion.upgoing_velocity(time),
+                                                  motion.outcrop_acceleration(time)};
     for (std::size_t c = 0; c < columns.size(); ++c)
       {
         const int o = column_offset[c];
@@ -146,7 +131,7 @@ namespace hybrid::coupling
     response.boundary_force.setZero(forces_per_edge * static_cast<Eigen::Index>(boundary.size()));
     if (!motion.empty())
       {
-        const Vec2 twice_upgoing = motion.velocity(time - start_time) * direction;
+        const Vec2 twice_upgoing = 2. * motion.upgoing_velocity(time);
         for (std::size_t e = 0; e < boundary.size(); ++e)
           if (boundary[e].part == BoundaryPart::base)
             {

@@ -6,7 +6,7 @@ namespace hybrid::coupling
 {
   void serialize(restart::Archive &archive, CoupledState &state)
   {
-    auto &[time, blocks, continuum] = state;
-    archive(time, blocks, continuum);
+    auto &[blocks, continuum] = state;
+    archive(blocks, continuum);
   }
 } // namespace hybrid::coupling

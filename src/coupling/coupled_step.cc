@@ -70,8 +70,8 @@ namespace hybrid::coupling
       {
         const Stopwatch watch(elapsed.continuum);
         result.converged = continuum == nullptr || continuum->step(state.continuum, dt);
-        if (result.converged)
-          state.time += dt;
+        if (continuum == nullptr)
+          state.continuum.time += dt;
         return result;
       }
 
@@ -104,7 +104,6 @@ namespace hybrid::coupling
                   dt,
                   blocks->solved_step().base_displacement(),
                   blocks->solved_step().base_force_increment());
-    state.time += dt;
     return result;
   }
 

@@ -3,14 +3,9 @@
 
 namespace hybrid::coupling
 {
-  RigidBase::RigidBase(std::vector<Vec2>    surface,
-                       const scene::Motion &base_motion,
-                       const Vec2          &shaking_direction,
-                       const double         motion_start)
+  RigidBase::RigidBase(std::vector<Vec2> surface, const scene::GroundMotion &base_motion)
     : nodes(std::move(surface))
     , motion(base_motion)
-    , direction(shaking_direction)
-    , start_time(motion_start)
   {
     response.prescribed   = true;
     response.displacement = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(nodes.size()));
@@ -23,11 +18,18 @@ namespace hybrid::coupling
   {
     if (!motion.empty())
       {
-        const Vec2 u = motion.displacement(state.time + dt - start_time) * direction;
+        const Vec2 u = motion.outcrop_displacement(state.time + dt);
         for (std::size_t k = 0; k < nodes.size(); ++k)
           response.displacement.segment<2>(2 * static_cast<Eigen::Index>(k)) = u;
       }
     return response;
+  }
+
+
+
+  PrescribedMotion RigidBase::prescribed_motion(const double time) const
+  {
+    return {motion.outcrop_velocity(time), motion.outcrop_acceleration(time)};
   }
 
 

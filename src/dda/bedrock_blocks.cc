@@ -88,8 +88,36 @@ namespace hybrid::dda
 
 
 
-    BedrockBlocks layers(const SectionMesh &mesh)
+    /// A plane with one surface of the geometry on both sides cuts no layer off.
+    void check_planes(const SectionMesh &mesh, const std::vector<std::string> &planes)
     {
+      std::map<Edge, std::vector<int>> surfaces; // on the sides of each edge
+      for (std::size_t c = 0; c < mesh.bedrock_cells.size(); ++c)
+        for (int i = 0; i < 4; ++i)
+          surfaces[sorted(mesh.bedrock_cells[c][i], mesh.bedrock_cells[c][(i + 1) % 4])].push_back(
+            mesh.bedrock_surface[c]);
+      for (const std::string &plane : planes)
+        for (const auto &edge : mesh.lines.at(plane))
+          {
+            const auto &sides = surfaces.at(sorted(edge[0], edge[1]));
+            if (sides.front() != sides.back())
+              continue;
+            const Vec2 x = 0.5 * (mesh.nodes[edge[0]] + mesh.nodes[edge[1]]);
+            throw InputError("Model/Bedrock = layers: " + plane +
+                             " does not divide the bedrock at (" + std::to_string(x.x()) + ", " +
+                             std::to_string(x.y()) +
+                             ") m, where both of its sides belong to one surface of the mesh; "
+                             "continue it to the sides and draw one Plane Surface per layer, as "
+                             "meshes/layers.geo does, or take Model/Bedrock = continuum or "
+                             "triangles");
+          }
+    }
+
+
+
+    BedrockBlocks layers(const SectionMesh &mesh, const std::vector<std::string> &planes)
+    {
+      check_planes(mesh, planes);
       std::map<int, std::vector<int>> cells_of;
       for (std::size_t c = 0; c < mesh.bedrock_cells.size(); ++c)
         cells_of[mesh.bedrock_surface[c]].push_back(static_cast<int>(c));
@@ -169,7 +197,7 @@ namespace hybrid::dda
   BedrockBlocks cut_bedrock(const SectionMesh &mesh, const scene::SceneParameters &scene)
   {
     if (scene.bedrock == scene::BedrockModel::layers)
-      return layers(mesh);
+      return layers(mesh, scene.bedding.names);
     if (scene.bedrock == scene::BedrockModel::triangles)
       return triangles(mesh, scene.continuum.base != scene::BaseBoundary::compliant);
     return {};

@@ -230,7 +230,8 @@ namespace hybrid::dda
     {
       using Method                               = scene::WaterMethod;
       const scene::EnvironmentParameters &around = scene.environment;
-      if (around.water_method == Method::paper || around.gravity == 0.)
+      if (around.water_method == Method::paper || around.gravity == 0. ||
+          !(around.water_level > -1e299))
         return;
       model.water = {around.water_method == Method::submerged ? Water::Action::buoyancy
                                                               : Water::Action::pressures,

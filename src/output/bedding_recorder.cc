@@ -100,7 +100,8 @@ namespace hybrid::output
   {
     if (planes.empty())
       return;
-    file.append(time, &state.time);
+    const double t = state.time();
+    file.append(time, &t);
     for (std::size_t k = 0; k < planes.size(); ++k)
       {
         const continuum::BeddingValues now = values(state, k);

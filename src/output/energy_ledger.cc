@@ -12,21 +12,21 @@ namespace hybrid::output
     using Terms = std::vector<std::pair<std::string, double>>;
 
     /// All terms with the sign they have in the sum.
-    Terms collect(const coupling::CoupledState &state,
-                  const bool                    has_continuum,
-                  const EffectTerms            &effects)
+    Terms collect(const coupling::CoupledState     &state,
+                  const continuum::ContinuumEnergy &c,
+                  const bool                        has_continuum,
+                  const EffectTerms                &effects)
     {
-      const dda::BlockEnergy           &b     = state.blocks.energy;
-      const continuum::ContinuumEnergy &c     = state.continuum.energy;
-      Terms                             terms = {{"blocks_kinetic", b.kinetic},
-                                                 {"blocks_strain", b.strain},
-                                                 {"blocks_gravity", b.gravity},
-                                                 {"joints_and_contacts", b.springs},
-                                                 {"friction_loss", b.friction_loss},
-                                                 {"fracture_loss", b.fracture_loss},
-                                                 {"blocks_damping_loss", b.damping_loss},
-                                                 {"blocks_integration_loss", b.integration_loss + b.newmark},
-                                                 {"contact_switch_loss", b.switch_loss}};
+      const dda::BlockEnergy &b     = state.blocks.energy;
+      Terms                   terms = {{"blocks_kinetic", b.kinetic},
+                                       {"blocks_strain", b.strain},
+                                       {"blocks_gravity", b.gravity},
+                                       {"joints_and_contacts", b.springs},
+                                       {"friction_loss", b.friction_loss},
+                                       {"fracture_loss", b.fracture_loss},
+                                       {"blocks_damping_loss", b.damping_loss},
+                                       {"blocks_integration_loss", b.integration_loss + b.newmark},
+                                       {"contact_switch_loss", b.switch_loss}};
       if (effects.edge_loads)
         terms.push_back({"edge_load_work", -b.edge_load_work});
       if (!has_continuum)
@@ -68,16 +68,17 @@ namespace hybrid::output
   std::vector<std::string> EnergyLedger::names() const
   {
     std::vector<std::string> result;
-    for (const auto &term : collect({}, has_continuum, effects))
+    for (const auto &term : collect({}, {}, has_continuum, effects))
       result.push_back(term.first);
     return result;
   }
 
 
 
-  const std::vector<double> &EnergyLedger::update(const coupling::CoupledState &state)
+  const std::vector<double> &EnergyLedger::update(const coupling::CoupledState     &state,
+                                                  const continuum::ContinuumEnergy &bedrock)
   {
-    const Terms now = collect(state, has_continuum, effects);
+    const Terms now = collect(state, bedrock, has_continuum, effects);
     if (start.empty())
       for (const auto &term : now)
         {

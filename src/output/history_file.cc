@@ -97,14 +97,15 @@ namespace hybrid::output
     }
 
 
+    /// A string of variable length in UTF-8, which every reader takes for text.
     void write_text(const hid_t object, const std::string &name, const std::string &text)
     {
       const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "copy a type");
-      H5Tset_size(type, std::max<std::size_t>(text.size(), 1));
-      H5Tset_strpad(type, H5T_STR_NULLPAD);
+      H5Tset_size(type, H5T_VARIABLE);
       H5Tset_cset(type, H5T_CSET_UTF8);
-      const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "make a data space");
-      write_attribute(object, name, type, space, text.empty() ? "" : text.data());
+      const Handle      space(H5Screate(H5S_SCALAR), H5Sclose, "make a data space");
+      const char *const characters = text.c_str();
+      write_attribute(object, name, type, space, &characters);
     }
 
 

@@ -105,7 +105,7 @@ namespace hybrid::output
           factor.push_back(block.modulus_factor);
         writer.add_cell_field("modulus factor", 1, std::move(factor));
       }
-    block_series->add(state.time, writer);
+    block_series->add(state.time(), writer);
   }
 
 
@@ -147,7 +147,7 @@ namespace hybrid::output
           factor.push_back(joint.strength_factor);
         writer.add_cell_field("strength factor", 1, std::move(factor));
       }
-    joint_series->add(state.time, writer);
+    joint_series->add(state.time(), writer);
   }
 
 
@@ -180,6 +180,6 @@ namespace hybrid::output
     writer.add_cell_field("region",
                           1,
                           std::vector<double>(picture.region.begin(), picture.region.end()));
-    continuum_series->add(state.time, writer);
+    continuum_series->add(state.time(), writer);
   }
 } // namespace hybrid::output

@@ -12,42 +12,86 @@
 
 namespace hybrid::output
 {
-  Probes::Probes(const dda::Model *blocks, continuum::Continuum *bedrock)
+  namespace
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double allowed  = 1e-3; ///< distance from everything over the size of the section [-]
+    constexpr double rounding = 1e-9; ///< distance from an outline over the size of the section [-]
+
+
+
+    double size_of(const dda::Model *blocks, const continuum::Continuum *bedrock)
+    {
+      Vec2       low = Vec2::Constant(infinity), high = -low;
+      const auto add = [&](const std::vector<Vec2> &points) {
+        for (const Vec2 &x : points)
+          {
+            low  = low.cwiseMin(x);
+            high = high.cwiseMax(x);
+          }
+      };
+      if (blocks != nullptr)
+        {
+          add(blocks->initial.vertices);
+          add(blocks->initial.base_nodes);
+        }
+      if (bedrock != nullptr)
+        add(bedrock->node_positions());
+      return low.x() <= high.x() ? (high - low).maxCoeff() : 0.;
+    }
+  } // namespace
+
+
+
+  Probes::Probes(const dda::Model           *blocks,
+                 const continuum::Continuum *bedrock,
+                 const coupling::Base       *block_base)
     : model(blocks)
     , continuum(bedrock)
+    , base(block_base)
+    , section(size_of(blocks, bedrock))
   {}
 
 
 
   int Probes::block_at(const Vec2 &x) const
   {
-    if (model == nullptr)
-      return -1;
-    const dda::Geometry &g = model->initial;
-    for (int b = 0; b < g.n_blocks(); ++b)
-      if (dda::contains(&g.vertices[g.offset[b]], g.offset[b + 1] - g.offset[b], x))
-        return b;
-    return -1;
-  }
-
-
-
-  int Probes::nearest_block(const Vec2 &x) const
-  {
-    int    nearest  = -1;
-    double distance = std::numeric_limits<double>::infinity();
+    int nearest = -1;
     if (model == nullptr)
       return nearest;
-    const dda::Geometry &g = model->initial;
+    const dda::Geometry &g        = model->initial;
+    double               distance = infinity; // of the centroid
     for (int b = 0; b < g.n_blocks(); ++b)
       {
-        const double d =
-          dda::distance_to_outline(&g.vertices[g.offset[b]], g.offset[b + 1] - g.offset[b], x);
-        if (d < distance && d < 0.5 * model->blocks[b].size)
+        const Vec2 *outline = &g.vertices[g.offset[b]];
+        const int   n       = g.offset[b + 1] - g.offset[b];
+        if (!dda::contains(outline, n, x) &&
+            dda::distance_to_outline(outline, n, x) > rounding * section)
+          continue;
+        const double d = (dda::polygon_moments(outline, n).centroid - x).norm();
+        if (nearest >= 0 && model->is_bedrock(b) && !model->is_bedrock(nearest))
+          break; // the mass comes first, in the list too
+        if (d < distance)
           {
             distance = d;
             nearest  = b;
           }
+      }
+    return nearest;
+  }
+
+
+
+  std::pair<int, double> Probes::nearest_block(const Vec2 &x) const
+  {
+    std::pair<int, double> nearest{-1, infinity};
+    for (int b = 0; model != nullptr && b < model->n_blocks(); ++b)
+      {
+        const dda::Geometry &g = model->initial;
+        const double         d =
+          dda::distance_to_outline(&g.vertices[g.offset[b]], g.offset[b + 1] - g.offset[b], x);
+        if (d < nearest.second)
+          nearest = {b, d};
       }
     return nearest;
   }
@@ -85,8 +129,7 @@ namespace hybrid::output
 
   double Probes::height_above_base(const Vec2 &x) const
   {
-    const double infinity = std::numeric_limits<double>::infinity();
-    if (model == nullptr || model->n_base_nodes() == 0)
+    if (continuum != nullptr || model == nullptr || model->n_base_nodes() == 0)
       return infinity;
     const std::vector<Vec2> &nodes = model->initial.base_nodes;
     // Beside the base it goes on level.
@@ -110,43 +153,47 @@ namespace hybrid::output
 
 
 
+  void Probes::attach_to_nearest(Probe &probe, const Vec2 &x, const std::string &name) const
+  {
+    const auto   block = nearest_block(x);
+    const double rock = probe.point.outside, height = height_above_base(x);
+    const double nearest = std::min({block.second, rock, height});
+    if (nearest > allowed * section)
+      {
+        std::ostringstream text;
+        text << "the point '" << name << "' at (" << x.x() << ", " << x.y()
+             << ") m lies in no part of the section:";
+        if (std::isfinite(block.second))
+          text << ' ' << block.second << " m from the nearest block,";
+        if (std::isfinite(rock))
+          text << ' ' << rock << " m from the bedrock,";
+        if (std::isfinite(height))
+          text << ' ' << height << " m above the base,";
+        text << " where " << allowed * section << " m, a thousandth of the section, is allowed";
+        throw InputError(text.str());
+      }
+    if (block.second == nearest)
+      attach(probe, block.first, x);
+    else if (height == nearest)
+      probe.point = {};
+  }
+
+
+
   int Probes::add(const Vec2 &x, const std::string &name)
   {
-    Probe probe;
-    int   block = block_at(x);
-    if (block < 0 && continuum != nullptr)
-      try
-        {
-          probe.point = continuum->add_point(x, name);
-        }
-      catch (const InputError &error)
-        {
-          block = nearest_block(x);
-          if (block < 0)
-            throw InputError(error.what() + std::string(model != nullptr ? " and the blocks" : ""));
-        }
-    else if (block < 0)
-      block = nearest_block(x);
+    Probe     probe;
+    const int block = block_at(x);
+    if (continuum != nullptr)
+      probe.point = continuum->point(x, allowed * section);
+    else
+      probe.point.outside = infinity;
     if (block >= 0)
       attach(probe, block, x);
-    else if (probe.point < 0)
-      {
-        const double height = height_above_base(x);
-        double       size   = 0.; // of a block: a point on the surface may be rounded
-        for (int b = 0; model != nullptr && b < model->n_blocks(); ++b)
-          size = std::max(size, model->blocks[b].size);
-        if (height > 0.5 * size)
-          {
-            std::ostringstream text;
-            text << "the point '" << name << "' at (" << x.x() << ", " << x.y()
-                 << ") m is in no block and ";
-            if (std::isfinite(height))
-              text << height << " m above the base";
-            else
-              text << "there is no bedrock";
-            throw InputError(text.str());
-          }
-      }
+    else if (height_above_base(x) <= 0.)
+      probe.point = {};
+    else if (probe.point.outside > rounding * section)
+      attach_to_nearest(probe, x, name);
     probes.push_back(probe);
     return static_cast<int>(probes.size()) - 1;
   }
@@ -176,7 +223,7 @@ namespace hybrid::output
   {
     const Probe &probe = probes[number];
     PointMotion  motion;
-    if (probe.point >= 0)
+    if (probe.block < 0 && probe.point.cell >= 0)
       {
         const auto s        = continuum->sample(state.continuum, probe.point);
         motion.displacement = s.displacement;
@@ -195,7 +242,15 @@ namespace hybrid::output
         motion.acceleration       = {gx.dot(block.acceleration), gy.dot(block.acceleration)};
       }
     else if (state.blocks.base_displacement.size() > 0)
-      motion.displacement = state.blocks.base_displacement.head<2>();
+      {
+        motion.displacement = state.blocks.base_displacement.head<2>();
+        if (base != nullptr)
+          {
+            const coupling::PrescribedMotion prescribed = base->prescribed_motion(state.time());
+            motion.velocity                             = prescribed.velocity;
+            motion.acceleration                         = prescribed.acceleration;
+          }
+      }
     return motion;
   }
 

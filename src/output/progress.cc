@@ -6,18 +6,17 @@
 #include <cmath>
 #include <cstdio>
 
-#include <unistd.h>
-
 namespace hybrid::output
 {
   namespace
   {
-    constexpr double redraw_interval = 0.2; ///< on a terminal [s]
-    constexpr double line_interval   = 60.; ///< elsewhere, at least one line per [s]
-    constexpr double line_fraction   = 0.1; ///< elsewhere, one line per this part of the run [-]
-    constexpr double memory          = 10.; ///< rates are averages over about this wall time [s]
-    constexpr int    bar_width       = 24;  ///< characters
-
+    constexpr double  redraw_interval = 0.2; ///< on a terminal [s]
+    constexpr double  line_interval   = 60.; ///< elsewhere, at least one line per [s]
+    constexpr double  line_fraction   = 0.1; ///< elsewhere, one line per this part of the run [-]
+    constexpr double  memory          = 10.; ///< rates are averages over about this wall time [s]
+    constexpr int     longest_bar     = 24;  ///< characters
+    constexpr int     shortest_bar    = 6;   ///< characters
+    const char *const gap             = "  ";
   } // namespace
 
 
@@ -26,12 +25,14 @@ namespace hybrid::output
                      const bool              stream_is_terminal,
                      const double            from_time,
                      const double            to_time,
-                     std::function<double()> clock)
+                     std::function<double()> clock,
+                     std::function<int()>    width)
     : out(stream)
     , is_terminal(stream_is_terminal)
     , start_time(from_time)
     , end_time(to_time)
     , wall_clock(clock ? std::move(clock) : std::function<double()>(steady_seconds))
+    , columns(width ? std::move(width) : std::function<int()>(terminal_width))
     , time(from_time)
     , drawn_at(wall_clock())
     , drawn_time(from_time)
@@ -71,35 +72,43 @@ namespace hybrid::output
     drawn_steps = steps;
 
     if (!is_terminal)
-      {
-        out << status() << std::endl;
-        return;
-      }
-    const double fraction =
-      end_time > start_time ? (time - start_time) / (end_time - start_time) : 1.;
-    const int n_full = std::clamp(static_cast<int>(fraction * bar_width), 0, bar_width);
-    out << "\r\033[K[" << std::string(n_full, '#') << std::string(bar_width - n_full, '.') << "] "
-        << status() << std::flush;
+      out << fitting_line(status(), gap, 1000) << std::endl;
+    else
+      out << "\r\033[K" << line() << std::flush;
   }
 
 
 
-  std::string Progress::status() const
+  std::string Progress::line() const
   {
+    const double fraction =
+      end_time > start_time ? (time - start_time) / (end_time - start_time) : 1.;
+    const int         width = columns() - 1; // a cursor in the last column begins another line
+    const std::string text  = fitting_line(status(), gap, width - shortest_bar - 3);
+    const int room   = width - 3 - static_cast<int>(text.size()), // beside "[", "]" and a blank
+      length         = std::clamp(room, shortest_bar, longest_bar),
+              n_full = std::clamp(static_cast<int>(fraction * length), 0, length);
+    return "[" + std::string(n_full, '#') + std::string(length - n_full, '.') + "] " + text;
+  }
+
+
+
+  std::vector<std::string> Progress::status() const
+  {
+    const auto format = [](const char *form, const auto... values) {
+      char text[100];
+      std::snprintf(text, sizeof(text), form, values...);
+      return std::string(text);
+    };
     const double percent =
       end_time > start_time ? 100. * (time - start_time) / (end_time - start_time) : 100.;
     const std::string left = speed > 0. ? format_duration((end_time - time) / speed) : "?";
-    char              text[160];
-    std::snprintf(text,
-                  sizeof(text),
-                  "%5.1f %%  t = %.3f of %g s  left %s  %.3g steps/s  %.1f iterations/step",
-                  std::clamp(percent, 0., 100.),
-                  time,
-                  end_time,
-                  left.c_str(),
-                  step_rate,
-                  steps > 0 ? static_cast<double>(iterations) / steps : 0.);
-    return text;
+    return {format("%5.1f %%", std::clamp(percent, 0., 100.)),
+            format("t = %.3f of %g s", time, end_time),
+            "left " + left,
+            format("%.3g steps/s", step_rate),
+            format("%.1f iterations/step",
+                   steps > 0 ? static_cast<double>(iterations) / steps : 0.)};
   }
 
 
@@ -118,13 +127,6 @@ namespace hybrid::output
   {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
       .count();
-  }
-
-
-
-  bool standard_output_is_terminal()
-  {
-    return isatty(STDOUT_FILENO) == 1;
   }
 
 

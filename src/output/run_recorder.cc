@@ -2,6 +2,7 @@
 #include <hybrid/output/input_tables.h>
 #include <hybrid/output/monitor_summary.h>
 #include <hybrid/output/run_recorder.h>
+#include <hybrid/scene/downhill.h>
 #include <hybrid/scene/input_error.h>
 
 #include <algorithm>
@@ -9,25 +10,16 @@
 
 namespace hybrid::output
 {
-  namespace
-  {
-    Vec2 shaking_direction(const scene::MotionParameters &motion)
-    {
-      const double angle = motion.angle * M_PI / 180.;
-      return {std::cos(angle), std::sin(angle)};
-    }
-  } // namespace
-
-
-
   RunRecorder::RunRecorder(const RunParts &run, const HistoryFile::Mode mode)
     : parts(run)
-    , probes(run.blocks, run.continuum)
+    , probes(run.blocks, run.continuum, run.base)
     , file(run.scene.output.directory + "/run.h5", mode)
     , pictures(run.scene.output.directory, run.blocks, run.continuum)
+    , downhill(scene::downhill_sign(run.mesh))
     , bedding(run.continuum,
               run.scene.bedding.slips ? run.blocks : nullptr,
               run.scene.bedding.names)
+    , slip(run.blocks, downhill)
     , ledger(run.continuum != nullptr,
              {run.scene.continuum.boundary_springs,
               run.scene.has_bedrock_blocks(),
@@ -37,6 +29,7 @@ namespace hybrid::output
   {
     file.set_attribute("/", "title", parts.scene.title);
     file.set_attribute("/", "base_monitor", parts.scene.monitors.base_monitor);
+    file.set_attribute("/", "downhill_sign", std::vector<double>{downhill});
     add_series();
     write_spectrum(file, parts.fit, parts.scene.motion.outcrop);
     if (parts.blocks != nullptr)
@@ -47,6 +40,7 @@ namespace hybrid::output
     add_monitors();
     add_boreholes();
     bedding.add_series(file);
+    slip.add_series(file);
   }
 
 
@@ -147,12 +141,13 @@ namespace hybrid::output
 
 
 
-  void RunRecorder::start(coupling::CoupledState &state)
+  void RunRecorder::start(const coupling::CoupledState &state)
   {
     probes.set_reference(state);
     if (parts.blocks != nullptr)
       {
         pictures.set_reference(state.blocks);
+        slip.set_reference(state.blocks);
         for (const dda::BlockState &block : state.blocks.blocks)
           reference_centroids.push_back(block.centroid);
         peak_displacement.assign(reference_centroids.size(), 0.);
@@ -181,17 +176,12 @@ namespace hybrid::output
 
   void RunRecorder::record_motion(const coupling::CoupledState &state)
   {
-    const double t         = state.time - parts.scene.motion.start;
-    const Vec2   d         = shaking_direction(parts.scene.motion);
-    const double values[3] = {parts.motion.acceleration(t),
-                              parts.motion.velocity(t),
-                              parts.motion.displacement(t)};
+    const Vec2 input[3] = {parts.motion.outcrop_acceleration(state.time()),
+                           parts.motion.outcrop_velocity(state.time()),
+                           parts.motion.outcrop_displacement(state.time())};
     for (int k = 0; k < 3; ++k)
-      {
-        const Vec2 pair = values[k] * d;
-        file.append(input_series[k], pair.data());
-      }
-    input_acceleration.insert(input_acceleration.end(), {values[0] * d.x(), values[0] * d.y()});
+      file.append(input_series[k], input[k].data());
+    input_acceleration.insert(input_acceleration.end(), {input[0].x(), input[0].y()});
 
     for (MonitorSeries &monitor : monitors)
       {
@@ -218,27 +208,32 @@ namespace hybrid::output
 
 
 
-  void RunRecorder::record_energy(coupling::CoupledState &state)
+  void RunRecorder::record_energy(const coupling::CoupledState &state)
   {
-    if (parts.continuum != nullptr)
-      parts.continuum->audit_energy(state.continuum, parts.scene.time.time_step);
-    const std::vector<double> &terms    = ledger.update(state);
-    const double               residual = ledger.residual();
-    file.append(energy_time, &state.time);
+    const continuum::ContinuumEnergy bedrock =
+      parts.continuum != nullptr
+        ? parts.continuum->audit_energy(state.continuum, parts.scene.time.time_step)
+        : continuum::ContinuumEnergy();
+    const std::vector<double> &terms    = ledger.update(state, bedrock);
+    const double               residual = ledger.residual(), now = state.time();
+    file.append(energy_time, &now);
     file.append(energy_residual, &residual);
     for (std::size_t k = 0; k < terms.size(); ++k)
       file.append(energy_series[k], &terms[k]);
     bedding.record(state, file);
+    last_audit = now;
   }
 
 
 
   void RunRecorder::record_picture(const coupling::CoupledState &state)
   {
+    const double now = last_picture = state.time();
     pictures.add(state);
+    slip.record_profile(state.blocks, now, file);
     if (interface_time < 0)
       return;
-    file.append(interface_time, &state.time);
+    file.append(interface_time, &now);
     file.append(interface_force, state.blocks.base_force.data());
   }
 
@@ -268,14 +263,15 @@ namespace hybrid::output
 
 
 
-  void RunRecorder::record_step(coupling::CoupledState &state,
-                                const dda::StepResult  &step,
-                                const double            dt,
-                                const double            wall_time)
+  void RunRecorder::record_step(const coupling::CoupledState &state,
+                                const dda::StepResult        &step,
+                                const double                  dt,
+                                const double                  wall_time)
   {
     const double iterations = step.iterations, solver_iterations = step.solver_iterations;
-    times.push_back(state.time);
-    file.append(time_series, &state.time);
+    const double now = state.time();
+    times.push_back(now);
+    file.append(time_series, &now);
     file.append(step_series[0], &dt);
     file.append(step_series[1], &iterations);
     file.append(step_series[2], &solver_iterations);
@@ -283,21 +279,22 @@ namespace hybrid::output
     record_motion(state);
     record_total_force(state);
     update_peaks(state);
+    slip.record(state.blocks, file);
 
     const double early = 1e-9 * dt;
-    if (state.time >= next_audit - early)
+    if (now >= next_audit - early)
       {
         record_energy(state);
         const double interval = parts.scene.output.audit_interval;
-        while (next_audit <= state.time + early)
+        while (next_audit <= now + early)
           next_audit += std::max(interval, dt);
         if (interval < dt) // every step, also after one that is cut
-          next_audit = state.time + interval;
+          next_audit = now + interval;
       }
-    if (parts.scene.output.picture_interval > 0. && state.time >= next_picture - early)
+    if (parts.scene.output.picture_interval > 0. && now >= next_picture - early)
       {
         record_picture(state);
-        while (next_picture <= state.time + early)
+        while (next_picture <= now + early)
           next_picture += std::max(parts.scene.output.picture_interval, dt);
       }
     flush_if_due();
@@ -411,14 +408,17 @@ namespace hybrid::output
 
 
 
-  void RunRecorder::finish(coupling::CoupledState &state, Summary &summary)
+  void RunRecorder::finish(const coupling::CoupledState &state, Summary &summary)
   {
-    record_energy(state);
-    record_picture(state);
+    if (last_audit != state.time())
+      record_energy(state);
+    if (last_picture != state.time())
+      record_picture(state);
     write_section(state);
     if (parts.blocks != nullptr)
       {
         write_joints(state);
+        slip.finish(state.blocks, summary);
         for (const dda::JointState &joint : state.blocks.joints)
           {
             if (joint.failure == dda::FailureKind::none)

@@ -149,14 +149,16 @@ namespace hybrid::output
                        edges.tractions.size(),
                        edges.start,
                        edges.start + edges.rise_time);
+      const double peak = motion.peak_acceleration() / (scene.motion.outcrop ? 1. : 2.);
       text +=
         motion.empty()
           ? line("  motion             off")
           : line(
-              "  motion             on   %s, %s peak %.4g m/s2, %.4g s, 95 %% of its energy below %.3g Hz",
+              "  motion             on   %s, %s peak %.4g m/s2 (%.3g g), %.4g s, 95 %% of its energy below %.3g Hz",
               scene.motion.type.c_str(),
               scene.motion.outcrop ? "outcrop" : "incident",
-              motion.peak_acceleration() / (scene.motion.outcrop ? 1. : 2.),
+              peak,
+              peak / 9.80665,
               motion.duration(),
               highest_frequency(motion));
     }

@@ -3,6 +3,7 @@
 #include <hybrid/output/static_progress.h>
 
 #include <cstdio>
+#include <cstring>
 
 namespace hybrid::output
 {
@@ -11,16 +12,41 @@ namespace hybrid::output
     constexpr double first_interval  = 0.5; ///< on a terminal, before the first line [s]
     constexpr double redraw_interval = 0.2; ///< on a terminal [s]
     constexpr double line_interval   = 60.; ///< elsewhere [s]
-  }                                         // namespace
+
+
+    /// In one line of @p width characters at most.
+    std::string in_words(const dda::StaticProgress &progress, const int width)
+    {
+      char text[200];
+      for (const char *form :
+           {"Static stage: %d steps, %d iterations, relative residual %.1e (ends at %.0e)",
+            "Static stage: %d steps, %d iterations, residual %.1e of %.0e",
+            "Static: %d, %d, %.1e of %.0e"})
+        {
+          std::snprintf(text,
+                        sizeof(text),
+                        form,
+                        progress.steps,
+                        progress.iterations,
+                        progress.residual,
+                        progress.target);
+          if (std::strlen(text) <= static_cast<std::size_t>(width))
+            return text;
+        }
+      return fitting_line({text}, "", width);
+    }
+  } // namespace
 
 
 
   StaticProgressLine::StaticProgressLine(std::ostream           &stream,
                                          const bool              stream_is_terminal,
-                                         std::function<double()> clock)
+                                         std::function<double()> clock,
+                                         std::function<int()>    width)
     : out(stream)
     , is_terminal(stream_is_terminal)
     , wall_clock(clock ? std::move(clock) : std::function<double()>(steady_seconds))
+    , columns(width ? std::move(width) : std::function<int()>(terminal_width))
     , drawn_at(wall_clock())
   {}
 
@@ -36,17 +62,9 @@ namespace hybrid::output
       return;
     drawn_at = now;
     is_drawn = true;
-    char text[160];
-    std::snprintf(text,
-                  sizeof(text),
-                  "Static stage: %d steps, %d iterations, relative residual %.1e (ends at %.0e)",
-                  progress.steps,
-                  progress.iterations,
-                  progress.residual,
-                  progress.target);
     if (is_terminal)
-      out << "\r\033[K" << text << std::flush;
+      out << "\r\033[K" << in_words(progress, columns() - 1) << std::flush;
     else
-      out << text << std::endl;
+      out << in_words(progress, 1000) << std::endl;
   }
 } // namespace hybrid::output

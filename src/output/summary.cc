@@ -117,6 +117,18 @@ namespace hybrid::output
     }
 
 
+    Object slip(const Summary &summary)
+    {
+      Object object(1);
+      object.add("mean", summary.slip.mean);
+      object.add("largest", summary.slip.largest);
+      object.add("largest_at", summary.slip.where);
+      object.add("mean_left", summary.slip.mean_left);
+      object.add("largest_left", summary.slip.largest_left);
+      return object;
+    }
+
+
     Object contact_search(const Summary &summary)
     {
       Object object(1);
@@ -167,6 +179,7 @@ namespace hybrid::output
     object.add("energy_residual", summary.energy_residual);
     object.add("energy_J_per_m", numbers(summary.energy, 1));
     object.add("joints", joints(summary));
+    object.add("slip_m", slip(summary));
     object.add("filter_frequency_hz", summary.filter_frequency);
     object.add("outcrop_peak_acceleration_m_s2", summary.outcrop_peak_acceleration);
     object.add("monitors", monitors);

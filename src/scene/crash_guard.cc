@@ -54,19 +54,24 @@ namespace hybrid::scene
 
 
 
-  CrashGuard::CrashGuard(const std::string &file)
+  CrashGuard::CrashGuard(const std::string &file_name)
+    : file(file_name)
   {
-    sentence =
-      "error: " + file +
-      ": gmsh crashes on this file: look for curve loops that do not close, for curves that "
-      "cross or lie within a recombined surface (divide the surface along them) and for "
-      "malformed lines.\n";
+    suspect("look for curve loops that do not close, for curves that cross or lie within a "
+            "recombined surface (divide the surface along them) and for malformed lines");
     memory_sentence         = "error: " + file + ": " + ReadingLimit::memory_sentence() + "\n";
     struct sigaction action = {};
     action.sa_handler       = end_crash;
     for (int i = 0; i < 4; ++i)
       sigaction(crashes[i], &action, &earlier[i]);
     earlier_end = std::set_terminate(end_exception);
+  }
+
+
+
+  void CrashGuard::suspect(const std::string &what)
+  {
+    sentence = "error: " + file + ": gmsh crashes on this file: " + what + ".\n";
   }
 
 

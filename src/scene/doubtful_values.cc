@@ -174,6 +174,26 @@ namespace hybrid::scene
     }
 
 
+    /// A saturated body that is lighter than the dry one: its density is buoyant, its inertia too.
+    void look_at_saturated_density(const SceneParameters &scene, std::vector<std::string> &warnings)
+    {
+      const auto dry = scene.materials.find(scene.blocks.material);
+      const auto wet = scene.materials.find(scene.blocks.saturated_material);
+      if (!scene.blocks.enabled || !(scene.environment.water_level > -1e299) ||
+          dry == scene.materials.end() || wet == scene.materials.end() ||
+          wet->second.density >= 0.9 * dry->second.density)
+        return;
+      const double total = wet->second.density + scene.environment.water_density;
+      warnings.push_back("Materials/" + wet->first + "/Density = " + number(wet->second.density) +
+                         " kg/m3 of the saturated body is below that of " + dry->first + ", " +
+                         number(dry->second.density) +
+                         " kg/m3: as a buoyant density it makes inertia too small and S waves " +
+                         number(100. * (std::sqrt(total / wet->second.density) - 1.)) +
+                         " % too fast; give the total density, " + number(total) +
+                         ", and set Water/Method = submerged or pressures");
+    }
+
+
     /// Samples of a record that are far apart, or all zero.
     void look_at_record(const SceneParameters    &scene,
                         const Motion             &motion,
@@ -191,6 +211,32 @@ namespace hybrid::scene
     }
 
 
+    /// A peak below 1 m/s2 whose unit the user has not written: g is what most records are in.
+    void look_at_unit_of_peak(const MotionParameters   &motion,
+                              const double              found,
+                              std::vector<std::string> &warnings)
+    {
+      constexpr double smallest = 0.01, largest = 1.; // as g a weak shaking and a very strong one
+      const bool       is_given = motion.peak >= 0.;
+      const bool       is_file  = motion.type == "text" || motion.type == "spectrum";
+      if (motion.type == "none" || !(found >= smallest && found < largest) ||
+          (is_given ? motion.peak_has_unit : !is_file || motion.file_unit_is_set))
+        return;
+      const std::string value = number(found);
+      const std::string read  = value + " m/s2 (" + number(found / 9.80665) + " g)";
+      if (is_given)
+        warnings.push_back("Motion/Peak = " + value + " is read as " + read +
+                           ", a weak shaking: if it was meant in g, set Peak = " + value +
+                           " g, else Peak = " + value + " m/s2");
+      else
+        warnings.push_back(
+          (motion.type == "text" ? motion.file : motion.spectrum_file) + ": its peak is read as " +
+          read +
+          ", a weak shaking, as Motion/Unit is not set: if the file is in g, set Unit = g, "
+          "else Unit = m/s2");
+    }
+
+
     /// The peak as given or as recorded. Centrifuges shake as much harder as they pull.
     void look_at_peak(const SceneParameters    &scene,
                       const Motion             &motion,
@@ -199,6 +245,7 @@ namespace hybrid::scene
       Quantity allowed = peak;
       allowed.highest *= std::max(1., scene.environment.gravity / standard_gravity);
       const double found = motion.peak_acceleration();
+      look_at_unit_of_peak(scene.motion, found, warnings);
       if (scene.motion.peak >= 0. || scene.motion.file.empty())
         look_at("Motion", allowed, found, warnings);
       else if (!is_within(allowed, found))
@@ -231,6 +278,7 @@ namespace hybrid::scene
     look_at("Gravity", gravity, scene.environment.gravity, warnings);
     look_at_planes(scene.bedding, warnings);
     look_at_blocks(scene, warnings);
+    look_at_saturated_density(scene, warnings);
     look_at_peak(scene, motion, warnings);
     look_at_record(scene, motion, warnings);
     return warnings;

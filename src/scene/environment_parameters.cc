@@ -49,7 +49,7 @@ namespace hybrid::scene
   {
     if (scene.environment.water_method == WaterMethod::paper)
       return;
-    if (!(scene.environment.water_level > -1e299))
+    if (!table.is_set("Water/Level"))
       throw table.error("Water/Method", "needs the elevation of the water in Water/Level");
     for (const std::string &name : {scene.blocks.material, scene.blocks.saturated_material})
       if (scene.blocks.enabled && !name.empty() &&

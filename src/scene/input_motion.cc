@@ -112,6 +112,26 @@ namespace hybrid::scene
     }
 
 
+    /// "1.75 m/s2 (0.1785 g)".
+    std::string in_both_units(const double acceleration)
+    {
+      return in_words(acceleration) + " m/s2 (" + in_words(acceleration / 9.80665) + " g)";
+    }
+
+
+    /// How the motion follows from a record or spectrum with the peak @p found [m/s2].
+    std::string scaling_of(const MotionParameters &parameters, const double found)
+    {
+      if (parameters.type != "text" && parameters.type != "at2" && parameters.type != "spectrum")
+        return "";
+      const std::string source = parameters.type == "spectrum" ? "of the spectrum" : "as recorded";
+      if (parameters.peak < 0. || found == 0.)
+        return "peak " + in_both_units(found) + " " + source + ", scale factor 1";
+      return "peak " + in_both_units(parameters.peak) + ", scale factor " +
+             in_words(parameters.peak / found) + " on " + in_both_units(found) + " " + source;
+    }
+
+
     InputMotion make(const MotionParameters &parameters, const double time_step)
     {
       InputMotion input;
@@ -136,6 +156,7 @@ namespace hybrid::scene
                          "'; it must be none, ricker, sine, synthetic, spectrum, text or at2.");
 
       const double found = input.motion.peak_acceleration();
+      input.scaling      = scaling_of(parameters, found);
       if (parameters.peak == 0.)
         input.motion = input.motion.scaled(0.);
       else if (parameters.peak > 0.)

@@ -139,7 +139,11 @@ namespace hybrid::scene
           const auto found = count.find(sorted(edge));
           if (found == count.end() || found->second != cells)
             throw InputError("The line " + name + " at " + at(middle(mesh, edge)) +
-                             " must run along cell edges " + where + " of the bedrock.");
+                             " must run along cell edges " + where + " of the bedrock" +
+                             (cells == 2 ? "; gmsh keeps no line within a recombined surface, so "
+                                           "divide the surface along it, a Plane Surface on "
+                                           "either side."
+                                         : "."));
         }
     }
 

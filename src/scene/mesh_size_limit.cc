@@ -47,7 +47,7 @@ namespace hybrid::scene
   } // namespace
 
 
-  void check_mesh_size(const std::string &file)
+  double check_mesh_size(const std::string &file)
   {
     double           cells = 0., edges = 0., length = 0.;
     gmsh::vectorpair surfaces;
@@ -65,7 +65,7 @@ namespace hybrid::scene
         length += boundary.length;
       }
     if (!(cells > most_cells))
-      return;
+      return cells;
     std::ostringstream text;
     text.precision(2);
     text << "the mesh would have about " << cells << " cells: the edges on the boundaries of its "

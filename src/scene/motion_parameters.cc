@@ -27,10 +27,11 @@ namespace hybrid::scene
         {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}},
         "Unit of the accelerations in a text or spectrum file (.at2 files are in "
         "g, unless their header says otherwise).");
-      section.number_or(
+      section.quantity_or(
         "Peak",
         {"as recorded", motion.peak},
-        "m/s2",
+        motion.peak_has_unit,
+        {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}},
         ParameterRange::closed(0., 1e4),
         "Scale the motion to this peak acceleration; as recorded: leave a record as it is "
         "and a spectrum as given; ricker, sine and synthetic have 1 m/s2.");

@@ -119,7 +119,8 @@ namespace hybrid::scene
         }
       throw InputError(file,
                        0,
-                       "no header line with NPTS and DT was found; is this a PEER AT2 record?");
+                       "no header line with NPTS and DT was found, as PEER's records have; for two "
+                       "columns of time and acceleration set Motion/Type = text.");
     }
 
 
@@ -172,11 +173,53 @@ namespace hybrid::scene
                            "the time " + in_words(t[i]) + " s should be " +
                              in_words(t[0] + i * dt) + " s; samples must be equally spaced.");
     }
+
+
+    /// A file of PEER's is known by its header, whatever its name.
+    void refuse_at2(const std::string &file)
+    {
+      std::ifstream stream(file);
+      std::string   line;
+      At2Header     header;
+      for (int number = 1; number <= 20 && std::getline(stream, line); ++number)
+        {
+          bool has_header = false;
+          try
+            {
+              has_header = parse_points_and_step(upper_case(line.substr(0, line.find('#'))),
+                                                 file,
+                                                 number,
+                                                 header);
+            }
+          catch (const InputError &)
+            {} // another use of the word
+          if (has_header)
+            throw InputError(
+              file,
+              number,
+              "this is a record of PEER (NPTS and DT in its header); set Motion/Type "
+              "= at2.");
+        }
+    }
+
+
+    InputError wrong_columns_of_motion(const TableRow &row, const std::string &file)
+    {
+      double value;
+      if (row.fields.size() == 1 && parse_number(row.fields[0], value))
+        return {file,
+                row.line,
+                "found 1 column; expected time [s] and acceleration (to accelerations alone add "
+                "the time before each, or the header of a PEER record with NPTS and DT for "
+                "Motion/Type = at2)."};
+      return wrong_columns(row, "time [s] and acceleration", file);
+    }
   } // namespace
 
 
   Motion read_text_motion(const std::string &file, const double unit)
   {
+    refuse_at2(file);
     const std::vector<TableRow> rows = read_text_table(file);
     if (rows.size() < 2)
       throw InputError(file,
@@ -188,12 +231,7 @@ namespace hybrid::scene
     for (const TableRow &row : rows)
       {
         if (row.fields.size() != 2)
-          throw wrong_columns(row,
-                              "time [s] and acceleration" +
-                                std::string(upper_case(file).rfind(".AT2") + 4 == file.size()
-                                              ? ", or Motion/Type = at2 for a file of PEER"
-                                              : ""),
-                              file);
+          throw wrong_columns_of_motion(row, file);
         t.push_back(to_number(row.fields[0], "a time [s]", file, row.line));
         a.push_back(to_acceleration(row.fields[1], unit, file, row.line));
       }

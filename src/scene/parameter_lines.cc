@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/parameter_lines.h>
 #include <hybrid/scene/parameter_values.h>
+#include <hybrid/scene/path_hint.h>
 #include <hybrid/scene/text_table.h>
 
 #include <algorithm>
@@ -47,7 +48,11 @@ namespace hybrid::scene
       if (std::filesystem::is_directory(file))
         throw InputError("'" + file + "' is a directory, not a parameter file");
       if (!in)
-        throw InputError("parameter file '" + file + "' cannot be read: " + std::strerror(errno));
+        {
+          const std::string reason = std::strerror(errno);
+          throw InputError("parameter file '" + file + "' cannot be read: " + reason +
+                           file_hint(file, file));
+        }
 
       files.push_back(std::filesystem::weakly_canonical(file).string());
       std::vector<OpenSection> open;
@@ -127,7 +132,13 @@ namespace hybrid::scene
       const std::string key    = trim(rest.substr(0, equals));
       if (equals == std::string::npos || key.empty())
         throw InputError(file, line, "'set " + rest + "' must have the form 'set NAME = VALUE'");
-      lines.push_back({file, line, section, key, trim(rest.substr(equals + 1)), false});
+      lines.push_back({file,
+                       line,
+                       section,
+                       key,
+                       trim(rest.substr(equals + 1)),
+                       false,
+                       static_cast<int>(files.size()) - 1});
     }
 
     void Scanner::include(const std::string &name, const std::string &file, const int line)
@@ -138,7 +149,9 @@ namespace hybrid::scene
       const std::string path =
         (fs::path(file).parent_path() / name).lexically_normal().string(); // absolute names stay
       if (!fs::is_regular_file(path))
-        throw InputError(file, line, "included file '" + path + "' cannot be read");
+        throw InputError(file,
+                         line,
+                         "included file '" + path + "' cannot be read" + file_hint(name, path));
       if (std::count(files.begin(), files.end(), fs::weakly_canonical(path).string()) > 0)
         throw InputError(file, line, "included file '" + path + "' includes itself");
       scan(path);

@@ -57,6 +57,46 @@ namespace hybrid::scene
        }});
   }
 
+  void ParameterSection::quantity_or(const std::string                      &name,
+                                     const std::pair<std::string, double &> &word_and_member,
+                                     bool                                   &has_unit,
+                                     const std::vector<Unit>                &units,
+                                     const ParameterRange                   &range,
+                                     const std::string                      &help)
+  {
+    const std::string word   = word_and_member.first;
+    double           &member = word_and_member.second;
+    std::string       list;
+    for (const Unit &unit : units)
+      list += (list.empty() ? "" : unit == units.back() ? " or " : ", ") + unit.first;
+    const std::string allowed = "'" + word + "' or a number" + range.text() +
+                                with_unit(units.front().first) + ", with or without its unit " +
+                                list;
+    const auto assign = [=, &member, &has_unit](const std::string &value) {
+      has_unit = false;
+      if (value == word)
+        return;
+      const std::size_t end  = value.find_first_not_of("+-.0123456789eE");
+      const std::string text = value.substr(0, end);
+      double            size = 1.;
+      if (end != std::string::npos)
+        {
+          const auto unit = std::find_if(units.begin(), units.end(), [&](const Unit &u) {
+            return u.first == trim(value.substr(end));
+          });
+          if (unit == units.end())
+            throw InputError("must be " + allowed);
+          has_unit = true;
+          size     = unit->second;
+        }
+      const std::optional<double> number = parse_number(text);
+      if (!number || !range.contains(size * *number))
+        throw InputError("must be " + allowed);
+      member = size * *number;
+    };
+    table.declare(section, {name, word, {Kind::text, allowed, ""}, help, assign});
+  }
+
   void ParameterSection::integer(const std::string         &name,
                                  int                       &member,
                                  const std::pair<int, int> &range,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/nearest_name.h>
 #include <hybrid/scene/parameter_table.h>
+#include <hybrid/scene/path_hint.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/patterns.h>
@@ -81,7 +82,7 @@ namespace hybrid::scene
       const fs::path path = fs::absolute(base / line.value).lexically_normal();
       if (!fs::is_regular_file(path))
         throw line.error(line.path() + " = '" + line.value + "': there is no file '" +
-                         path.string() + "'");
+                         path.string() + "'" + file_hint(line.value, path.string()));
       return path.string();
     }
 
@@ -161,8 +162,9 @@ namespace hybrid::scene
     if (found == implementation->index.end())
       refuse_unknown(line);
 
-    Entry &entry = implementation->entries[found->second];
-    if (entry.is_set && !line.is_override)
+    Entry     &entry      = implementation->entries[found->second];
+    const bool is_variant = line.depth < entry.line.depth; // of a file that it includes
+    if (entry.is_set && !line.is_override && !is_variant)
       throw line.error("parameter '" + line.path() + "' is set a second time; the first is at " +
                        entry.line.file + ":" + std::to_string(entry.line.line));
     entry.is_set = true;

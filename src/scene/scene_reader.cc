@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/parameter_declarations.h>
+#include <hybrid/scene/path_hint.h>
 #include <hybrid/scene/scene_reader.h>
 
 #include <ostream>
@@ -77,6 +78,7 @@ namespace hybrid::scene
       for (const ParameterLine &line : lines)
         table.set(line);
       table.assign();
+      scene.motion.file_unit_is_set = table.is_set("Motion/Unit");
       resolve_bedrock(scene, table);
       resolve_scheme(scene, table);
       check(scene, table);
@@ -156,6 +158,9 @@ namespace hybrid::scene
     check(scene.monitors, table);
     if (scene.output.directory.empty())
       throw table.error("Output/Directory", "must name a directory");
+    const std::string hint = path_hint(scene.output.directory);
+    if (!hint.empty())
+      throw table.error("Output/Directory", "is not a path as it stands" + hint);
   }
 
   SceneParameters read_scene(const std::string &file, const std::vector<std::string> &overrides)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/crash_guard.h>
+#include <hybrid/scene/curve_check.h>
 #include <hybrid/scene/edge_chain.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/mesh_size_limit.h>
@@ -415,7 +416,22 @@ namespace hybrid::scene
     }
 
 
-    SectionMesh read_gmsh_file(const std::string &file, const Numbers &numbers)
+    /// Once the curves of a geometry are meshed. @return the number of cells at most.
+    double check_before_meshing(const std::string &file, CrashGuard &guard)
+    {
+      check_curves(file);
+      const std::string within = curves_within_surfaces();
+      if (!within.empty())
+        guard.suspect("look at " + within +
+                      ": divide a recombined surface along each curve, a Plane Surface on either "
+                      "side, as gmsh keeps no curve within it");
+      return check_mesh_size(file);
+    }
+
+
+    SectionMesh read_gmsh_file(const std::string                 &file,
+                               const Numbers                     &numbers,
+                               const std::function<void(double)> &before_meshing)
     {
       if (!std::filesystem::is_regular_file(file))
         throw InputError(file, 0, "there is no such mesh file.");
@@ -431,8 +447,8 @@ namespace hybrid::scene
       if (!numbers.empty())
         check_numbers(file, numbers);
 
-      const CrashGuard guard(file);
-      GmshSession      session;
+      CrashGuard  guard(file);
+      GmshSession session;
       session.run(file, [&]() {
         for (const auto &[name, value] : numbers)
           gmsh::onelab::setNumber(name, {value});
@@ -447,7 +463,9 @@ namespace hybrid::scene
           check_corners(file);
           gmsh::model::mesh::generate(1);
         }
-        check_mesh_size(file);
+        const double cells = check_before_meshing(file, guard);
+        if (before_meshing)
+          before_meshing(cells);
         gmsh::model::mesh::generate(2);
       });
       SectionMesh mesh;
@@ -457,11 +475,12 @@ namespace hybrid::scene
   } // namespace
 
 
-  SectionMesh read_section_mesh(const MeshParameters &parameters)
+  SectionMesh read_section_mesh(const MeshParameters              &parameters,
+                                const std::function<void(double)> &before_meshing)
   {
     SectionMesh mesh;
     if (!parameters.file.empty())
-      mesh = read_gmsh_file(parameters.file, parameters.numbers);
+      mesh = read_gmsh_file(parameters.file, parameters.numbers, before_meshing);
     if (!parameters.polygons_file.empty())
       read_polygons(parameters.polygons_file, mesh);
     if (!parameters.surface_file.empty())

@@ -20,6 +20,53 @@ namespace hybrid::scene
         return "";
       return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
     }
+
+
+    /// Line @p number of a file, without its comment.
+    std::string line_of(const std::string &file, const int number)
+    {
+      std::ifstream stream(file);
+      std::string   text;
+      for (int line = 0; line < number && std::getline(stream, text);)
+        ++line;
+      return trimmed(text.substr(0, text.find('#')));
+    }
+
+
+    /// "0,01 0,3" or "0,01;0,3": digits on both sides of every comma, and another separator.
+    bool has_decimal_commas(const std::string &text)
+    {
+      const auto is_digit = [&](const std::size_t i) {
+        return i < text.size() && text[i] >= '0' && text[i] <= '9';
+      };
+      bool has_comma = false;
+      for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] == ',')
+          {
+            if (i == 0 || !is_digit(i - 1) || !is_digit(i + 1))
+              return false;
+            has_comma = true;
+          }
+      return has_comma && text.find_first_of(" \t;") != std::string::npos &&
+             text.find('.') == std::string::npos;
+    }
+
+
+    /// What would make a row readable, in brackets; empty if that is not known.
+    std::string remedy_for(const std::string &text)
+    {
+      if (text.find('"') != std::string::npos || text.find('\'') != std::string::npos)
+        return " (leave the quotation marks away)";
+      if (has_decimal_commas(text))
+        return " (the decimal mark must be a point: 0.01 for 0,01)";
+      double                         value;
+      const std::vector<std::string> fields = split_fields(text);
+      if (std::none_of(fields.begin(), fields.end(), [&](const std::string &field) {
+            return parse_number(field, value);
+          }))
+        return " (a line of words must start with #)";
+      return "";
+    }
   } // namespace
 
 
@@ -83,13 +130,7 @@ namespace hybrid::scene
     const std::size_t n = row.fields.size();
     std::string       sentence =
       "found " + std::to_string(n) + (n == 1 ? " column" : " columns") + "; expected " + expected;
-    double     value;
-    const bool has_number =
-      std::any_of(row.fields.begin(), row.fields.end(), [&](const std::string &field) {
-        return parse_number(field, value);
-      });
-    if (!has_number)
-      sentence += " (a line of words must start with #)";
+    sentence += remedy_for(line_of(file, row.line));
     return {file, row.line, sentence + "."};
   }
 
@@ -112,7 +153,10 @@ namespace hybrid::scene
   {
     double value;
     if (!parse_number(text, value))
-      throw InputError(file, line, "'" + text + "' is not a number; expected " + what + ".");
+      throw InputError(file,
+                       line,
+                       "'" + text + "' is not a number; expected " + what +
+                         remedy_for(line_of(file, line)) + ".");
     return value;
   }
 } // namespace hybrid::scene

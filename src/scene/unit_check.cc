@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace hybrid::scene
@@ -109,6 +110,55 @@ namespace hybrid::scene
            << in_unit(std::sqrt(largest), "millimetres", 0.001);
       warnings.push_back(text.str());
     }
+    /// Half of the blocks are smaller [m].
+    double typical_block(const SectionMesh &mesh)
+    {
+      std::vector<double> sizes;
+      for (const auto &block : mesh.blocks)
+        sizes.push_back(std::sqrt(std::max(area(mesh, block), 0.)));
+      if (sizes.empty())
+        return 0.;
+      std::nth_element(sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
+      return sizes[sizes.size() / 2];
+    }
+
+
+    /// Strengths of 50 to 999 Pa are nothing for blocks of a metre and more: kPa were meant.
+    /// Smaller ones are doubted in every scene.
+    void warn_of_strengths(const SectionMesh        &mesh,
+                           const SceneParameters    &scene,
+                           std::vector<std::string> &warnings)
+    {
+      constexpr double         lowest = 50., highest = 1000.; // [Pa]
+      const double             size = typical_block(mesh);
+      std::vector<std::string> names;
+      for (const std::string *name : {&scene.blocks.material,
+                                      &scene.blocks.saturated_material,
+                                      &scene.blocks.belt_material,
+                                      &scene.blocks.saturated_belt_material})
+        if (scene.materials.count(*name) > 0 && std::count(names.begin(), names.end(), *name) == 0)
+          names.push_back(*name);
+      if (!scene.blocks.enabled || size < 1. || names.empty())
+        return;
+      const double density = scene.materials.at(names.front()).density;
+      for (const std::string &name : names)
+        {
+          const Material &m    = scene.materials.at(name);
+          const auto      warn = [&](const char *what, const double value) {
+            if (value < lowest || value >= highest)
+              return;
+            std::ostringstream text;
+            text.precision(3);
+            text << "Materials/" << name << "/" << what << " = " << value
+                 << " Pa is doubtful with blocks of " << size << " m: it carries the weight of "
+                 << 1000. * value / (density * 9.81) << " mm of them; if it was meant in kPa, give "
+                 << std::setprecision(6) << 1000. * value;
+            warnings.push_back(text.str());
+          };
+          warn("Cohesion", m.cohesion);
+          warn("Tensile strength", m.tensile_strength);
+        }
+    }
   } // namespace
 
 
@@ -159,6 +209,7 @@ namespace hybrid::scene
         length(small) +
         "; coordinates are read as metres: " + in_unit(extent, "kilometres", 1000.));
     warn_of_blocks(mesh, warnings);
+    warn_of_strengths(mesh, scene, warnings);
     return warnings;
   }
 } // namespace hybrid::scene

@@ -134,7 +134,7 @@ namespace hybrid::test
                const scene::SceneParameters &parameters,
                const scene::Motion          &motion = {})
       : scene(parameters)
-      , rock(section_mesh(layout), scene, motion, MPI_COMM_WORLD)
+      , rock(section_mesh(layout), scene, {motion, scene.motion}, MPI_COMM_WORLD)
       , base(std::make_unique<coupling::CondensedBase>(rock))
       , model(dda::build_model(section_mesh(layout), scene, base->surface_nodes()))
     {
@@ -147,7 +147,7 @@ namespace hybrid::test
                const scene::Motion          &motion,
                const Wave                    wave)
       : scene(parameters)
-      , rock(section_mesh(layout), scene, motion, MPI_COMM_WORLD)
+      , rock(section_mesh(layout), scene, {motion, scene.motion}, MPI_COMM_WORLD)
     {
       auto walled = std::make_unique<WalledBase>(rock, layout, wave);
       model       = dda::build_model(section_mesh(layout), scene, walled->surface_nodes());
@@ -175,7 +175,7 @@ namespace hybrid::test
     /// Largest relative energy residual so far, this state included [-].
     double audit(const double dt)
     {
-      rock.audit_energy(state.continuum, dt);
+      state.continuum.energy = rock.audit_energy(state.continuum, dt);
       ledger.update(state);
       return ledger.largest_residual();
     }

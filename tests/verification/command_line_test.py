@@ -5,10 +5,16 @@
 
 Usage: command_line_test.py HYBRID_BINARY SOURCE_DIR WORK_DIR
 """
+import fcntl
+import os
 import pathlib
+import pty
+import re
 import shutil
+import struct
 import subprocess
 import sys
+import termios
 
 BINARY, SOURCE, WORK = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 SCENE = (SOURCE / "parameters/verification/coupled_column.prm").read_text(encoding="utf-8")
@@ -121,6 +127,11 @@ def check_mistakes():
     expect_mistake("-s without value", [good, "-s", "Time/Time step"], "-s")
     expect_mistake("two files", [good, good], "good.prm")
     expect_mistake("unknown option", [good, "--fast"], "--fast")
+    expect_mistake("misspelt option", [good, "--forse"], "did you mean '--force'?")
+    result = run("--chek", good)
+    require(result.returncode == 2 and "did you mean '--check'?" in result.stderr, "--chek", result)
+    expect_mistake("quoted record", [good, "-s", "Motion/Type=text", "-s", "Motion/File='record.txt'"], "leave the quotation marks away")
+    expect_mistake("~ in the output directory", [good, "-s", "Output/Directory=~/output"], "write the whole path")
 
     (WORK / "a_file").write_text("", encoding="utf-8")
     before = sorted(WORK.rglob("*"))
@@ -139,6 +150,16 @@ def check_good_ways():
 
     result = run("--help")
     require(result.returncode == 0 and "--check" in result.stdout, "--help", result)
+
+    fine = "Mesh/Numbers=Width = 10; Height = 20; Block height = 10; Resolution/h = 0.135"
+    result = run("--check", good, "-s", fine, "-s", "Model/Blocks=none", "-s", "Monitors/Points=base: 5, 0")
+    require(result.returncode == 0 and "Meshing: up to 0.02" in result.stdout, "a fine mesh is announced", result)
+
+    result = run("help")
+    require(result.returncode == 0 and "--version" in result.stdout, "help", result)
+    result = run("--version")
+    require(result.returncode == 0 and all(word in result.stdout for word in (
+        "hybrid ", "commit ", "deal.II ", "Trilinos ", "gmsh ", "Eigen ", "HDF5 ")), "--version", result)
 
     result = run("--print-parameters")
     require(result.returncode == 0 and not result.stderr, "--print-parameters", result)
@@ -160,11 +181,42 @@ def check_good_ways():
     require((WORK / "stopped/summary.json").is_file(), "a stopped run has a summary")
 
 
+def on_a_terminal(columns, *words):
+    """What the program draws on a terminal of so many columns."""
+    master, slave = pty.openpty()
+    fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+    process = subprocess.Popen([BINARY, *map(str, words)], cwd=WORK, stdout=slave, stderr=subprocess.DEVNULL)
+    os.close(slave)
+    text = b""
+    while True:
+        try:
+            piece = os.read(master, 4096)
+        except OSError:  # the other end is closed
+            break
+        if not piece:
+            break
+        text += piece
+    os.close(master)
+    process.wait()
+    return text.decode()
+
+
+def check_progress_line():
+    """Redrawn lines are narrower than the terminal: a wider one would begin another at each redraw."""
+    for columns in (80, 50):
+        text = on_a_terminal(columns, WORK / "good.prm", "--force", "-s", "Output/Directory=drawn", "-s", "Time/End time=0.2")
+        drawn = [line for line in re.findall(r"\r\033\[K([^\r\n]*)", text) if "%  t =" in line]
+        require(drawn, f"a terminal of {columns} columns shows the progress")
+        for line in drawn:
+            require(len(line) < columns, f"{len(line)} characters are drawn on {columns} columns: {line}")
+
+
 def main():
     shutil.rmtree(WORK, ignore_errors=True)
     WORK.mkdir(parents=True)
     check_mistakes()
     check_good_ways()
+    check_progress_line()
     print(f"{len(complaints)} complaints")
     return 1 if complaints else 0
 

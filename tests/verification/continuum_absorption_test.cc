@@ -42,9 +42,9 @@ TEST(Absorption, wave_leaves_through_the_base)
       Continuum           continuum(test::rectangle_mesh(test::equal_spacing(0., 20., 2),
                                                test::equal_spacing(0., 400., 40)),
                           scene,
-                          test::ricker(8., dt),
+                          {test::ricker(8., dt), scene.motion},
                           MPI_COMM_WORLD);
-      const int           top   = continuum.add_point({10., 400.}, "top");
+      const auto          top   = continuum.point({10., 400.});
       auto                state = continuum.initial_state();
       const double        speed = component == 0 ? c_s : c_p;
       std::vector<double> before, after;
@@ -94,14 +94,14 @@ TEST(Absorption, wave_leaves_through_the_sides)
           state.velocity[i]     = -speed * pulse_slope(x);
           state.acceleration[i] = speed * speed * pulse_curvature(x);
         }
-      std::vector<int> probes;
+      std::vector<Continuum::Point> probes;
       for (const double x : {30., 90., 150., 210., 270.})
-        probes.push_back(continuum.add_point({x, 0.5 * height}, "probe"));
+        probes.push_back(continuum.point({x, 0.5 * height}));
       double left = 0.;
       while (state.time < 320. / speed)
         {
           continuum.step(state, 0.5 / speed);
-          for (const int probe : probes)
+          for (const auto &probe : probes)
             if (state.time > 250. / speed)
               left = std::max(left, std::abs(continuum.sample(state, probe).velocity[component]));
         }

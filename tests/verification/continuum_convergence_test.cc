@@ -125,10 +125,10 @@ namespace
           state.displacement[2 * n + c] = wave.shape(points[n])[c];
           state.acceleration[2 * n + c] = -wave.omega * wave.omega * wave.shape(points[n])[c];
         }
-    const auto       at = sampling_points();
-    std::vector<int> probes;
+    const auto                    at = sampling_points();
+    std::vector<Continuum::Point> probes;
     for (const Vec2 &x : at)
-      probes.push_back(continuum.add_point(x, "probe"));
+      probes.push_back(continuum.point(x));
     for (int i = 0; i < steps; ++i)
       continuum.step(state, dt);
 

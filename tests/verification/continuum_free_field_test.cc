@@ -37,10 +37,10 @@ namespace
     /// Velocity histories of points along the surface.
     std::vector<std::vector<double>> run(const int component) const
     {
-      Continuum        continuum(section, scene, test::ricker(6., dt), MPI_COMM_WORLD);
-      std::vector<int> points;
+      Continuum continuum(section, scene, {test::ricker(6., dt), scene.motion}, MPI_COMM_WORLD);
+      std::vector<Continuum::Point> points;
       for (const double x : {0., 3., 30., 100., 160., 200.})
-        points.push_back(continuum.add_point({x, height}, "surface"));
+        points.push_back(continuum.point({x, height}));
       auto                             state = continuum.initial_state();
       std::vector<std::vector<double>> result(points.size());
       for (int k = 0; k < 900; ++k)
@@ -76,8 +76,11 @@ namespace
     mesh.lines["ground"]      = turned.at("right");
     mesh.lines["left"]        = turned.at("base");
     mesh.lines["right"]       = turned.at("ground");
-    Continuum           continuum(mesh, ground.scene, test::ricker(6., dt), MPI_COMM_WORLD);
-    const int           point = continuum.add_point({height, 10.}, "surface");
+    Continuum           continuum(mesh,
+                        ground.scene,
+                        {test::ricker(6., dt), ground.scene.motion},
+                        MPI_COMM_WORLD);
+    const auto          point = continuum.point({height, 10.});
     auto                state = continuum.initial_state();
     std::vector<double> result;
     for (int k = 0; k < 900; ++k)

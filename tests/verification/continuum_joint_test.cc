@@ -49,9 +49,9 @@ namespace
     scene.bedding.shear_stiffness  = shear ? 6e7 : 1e12;
     if (jointed)
       scene.bedding.names = {"bedding_1"};
-    Continuum           continuum(bar(shear), scene, test::ricker(10., dt), MPI_COMM_WORLD);
+    Continuum continuum(bar(shear), scene, {test::ricker(10., dt), scene.motion}, MPI_COMM_WORLD);
     const double        at    = joint_at + 15.;
-    const int           probe = continuum.add_point(shear ? Vec2(at, 10.) : Vec2(10., at), "probe");
+    const auto          probe = continuum.point(shear ? Vec2(at, 10.) : Vec2(10., at));
     auto                state = continuum.initial_state();
     std::vector<double> velocity;
     const double        speed = shear ? 1000. : 1000. * std::sqrt(3.);

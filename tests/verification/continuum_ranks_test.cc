@@ -26,8 +26,8 @@ namespace
     scene.bedding.names                = {"bedding_1"};
     scene.motion.angle                 = 20.;
     scene.time.newmark                 = newmark;
-    Continuum       continuum(section, scene, test::ricker(10., 1e-3), communicator);
-    auto            state  = continuum.initial_state();
+    Continuum continuum(section, scene, {test::ricker(10., 1e-3), scene.motion}, communicator);
+    auto      state        = continuum.initial_state();
     Eigen::VectorXd lambda = Eigen::VectorXd::Zero(2 * continuum.surface_nodes().size());
     for (int k = 0; k < 200; ++k)
       {
@@ -38,7 +38,7 @@ namespace
                           continuum.surface_stiffness(1e-3).ldlt().solve(g + lambda),
                           lambda);
       }
-    continuum.audit_energy(state, 1e-3);
+    state.energy = continuum.audit_energy(state, 1e-3);
     return state;
   }
 

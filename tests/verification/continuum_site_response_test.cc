@@ -35,9 +35,9 @@ namespace
     Continuum           continuum(test::rectangle_mesh(test::equal_spacing(0., 20., 2),
                                              test::equal_spacing(0., thickness, 10)),
                         layer_scene(angle),
-                        motion,
+                        {motion, scene.motion},
                         MPI_COMM_WORLD);
-    const int           top   = continuum.add_point({10., thickness}, "top");
+    const auto          top   = continuum.point({10., thickness});
     auto                state = continuum.initial_state();
     std::vector<double> surface, outcrop;
     for (int k = 0; k < 8000; ++k)
@@ -86,9 +86,9 @@ TEST(SiteResponse, rigid_base_amplifies_by_one_over_cosine)
   Continuum           continuum(test::rectangle_mesh(test::equal_spacing(0., 20., 2),
                                            test::equal_spacing(0., thickness, 10)),
                       scene,
-                      motion,
+                      {motion, scene.motion},
                       MPI_COMM_WORLD);
-  const int           top   = continuum.add_point({10., thickness}, "top");
+  const auto          top   = continuum.point({10., thickness});
   auto                state = continuum.initial_state();
   double              peak  = 0.;
   while (state.time < 15.9)

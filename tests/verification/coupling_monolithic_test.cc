@@ -27,7 +27,7 @@ namespace
       , rock(continuum::split_bedding_planes(section, {}))
       , space(rock, section, run.scene.continuum.degree, MPI_COMM_WORLD)
       , material(rock.cells.size(), run.scene.materials.at("rock"))
-      , boundary(rock, space.nodes, material, section, run.scene, motion)
+      , boundary(rock, space.nodes, material, section, run.scene, {motion, run.scene.motion})
       , n_rock(2 * static_cast<int>(space.nodes.positions.size()))
     {
       const int n = n_rock + 6 * run.model.n_blocks();

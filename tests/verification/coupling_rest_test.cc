@@ -86,7 +86,7 @@ namespace
   {
     const std::vector<Vec2> start = run.state.blocks.geometry.vertices;
     double                  worst = 0.;
-    while (run.state.time < 10. - 0.5 * dt)
+    while (run.state.time() < 10. - 0.5 * dt)
       if (!run.advance(dt, 4))
         return 1e300;
     for (std::size_t v = 0; v < start.size(); ++v)
@@ -168,7 +168,7 @@ TEST(CouplingRest, pulse_and_gravity_keep_the_energy_balance)
   CoupledRun run(mass_on_rock(), resting_parameters(), scene::Motion(dt, a));
   ASSERT_TRUE(settle(run).equilibrium);
   run.audit(dt);
-  while (run.state.time < 1.)
+  while (run.state.time() < 1.)
     {
       ASSERT_TRUE(run.advance(dt, 4));
       run.audit(dt);

@@ -73,9 +73,8 @@ namespace
     layout.walled          = true;
     const double peak_time = 1.5 / frequency, dt = 1. / (1000. * frequency);
     CoupledRun   run(layout, scene, pulse(peak_time), wave);
-    const double x = layout.size; // middle
-    const int    station =
-      run.rock.add_point(Vec2(x, -wavelength), "one wavelength below the interface");
+    const double x         = layout.size; // middle
+    const auto   station   = run.rock.point(Vec2(x, -wavelength));
     const int    component = wave == Wave::shear ? 0 : 1;
     const int    surface   = run.block_at(Vec2(x, layout.size * mass_rows));
     const double surface_y = run.state.blocks.blocks[surface].centroid.y();

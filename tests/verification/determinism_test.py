@@ -30,6 +30,11 @@ def run(binary, scene, directory, threads, overrides):
     environment = dict(os.environ)
     environment.pop("OMP_NUM_THREADS", None)
     subprocess.run(words, check=True, stdout=subprocess.DEVNULL, env=environment)
+    return read(directory)
+
+
+def read(directory):
+    """Data sets of run.h5 by name."""
     data = {}
     with h5py.File(directory / "run.h5", "r") as file:
         file.visititems(lambda name, item: data.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None)

@@ -5,7 +5,7 @@
 #include <hybrid/continuum/element_nodes.h>
 #include <hybrid/continuum/free_field_column.h>
 #include <hybrid/continuum/node_matrices.h>
-#include <hybrid/scene/motion.h>
+#include <hybrid/scene/ground_motion.h>
 #include <hybrid/scene/scene_parameters.h>
 
 #include <vector>
@@ -39,7 +39,7 @@ namespace hybrid::continuum
                    const std::vector<Material>  &cell_material,
                    const scene::SectionMesh     &section,
                    const scene::SceneParameters &scene,
-                   scene::Motion                 motion);
+                   scene::GroundMotion           motion);
 
     /// Per unknown of the finite-element space.
     const std::vector<Support> &supports() const
@@ -106,13 +106,10 @@ namespace hybrid::continuum
                         const std::vector<double> &v_ff) const;
 
     /// Acceleration of a rigid base [m/s2].
-    Vec2 base_acceleration(double time) const;
-
-    /// Upgoing wave at a compliant base [m/s].
-    Vec2 wave_velocity(double time) const;
-
-    /// Its displacement [m].
-    Vec2 wave_displacement(double time) const;
+    Vec2 base_acceleration(const double time) const
+    {
+      return motion.outcrop_acceleration(time);
+    }
 
   private:
     /// A face with dashpots.
@@ -149,10 +146,7 @@ namespace hybrid::continuum
 
     LagrangeLine         line;
     BoundarySprings      elastic;
-    scene::Motion        motion;
-    Vec2                 direction{1., 0.};
-    double               upgoing   = 0.5; ///< upgoing wave over the motion
-    double               start     = 0.;
+    scene::GroundMotion  motion;
     bool                 compliant = false, moves = false;
     Material             half_space; ///< below the first base cell if none is named
     std::vector<Support> support;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <hybrid/continuum/slip_state.h>
-#include <hybrid/scene/motion.h>
+#include <hybrid/scene/ground_motion.h>
 #include <hybrid/scene/scene_parameters.h>
 #include <hybrid/scene/section_mesh.h>
 
@@ -63,7 +63,7 @@ namespace hybrid::continuum
    *   3. correct(state, dt, u_G, lambda): backward substitution; the state is that of t + dt.
    * Without blocks step(state, dt) does all three with lambda = 0.
    *
-   * A rigid base takes the motion's acceleration; its velocity and displacement are those of the
+   * A rigid base takes the outcrop's acceleration; its velocity and displacement are those of the
    * Newmark scheme (the discrete integral of the record), so that no step excites high frequencies.
    * In the energy balance
    *   kinetic + newmark + strain + boundary_springs = input_work + surface_work - boundary_loss -
@@ -76,7 +76,7 @@ namespace hybrid::continuum
     /// @throws InputError for a mesh or parameters that cannot be used.
     Continuum(const scene::SectionMesh     &mesh,
               const scene::SceneParameters &scene,
-              const scene::Motion          &motion,
+              const scene::GroundMotion    &motion,
               MPI_Comm                      communicator);
     ~Continuum();
 
@@ -147,8 +147,8 @@ namespace hybrid::continuum
     /// What the points of @p plane do now.
     BeddingValues bedding_values(const ContinuumState &state, const BeddingPlane &plane) const;
 
-    /// Recompute the "now" energies of @p state (kinetic, newmark, strain).
-    void audit_energy(ContinuumState &state, double dt) const;
+    /// The sums of @p state with its energies of now (kinetic, newmark, strain).
+    [[nodiscard]] ContinuumEnergy audit_energy(const ContinuumState &state, double dt) const;
 
     /// What a point of the bedrock does: displacement, velocity, acceleration.
     struct Sample
@@ -156,11 +156,22 @@ namespace hybrid::continuum
       Vec2 displacement, velocity, acceleration;
     };
 
-    /// Register a point (initial position). @return its index for sample(). @throws InputError if
-    /// outside.
-    int add_point(const Vec2 &position, const std::string &name);
+    /// All nodes before the first step [m].
+    const std::vector<Vec2> &node_positions() const;
 
-    Sample sample(const ContinuumState &state, int point) const;
+    /// A material point: nodes of its cell with weights.
+    struct Point
+    {
+      int                 cell = -1;
+      std::vector<double> weights;
+      double              outside = 0.; ///< that the position was outside [m]; infinite: far
+    };
+
+    /// The point of the bedrock nearest to an initial position. Positions that are outside by more
+    /// than a part of a cell and @p reach [m] count as far from everything.
+    Point point(const Vec2 &position, double reach = 0.) const;
+
+    Sample sample(const ContinuumState &state, const Point &point) const;
 
     /// Plain arrays for pictures: one linear quadrilateral per sub-cell of each cell.
     struct Picture

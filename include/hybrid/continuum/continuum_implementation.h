@@ -42,14 +42,6 @@ namespace hybrid::continuum
     std::vector<double>
       static_displacement; ///< of the restrained model [m], empty before solve_static_state()
 
-    /// A registered point.
-    struct Point
-    {
-      int                 cell;
-      std::vector<double> weights;
-    };
-    std::vector<Point> points;
-
     // the factored system
     std::vector<int>                        dof_of_system, system_of_dof; ///< -1: not in the system
     std::vector<int>                        fixed_dofs;                   ///< displacement zero
@@ -93,7 +85,16 @@ namespace hybrid::continuum
     void number_system();
     void allocate_work();
     void add_point_loads(const scene::PointLoadParameters &loads);
-    int  nearest_cell(const Vec2 &position, Vec2 &local, double &distance) const;
+
+    /// A cell and a place in it, and how far from the position that is over the cell's radius.
+    struct NearestCell
+    {
+      int    cell = -1; ///< -1: all are farther than half their radius and the reach
+      Vec2   local;
+      double distance = 1e300;
+    };
+
+    NearestCell nearest_cell(const Vec2 &position, double reach) const;
 
     /// Cell and shape function values at a position. @throws InputError naming @p what if outside.
     Point cell_point(const Vec2 &position, const std::string &what) const;

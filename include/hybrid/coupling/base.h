@@ -9,6 +9,14 @@
 
 namespace hybrid::coupling
 {
+  /// How a base moves that moves as prescribed.
+  struct PrescribedMotion
+  {
+    Vec2 velocity     = Vec2::Zero(); ///< [m/s]
+    Vec2 acceleration = Vec2::Zero(); ///< [m/s2]
+  };
+
+
   /**
    * What the blocks stand on: the condensed continuum, or a rigid base.
    *
@@ -38,6 +46,13 @@ namespace hybrid::coupling
     solve_slip(const continuum::ContinuumState &, double, const Eigen::VectorXd &)
     {
       return continuum::SlipStatus::settled;
+    }
+
+    /// At @p time [s], besides the displacement that the state of the blocks has; a base that
+    /// answers the blocks has none.
+    virtual PrescribedMotion prescribed_motion(double) const
+    {
+      return {};
     }
 
     /// @param displacement of the surface nodes at the end of the step [m].

@@ -22,17 +22,22 @@ namespace hybrid::coupling
   class BlockBedrock final : public Base
   {
   public:
-    /// @param nodes of the prescribed base [m]; may be empty.  @param outcrop_motion may be empty.
+    /// @param nodes of the prescribed base [m]; may be empty.  @param motion may be empty.
     /// @param boundary of the blocks, in the order of the forces.
     /// @throws InputError for free-field sides that are not vertical.
     BlockBedrock(std::vector<Vec2>                     nodes,
-                 const scene::Motion                  &outcrop_motion,
+                 const scene::GroundMotion            &motion,
                  const scene::SceneParameters         &scene,
                  const std::vector<dda::BoundaryEdge> &boundary);
 
     const std::vector<Vec2> &surface_nodes() const override
     {
       return base.surface_nodes();
+    }
+
+    PrescribedMotion prescribed_motion(const double time) const override
+    {
+      return base.prescribed_motion(time);
     }
 
     /// At rest.
@@ -54,9 +59,7 @@ namespace hybrid::coupling
 
     const std::vector<dda::BoundaryEdge>    boundary;
     RigidBase                               base;
-    const scene::Motion                     motion; ///< at an outcrop
-    const Vec2                              direction;
-    const double                            start_time;
+    const scene::GroundMotion               motion; ///< empty if the base is fixed
     const bool                              compliant;
     const continuum::LagrangeLine           line;
     const double                            damping_time; ///< beta_K of the columns [s]

@@ -9,9 +9,20 @@ namespace hybrid::coupling
   /// All mutable state of a run: copied for roll-back, written for restart.
   struct CoupledState
   {
-    double                    time = 0.; ///< [s]
     dda::DdaState             blocks;
     continuum::ContinuumState continuum;
+
+    /// [s]
+    double time() const
+    {
+      return continuum.time;
+    }
+
+    /// Of both parts, which add up their steps: the clock's, so that they do not drift.
+    void set_time(const double time)
+    {
+      blocks.time = continuum.time = time;
+    }
   };
 
   /// All members, for the checkpoint.

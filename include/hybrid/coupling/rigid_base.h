@@ -2,21 +2,17 @@
 #pragma once
 
 #include <hybrid/coupling/base.h>
-#include <hybrid/scene/motion.h>
+#include <hybrid/scene/ground_motion.h>
 
 namespace hybrid::coupling
 {
-  /// A rigid base that follows the outcrop motion: pure DDA.
+  /// A rigid base that moves as an outcrop: pure DDA.
   class RigidBase final : public Base
   {
   public:
     /// @param nodes of the surface [m]; may be empty.
-    /// @param motion prescribed; may be empty (fixed base).
-    /// @param direction unit vector of shaking.  @param start_time of the motion [s].
-    RigidBase(std::vector<Vec2>    nodes,
-              const scene::Motion &motion,
-              const Vec2          &direction,
-              double               start_time);
+    /// @param motion may be empty (fixed base).
+    RigidBase(std::vector<Vec2> nodes, const scene::GroundMotion &motion);
 
     const std::vector<Vec2> &surface_nodes() const override
     {
@@ -25,16 +21,16 @@ namespace hybrid::coupling
 
     const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) override;
 
+    PrescribedMotion prescribed_motion(double time) const override;
+
     void correct(continuum::ContinuumState &state,
                  double                     dt,
                  const Eigen::VectorXd     &displacement,
                  const Eigen::VectorXd     &force) override;
 
   private:
-    const std::vector<Vec2> nodes;
-    const scene::Motion     motion;
-    const Vec2              direction;
-    const double            start_time;
-    dda::BaseResponse       response;
+    const std::vector<Vec2>   nodes;
+    const scene::GroundMotion motion;
+    dda::BaseResponse         response;
   };
 } // namespace hybrid::coupling

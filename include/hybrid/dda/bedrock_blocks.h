@@ -29,7 +29,8 @@ namespace hybrid::dda
    *     prefers no direction. The base is the line "base" unless it is compliant.
    * A scene without such bedrock has no bedrock blocks.
    *
-   * @throws InputError for a layer that is not one simple polygon.
+   * @throws InputError for a layer that is not one simple polygon, or a plane of the scene
+   * that does not divide the bedrock into layers.
    */
   BedrockBlocks cut_bedrock(const scene::SectionMesh &mesh, const scene::SceneParameters &scene);
 } // namespace hybrid::dda

@@ -38,8 +38,15 @@ namespace hybrid::output
     /// Names of the terms, in the order of values().
     std::vector<std::string> names() const;
 
-    /// Terms now [J/m]; the first call sets the start.
-    const std::vector<double> &update(const coupling::CoupledState &state);
+    /// Terms now [J/m], those of the bedrock as audited; the first call sets the start.
+    const std::vector<double> &update(const coupling::CoupledState     &state,
+                                      const continuum::ContinuumEnergy &bedrock);
+
+    /// The same with the bedrock's energy of the state.
+    const std::vector<double> &update(const coupling::CoupledState &state)
+    {
+      return update(state, state.continuum.energy);
+    }
 
     const std::vector<double> &values() const
     {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <hybrid/continuum/continuum.h>
+#include <hybrid/coupling/base.h>
 #include <hybrid/coupling/coupled_state.h>
 #include <hybrid/dda/model.h>
 #include <hybrid/scene/scene_parameters.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hybrid::output
@@ -23,18 +25,21 @@ namespace hybrid::output
   /**
    * Material points of blocks, bedrock or rigid base that are followed through a run.
    *
-   * A point belongs to the block that contains it, else to the bedrock, else
-   * (on the outline, by rounding) to the nearest block; with a rigid base all
-   * points outside the blocks move with it.
+   * A point belongs to what it lies in: a block (on the outlines of several,
+   * the one whose centroid is nearest), the bedrock, or all that is below the
+   * surface of a base that moves as prescribed. What lies in nothing, by no
+   * more than a thousandth of the section, belongs to what is nearest.
    */
   class Probes
   {
   public:
-    /// Both may be nullptr (the scene has no such part). They must outlive the probes.
-    Probes(const dda::Model *blocks, continuum::Continuum *bedrock);
+    /// What the scene does not have is nullptr. All must outlive the probes.
+    Probes(const dda::Model           *blocks,
+           const continuum::Continuum *bedrock,
+           const coupling::Base       *base = nullptr);
 
     /// Follow the point at the initial position @p x. @return its number. @throws InputError if
-    /// nothing is there.
+    /// it is farther than a thousandth of the section from everything.
     int add(const Vec2 &x, const std::string &name);
 
     /// Displacements count from the positions in @p state.
@@ -49,22 +54,30 @@ namespace hybrid::output
     struct Probe
     {
       int    block       = -1;           ///< or -1
-      int    point       = -1;           ///< of the continuum, or -1
       int    vertices[3] = {0, 0, 0};    ///< of the block, spanning it
       double weights[3]  = {0., 0., 0.}; ///< the point is their weighted sum
       Vec2   reference   = Vec2::Zero(); ///< [m]
+
+      continuum::Continuum::Point point; ///< without a block; no cell: on the prescribed base
     };
 
-    const dda::Model     *model;
-    continuum::Continuum *continuum;
-    std::vector<Probe>    probes;
+    const dda::Model           *model;
+    const continuum::Continuum *continuum;
+    const coupling::Base       *base;
+    double                      section = 0.; ///< larger side of all there is [m]
+    std::vector<Probe>          probes;
 
+    /// The block that a point lies in or on; -1: none.
     int block_at(const Vec2 &x) const;
 
-    int nearest_block(const Vec2 &x) const;
+    /// A block and how far a point is from its outline [m]; infinite without blocks.
+    std::pair<int, double> nearest_block(const Vec2 &x) const;
 
-    /// How far a point is above the surface of the base [m]; infinite without one.
+    /// How far a point is above the surface of a prescribed base [m]; infinite without one.
     double height_above_base(const Vec2 &x) const;
+
+    /// For a point that lies in nothing. @throws InputError if it is too far from everything.
+    void attach_to_nearest(Probe &probe, const Vec2 &x, const std::string &name) const;
 
     void attach(Probe &probe, int block, const Vec2 &x) const;
 

@@ -7,8 +7,9 @@
 #include <hybrid/output/history_file.h>
 #include <hybrid/output/pictures.h>
 #include <hybrid/output/probes.h>
+#include <hybrid/output/slip_recorder.h>
 #include <hybrid/output/summary.h>
-#include <hybrid/scene/motion.h>
+#include <hybrid/scene/ground_motion.h>
 #include <hybrid/scene/scene_parameters.h>
 #include <hybrid/scene/section_mesh.h>
 #include <hybrid/scene/spectrum_motion.h>
@@ -25,10 +26,11 @@ namespace hybrid::output
   {
     const scene::SceneParameters &scene;
     const scene::SectionMesh     &mesh;
-    const scene::Motion          &motion; ///< outcrop motion
-    const scene::SpectrumFit     &fit;    ///< to a target spectrum; empty: none
+    const scene::GroundMotion    &motion;
+    const scene::SpectrumFit     &fit; ///< to a target spectrum; empty: none
     const dda::Model             *blocks;
-    continuum::Continuum         *continuum; ///< points are registered in it
+    const continuum::Continuum   *continuum;
+    const coupling::Base         *base;
   };
 
 
@@ -41,16 +43,16 @@ namespace hybrid::output
     explicit RunRecorder(const RunParts &parts, HistoryFile::Mode mode = HistoryFile::Mode::create);
 
     /// The state after the static stage: displacements count from here. Writes the first picture.
-    void start(coupling::CoupledState &state);
+    void start(const coupling::CoupledState &state);
 
     /// After an accepted step of @p dt [s] that took @p wall_time [s].
-    void record_step(coupling::CoupledState &state,
-                     const dda::StepResult  &step,
-                     double                  dt,
-                     double                  wall_time);
+    void record_step(const coupling::CoupledState &state,
+                     const dda::StepResult        &step,
+                     double                        dt,
+                     double                        wall_time);
 
     /// Last picture, joints, section, and what the histories say for the summary.
-    void finish(coupling::CoupledState &state, Summary &summary);
+    void finish(const coupling::CoupledState &state, Summary &summary);
 
     const EnergyLedger &energy() const
     {
@@ -94,7 +96,9 @@ namespace hybrid::output
     Probes                     probes;
     HistoryFile                file;
     Pictures                   pictures;
+    const double               downhill; ///< sign of x downhill; 0: level
     BeddingRecorder            bedding;
+    SlipRecorder               slip;
     EnergyLedger               ledger;
     std::vector<MonitorSeries> monitors;
     std::vector<Profile>       profiles;
@@ -107,6 +111,7 @@ namespace hybrid::output
     std::vector<Vec2>   reference_centroids;
     std::vector<double> peak_displacement; ///< of each block relative to the base [m]
     double              next_picture = 0., next_audit = 0.;
+    double              last_picture = -1., last_audit = -1.; ///< times; negative: none yet
     std::chrono::steady_clock::time_point last_flush;
     double                                flush_cost = 0.; ///< wall time of the last flush [s]
 
@@ -114,7 +119,7 @@ namespace hybrid::output
     void add_boreholes();
     void add_series();
     void record_motion(const coupling::CoupledState &state);
-    void record_energy(coupling::CoupledState &state);
+    void record_energy(const coupling::CoupledState &state);
     void record_picture(const coupling::CoupledState &state);
     void record_total_force(const coupling::CoupledState &state);
     void update_peaks(const coupling::CoupledState &state);

@@ -9,10 +9,10 @@
 namespace hybrid::output
 {
   /**
-   * How far the static stage is: one line that is redrawn on a terminal, a plain line every minute
-   * elsewhere. How long it takes is not known beforehand: told are the steps and iterations done
-   * and the residual that has to fall to its target. A stage of less than half a second shows
-   * nothing.
+   * How far the static stage is: one line that is redrawn on a terminal, as wide as that is at
+   * most, a plain line every minute elsewhere. How long it takes is not known beforehand: told are
+   * the steps and iterations done and the residual that has to fall to its target. A stage of less
+   * than half a second shows nothing.
    */
   class StaticProgressLine
   {
@@ -21,10 +21,12 @@ namespace hybrid::output
      * @param stream where to draw.
      * @param stream_is_terminal whether a line can be redrawn: standard_output_is_terminal().
      * @param clock wall time in seconds from any origin; the steady clock if empty.
+     * @param width columns of the terminal; terminal_width() if empty.
      */
     StaticProgressLine(std::ostream           &stream,
                        bool                    stream_is_terminal,
-                       std::function<double()> clock = {});
+                       std::function<double()> clock = {},
+                       std::function<int()>    width = {});
 
     /// Before an iteration; returns at once unless it is time to draw.
     void update(const dda::StaticProgress &progress);
@@ -33,6 +35,7 @@ namespace hybrid::output
     std::ostream           &out;
     const bool              is_terminal;
     std::function<double()> wall_clock;
+    std::function<int()>    columns;
     double                  drawn_at; ///< wall clock [s]
     bool                    is_drawn = false;
   };

@@ -38,6 +38,17 @@ namespace hybrid::output
       long shear   = 0;
     };
 
+    /// On the sliding surface since the state at rest, downhill positive [m]; NaN: nothing stands
+    /// on it. Of largest magnitude during the run, and what is left at its end.
+    struct Slip
+    {
+      double               mean         = MonitorSummary::unknown; ///< of all soles
+      double               largest      = MonitorSummary::unknown; ///< of one sole
+      MonitorSummary::Pair where        = {{MonitorSummary::unknown, MonitorSummary::unknown}};
+      double               mean_left    = MonitorSummary::unknown;
+      double               largest_left = MonitorSummary::unknown;
+    };
+
     /// Work of the dynamic stage that came to nothing: steps that were rolled back.
     struct Wasted
     {
@@ -67,6 +78,7 @@ namespace hybrid::output
     double        energy_residual    = 0.; ///< |sum of all terms| / largest exchanged energy [-]
     FailedJoints  joints;                  ///< in the dynamic stage: earthquake damage
     FailedJoints  static_joints;           ///< while the body settled under gravity
+    Slip          slip;
     double        first_failure_time = MonitorSummary::unknown; ///< of the dynamic stage [s]
     Wasted        wasted;
     long          iterations = 0; ///< open-close iterations, all steps

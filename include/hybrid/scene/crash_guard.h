@@ -22,7 +22,14 @@ namespace hybrid::scene
 
     ~CrashGuard();
 
+    /// Name what the crash will be due to, in place of a list of what it may be due to.
+    /// @param what "bedding_1 lies within surface 1: divide the surface along it".
+    void suspect(const std::string &what);
+
     CrashGuard(const CrashGuard &)            = delete;
     CrashGuard &operator=(const CrashGuard &) = delete;
+
+  private:
+    const std::string file;
   };
 } // namespace hybrid::scene

@@ -15,6 +15,7 @@ namespace hybrid::scene
   {
     Motion                   motion;
     SpectrumFit              fit;      ///< of a spectrum-compatible motion; else empty
+    std::string              scaling;  ///< of a record or spectrum: its peak and factor, in words
     std::vector<std::string> notes;    ///< one sentence each
     std::vector<std::string> warnings; ///< likewise
   };

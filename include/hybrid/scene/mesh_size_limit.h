@@ -13,7 +13,7 @@ namespace hybrid::scene
    * A surface of area A with N edges of mean length h on its boundary is expected to get 2 A/h^2
    * triangles; a mesh that is coarser inside than on the boundary gets fewer.
    *
-   * @throws InputError about @p file.
+   * @return that number. @throws InputError about @p file.
    */
-  void check_mesh_size(const std::string &file);
+  double check_mesh_size(const std::string &file);
 } // namespace hybrid::scene

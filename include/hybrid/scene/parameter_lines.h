@@ -17,7 +17,8 @@ namespace hybrid::scene
     std::string              key;
     std::string              value;
     bool                     is_override =
-      false; ///< from the command line: file names resolve against the working directory
+      false;       ///< from the command line: file names resolve against the working directory
+    int depth = 0; ///< how many files include the one that it stands in
 
     /// "Section/Key".
     std::string path() const;

@@ -43,6 +43,18 @@ namespace hybrid::scene
                    const ParameterRange                   &range,
                    const std::string                      &help);
 
+    /// A unit that may stand behind a number, and its size in the member's unit.
+    using Unit = std::pair<std::string, double>;
+
+    /// As number_or(), with one of @p units behind the number if the user likes; without one it is
+    /// in the first. @p has_unit tells whether there was one.
+    void quantity_or(const std::string                      &name,
+                     const std::pair<std::string, double &> &word_and_member,
+                     bool                                   &has_unit,
+                     const std::vector<Unit>                &units,
+                     const ParameterRange                   &range,
+                     const std::string                      &help);
+
     void integer(const std::string         &name,
                  int                       &member,
                  const std::pair<int, int> &range,

@@ -64,7 +64,8 @@ namespace hybrid::scene
     void declare(const std::vector<std::string> &section, const ParameterDeclaration &declaration);
 
     /**
-     * Take the value of one line; a later override replaces it.
+     * Take the value of one line; a later override replaces it, and so does a later line of a file
+     * that includes the one with the first.
      * @throws InputError for an unknown section or parameter, a duplicate, and a value that is not
      * allowed.
      */

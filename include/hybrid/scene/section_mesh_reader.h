@@ -4,6 +4,8 @@
 #include <hybrid/scene/scene_parameters.h>
 #include <hybrid/scene/section_mesh.h>
 
+#include <functional>
+
 namespace hybrid::scene
 {
   /**
@@ -21,8 +23,12 @@ namespace hybrid::scene
    * so level lines run left to right and vertical ones upwards. Nodes that nothing uses are
    * dropped; the numbering depends on the file and the numbers only.
    *
+   * @param before_meshing told, before the surfaces of a geometry are meshed, which number of cells
+   * they get at most.
+   *
    * @throws InputError for an unreadable file, an unknown number or physical group, a
    * bedrock triangle, an element in two groups, a branching line, a mesh outside z = 0.
    */
-  SectionMesh read_section_mesh(const MeshParameters &parameters);
+  SectionMesh read_section_mesh(const MeshParameters              &parameters,
+                                const std::function<void(double)> &before_meshing = {});
 } // namespace hybrid::scene

@@ -21,7 +21,7 @@ namespace hybrid::scene
   /**
    * What makes the unit of the coordinates doubtful, one sentence each: a section larger than 5 km,
    * or smaller than 5 m where there is a bedrock and 0.5 m elsewhere; a block of the mass larger
-   * than 100 m.
+   * than 100 m. And of the strengths: 50 to 999 Pa with blocks of a metre and more.
    */
   std::vector<std::string> unit_warnings(const SectionMesh &mesh, const SceneParameters &scene);
 } // namespace hybrid::scene

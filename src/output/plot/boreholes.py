@@ -46,7 +46,7 @@ def draw_profile(run, axes, name, with_legend=True):
     axes.axvline(0, color="#8a8a8a", lw=0.7)
     axes.set_ylim(depth.max(), min(depth.min(), 0))
     axes.margins(x=0.08)
-    axes.set_xlabel("downhill displacement [%s]" % unit)
+    axes.set_xlabel("%s displacement [%s]" % (run.along("horizontal"), unit))
     axes.set_title(name)
     if with_legend:
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=1)

@@ -35,8 +35,7 @@ def draw_group(run, group, names, directory):
         columns = ((run.time, factor * relative[row]), (time, velocity), (time, acceleration))
         for axis, (t, values) in zip(axes[row], columns):
             axis.plot(t, values[:, 1], color=style.VERTICAL, lw=0.7, label="vertical (up)")
-            axis.plot(t, values[:, 0], color=style.HORIZONTAL, lw=0.8,
-                      label="horizontal (%s)" % ("uphill" if run.downhill < 0 else "downhill"))
+            axis.plot(t, run.downhill * values[:, 0], color=style.HORIZONTAL, lw=0.8, label="horizontal (%s)" % run.along())
             largest = np.abs(values).max(axis=0)
             axis.text(0.995, 0.97, "peak |x| %.3g, |y| %.3g" % tuple(largest), transform=axis.transAxes, fontsize=7,
                       ha="right", va="top", color="#555555", bbox={"fc": "white", "ec": "none", "alpha": 0.75, "pad": 0.8})
@@ -61,7 +60,7 @@ def draw_group(run, group, names, directory):
 
 
 def draw_overlay(run, axes, names):
-    """Horizontal displacement of all monitors of a group in one picture, downhill positive."""
+    """Horizontal displacement of all monitors of a group in one picture, downhill (or +x) positive."""
     relative = [run.downhill * run.relative_displacement(name)[:, 0] for name in names]
     factor, unit = style.length_unit(max(np.abs(u).max() for u in relative))
     colours = plt.get_cmap("viridis")(np.linspace(0.0, 0.92, len(names)))
@@ -69,7 +68,7 @@ def draw_overlay(run, axes, names):
         axes.plot(run.time, factor * u, color=colour, lw=0.9, label=name)
     axes.set_xlim(run.time[0], run.time[-1])
     axes.set_xlabel("time [s]")
-    axes.set_ylabel("downhill displacement [%s]" % unit)
+    axes.set_ylabel("%s displacement [%s]" % (run.along("horizontal"), unit))
     axes.legend(ncol=1, loc="center left", bbox_to_anchor=(1.0, 0.5), handlelength=1.2)
 
 

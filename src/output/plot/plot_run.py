@@ -17,10 +17,11 @@ import input_motion  # isort: skip
 import monitor_histories  # isort: skip
 import overview  # isort: skip
 import section_view  # isort: skip
+import slip  # isort: skip
 import step_costs  # isort: skip
 from run_data import MissingData, RunData  # isort: skip
 
-FIGURES = (input_motion, monitor_histories, boreholes, section_view, heterogeneity, energy_balance, step_costs, overview)
+FIGURES = (input_motion, monitor_histories, boreholes, section_view, slip, heterogeneity, energy_balance, step_costs, overview)
 
 
 def draw_growing(figure, run, figures, attempts=3):

@@ -54,7 +54,9 @@ class RunData:
         histories = [d for g in ("monitors", "input") if g in self.file for d in self._data_sets(self.file[g])]
         self.n = min([len(self.time)] + [len(d) for d in histories])
         self.time = self.time[: self.n]
-        self.downhill = float(self.file.attrs.get("downhill_sign", -1.0))
+        sign = float(np.ravel(self.file.attrs.get("downhill_sign", -1.0))[0])
+        self.is_level = sign == 0.0
+        self.downhill = sign or 1.0  # a level surface: along x
         self.base = self.text(self.file.attrs.get("base_monitor", ""))
 
     def _read_summary(self):
@@ -81,6 +83,10 @@ class RunData:
     def title(self):
         title = self.text(self.file.attrs.get("title", "")) or self.summary.get("title", "")
         return title or os.path.basename(os.path.abspath(self.directory))
+
+    def along(self, level="+x"):
+        """What a horizontal component times self.downhill is called."""
+        return level if self.is_level else "downhill"
 
     def has(self, path):
         return path in self.file

@@ -89,8 +89,8 @@ TEST(BeddingSlip, strong_planes_are_elastic_joints)
   for (int i = 0; i < 100; ++i)
     a.push_back(std::sin(0.2 * i));
   const scene::Motion shaking(2e-3, a);
-  Continuum           one(section(), elastic, shaking, MPI_COMM_WORLD);
-  Continuum           other(section(), parameters(1e12), shaking, MPI_COMM_WORLD);
+  Continuum           one(section(), elastic, {shaking, elastic.motion}, MPI_COMM_WORLD);
+  Continuum           other(section(), parameters(1e12), {shaking, elastic.motion}, MPI_COMM_WORLD);
   auto                s = one.initial_state(), t = other.initial_state();
   for (int k = 0; k < 60; ++k)
     {
@@ -117,7 +117,7 @@ TEST(BeddingSlip, a_plane_that_opens_loses_the_energy_of_its_cut_off_only)
   const scene::Motion shaking(5e-3, a);
   for (const double dt : {1e-3, 2e-3})
     {
-      Continuum continuum(section(), scene, shaking, MPI_COMM_WORLD);
+      Continuum continuum(section(), scene, {shaking, scene.motion}, MPI_COMM_WORLD);
       auto      state  = continuum.initial_state();
       int       opened = 0, closed = 0;
       bool      open = false;
@@ -154,7 +154,7 @@ TEST(BeddingSlip, a_plane_that_breaks_loses_the_shear_stress_that_it_drops)
   std::vector<double> a;
   for (int i = 0; i <= 200; ++i)
     a.push_back(30. * std::sin(0.1 * M_PI * i)); // 10 Hz
-  Continuum    continuum(section(), scene, scene::Motion(5e-3, a), MPI_COMM_WORLD);
+  Continuum    continuum(section(), scene, {scene::Motion(5e-3, a), scene.motion}, MPI_COMM_WORLD);
   const auto  &plane    = continuum.slipping_planes()[0];
   auto         state    = continuum.initial_state();
   double       expected = 0.;

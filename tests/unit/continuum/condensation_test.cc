@@ -148,7 +148,7 @@ TEST(Condensation, a_supported_end_of_the_surface_does_not_move)
       EXPECT_LT(std::abs(ug[0]), 1e-5 * std::abs(ug[1]));
       continuum.correct(state, 1e-3, ug, lambda);
     }
-  const int corner = continuum.add_point({0., 0.}, "corner");
+  const auto corner = continuum.point({0., 0.});
   EXPECT_EQ(continuum.sample(state, corner).displacement.x(), 0.);
   EXPECT_NE(continuum.sample(state, corner).displacement.y(), 0.);
 }

@@ -75,12 +75,15 @@ TEST(Continuum, samples_and_points)
       state.velocity[2 * k + 1] = points[k].y() * points[k].y();
     }
   const Vec2 p(13.3, -7.7);
-  const int  inside = continuum.add_point(p, "inside");
-  const int  edge   = continuum.add_point({20., 0.3}, "a little above the ground");
+  const auto inside = continuum.point(p);
+  const auto edge   = continuum.point({20., 0.3});
   EXPECT_NEAR(continuum.sample(state, inside).displacement.x(), p.x() * p.y(), 1e-10);
   EXPECT_NEAR(continuum.sample(state, inside).velocity.y(), p.y() * p.y(), 1e-10);
   EXPECT_NEAR(continuum.sample(state, edge).displacement.x(), 0., 1e-10);
-  EXPECT_THROW(continuum.add_point({20., 5.}, "sky"), InputError);
+  EXPECT_NEAR(inside.outside, 0., 1e-12);
+  EXPECT_NEAR(edge.outside, 0.3, 1e-12);
+  EXPECT_TRUE(std::isinf(continuum.point({20., 50.}).outside));
+  EXPECT_NEAR(continuum.point({20., 50.}, 60.).outside, 50., 1e-9);
 }
 
 
@@ -137,9 +140,9 @@ TEST(Continuum, rigid_base_moves_as_prescribed)
       scene.continuum.base = scene::BaseBoundary::rigid;
       scene.motion.angle   = 90.;
       scene.time.newmark   = Newmark::preset(scheme);
-      Continuum continuum(box(), scene, motion, MPI_COMM_WORLD);
-      const int base  = continuum.add_point({20., -30.}, "base");
-      auto      state = continuum.initial_state();
+      Continuum  continuum(box(), scene, {motion, scene.motion}, MPI_COMM_WORLD);
+      const auto base  = continuum.point({20., -30.});
+      auto       state = continuum.initial_state();
       for (int k = 0; k < 150; ++k)
         continuum.step(state, 1e-3);
       const auto s = continuum.sample(state, base);

@@ -16,9 +16,9 @@ namespace
   using namespace hybrid::test;
 
   /// Constant acceleration of 2 m/s2 at the outcrop.
-  scene::Motion constant_acceleration()
+  scene::GroundMotion constant_acceleration()
   {
-    return {0.5, {2., 2., 2.}};
+    return {scene::Motion(0.5, {2., 2., 2.}), {}};
   }
 } // namespace
 

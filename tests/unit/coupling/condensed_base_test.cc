@@ -83,7 +83,7 @@ TEST(CondensedBase, correction_takes_the_surface_where_the_blocks_found_it)
   EXPECT_DOUBLE_EQ(run.state.continuum.time, time + 1e-3);
   for (std::size_t k = 0; k < run.rock.surface_nodes().size(); ++k)
     {
-      const int  point = run.rock.add_point(run.rock.surface_nodes()[k], "surface");
+      const auto point = run.rock.point(run.rock.surface_nodes()[k]);
       const Vec2 u     = run.rock.sample(run.state.continuum, point).displacement;
       EXPECT_NEAR((u - w.segment<2>(2 * k)).norm(), 0., 1e-12 * w.norm());
     }

@@ -13,7 +13,6 @@ namespace hybrid::coupling
     TEST(CoupledState, IsStoredWhole)
     {
       CoupledState state;
-      state.time                   = 1.;
       state.blocks.time            = 2.;
       auto &rock                   = state.continuum;
       rock.time                    = 3.;
@@ -37,7 +36,12 @@ namespace hybrid::coupling
       CoupledState copy;
       reader(copy);
       EXPECT_TRUE(reader.at_end());
-      EXPECT_EQ(copy.time, 1.);
+      EXPECT_EQ(copy.time(), 3.);
+      copy.set_time(4.);
+      EXPECT_EQ(copy.blocks.time, 4.);
+      EXPECT_EQ(copy.time(), 4.);
+      copy.set_time(3.);
+      copy.blocks.time = 2.;
       EXPECT_EQ(copy.blocks.time, 2.);
       EXPECT_EQ(copy.continuum.time, 3.);
       EXPECT_EQ(copy.continuum.displacement, rock.displacement);

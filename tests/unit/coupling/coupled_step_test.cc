@@ -123,7 +123,7 @@ TEST(CoupledStep, all_clocks_agree)
   CoupledRun run(Section(), coupled_parameters());
   for (int k = 0; k < 10; ++k)
     ASSERT_TRUE(run.advance(1e-3));
-  EXPECT_NEAR(run.state.time, 0.01, 1e-15);
+  EXPECT_NEAR(run.state.time(), 0.01, 1e-15);
   EXPECT_NEAR(run.state.blocks.time, 0.01, 1e-15);
   EXPECT_NEAR(run.state.continuum.time, 0.01, 1e-15);
 }
@@ -135,8 +135,11 @@ TEST(CoupledStep, without_blocks_is_a_step_of_the_continuum)
   scene::SceneParameters scene = coupled_parameters();
   scene.blocks.enabled         = false;
   const std::vector<double> a(20, 1.);
-  continuum::Continuum rock(section_mesh(Section()), scene, scene::Motion(1e-3, a), MPI_COMM_WORLD);
-  coupling::CoupledState state;
+  continuum::Continuum      rock(section_mesh(Section()),
+                            scene,
+                            {scene::Motion(1e-3, a), scene.motion},
+                            MPI_COMM_WORLD);
+  coupling::CoupledState    state;
   state.continuum                 = rock.initial_state();
   continuum::ContinuumState alone = state.continuum;
   coupling::CoupledStep     step(nullptr, nullptr, &rock);
@@ -146,5 +149,5 @@ TEST(CoupledStep, without_blocks_is_a_step_of_the_continuum)
       rock.step(alone, 1e-3);
     }
   EXPECT_EQ(state.continuum.displacement, alone.displacement);
-  EXPECT_NEAR(state.time, 0.01, 1e-15);
+  EXPECT_NEAR(state.time(), 0.01, 1e-15);
 }

@@ -52,6 +52,31 @@ TEST(BedrockBlocks, a_layer_with_a_hole_is_refused)
 
 
 
+TEST(BedrockBlocks, a_plane_that_cuts_no_layer_off_is_refused)
+{
+  scene::SectionMesh mesh = layered_section(4, {2, 2});
+  cut_bedrock(mesh, bedrock_parameters("layers"));
+  mesh.bedrock_surface.assign(mesh.bedrock_cells.size(), 1); // the plane lies within one surface
+  try
+    {
+      cut_bedrock(mesh, bedrock_parameters("layers"));
+      FAIL() << "accepted";
+    }
+  catch (const InputError &error)
+    {
+      EXPECT_NE(
+        std::string(error.what()).find("bedding_1 does not divide the bedrock at (0.500000, 2.0"),
+        std::string::npos)
+        << error.what();
+    }
+  mesh = layered_section(4, {2, 2, 1});
+  for (std::size_t c = 0; c < mesh.bedrock_cells.size(); ++c)
+    mesh.bedrock_surface[c] = mesh.bedrock_surface[c] == 2 ? 1 : mesh.bedrock_surface[c];
+  EXPECT_THROW(cut_bedrock(mesh, bedrock_parameters("layers")), InputError); // one of two
+}
+
+
+
 TEST(BedrockBlocks, triangles_fill_the_cells_with_alternating_diagonals)
 {
   const scene::SectionMesh mesh      = layered_section(4, {4});

@@ -104,6 +104,19 @@ def write_profiles(file, time, scale):
         attributes["slip_depth_m"] = top - bottom
 
 
+def write_slip(file, time, slip):
+    """Soles along the sliding surface that slip by half of what is recorded in the boreholes."""
+    x = np.linspace(205, 705, 60)
+    shape = np.exp(-((x - 300) / 150) ** 2)
+    growth = slip / (1 + np.exp(-(time - 5.5) / 0.4))
+    put(file, "slip/position", "m", np.column_stack([x, np.interp(x, SLIP[:, 0], SLIP[:, 1])]))
+    put(file, "slip/length", "m", np.full(len(x), 500 / 60))
+    put(file, "slip/mean", "m", growth * shape.mean())
+    put(file, "slip/largest", "m", growth * shape.max())
+    put(file, "slip/time", "s", time[::500])
+    put(file, "slip/profile", "m", np.outer(growth[::500], shape))
+
+
 def write_energy_and_steps(file, time, v, rng):
     n = len(time)
     audits = slice(0, n, 10)
@@ -135,11 +148,13 @@ def main(directory, kind):
             return
         file.attrs["title"] = "Majiagou, synthetic data, water at 175 m"
         file.attrs["base_monitor"] = "B1"
+        file.attrs["downhill_sign"] = [-1.0]
         for name, series, unit in (("acceleration", a, "m/s2"), ("velocity", v, "m/s"), ("displacement", u, "m")):
             put(file, "input/" + name, unit, np.column_stack([series, np.zeros_like(series)]))
         write_monitors(file, time, MONITORS, a, v, u, slip)
         write_profiles(file, time, slip)
         write_section(file, slip, rng)
+        write_slip(file, time, slip)
         write_energy_and_steps(file, time, v, rng)
     summary = {"title": "", "finished": True, "steps": 12000, "simulated_time_s": 12.0, "wall_time_s": 312.4, "cuts": 3,
                "blocks": 900, "continuum_unknowns": 24106, "energy_residual": 2.1e-4, "filter_frequency_hz": 25.0,

@@ -27,7 +27,7 @@ namespace hybrid::output
       EXPECT_EQ(plot(directory), 0);
       EXPECT_TRUE(python_passes(directory, R"(
 import os
-names = ['overview', 'input_motion', 'monitors_S', 'monitors_D', 'monitors_other', 'boreholes', 'section', 'energy', 'steps']
+names = ['overview', 'input_motion', 'monitors_S', 'monitors_D', 'monitors_other', 'boreholes', 'section', 'slip', 'energy', 'steps']
 assert sorted(os.listdir('figures')) == sorted(n + '.png' for n in names), os.listdir('figures')
 for n in names:
     with open('figures/' + n + '.png', 'rb') as f:

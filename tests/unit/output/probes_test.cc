@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block_scenes.h"
 
+#include <hybrid/coupling/rigid_base.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/scene/input_error.h>
 
@@ -104,6 +105,63 @@ TEST(Probes, points_outside_of_blocks_move_with_the_rigid_base)
   for (int k = 0; k < scene.model.n_base_nodes(); ++k)
     scene.state.blocks.base_displacement.segment<2>(2 * k) = Vec2(0.2, 0.1);
   EXPECT_EQ(probes.sample(scene.state, p).displacement, Vec2(0.2, 0.1));
+}
+
+
+
+TEST(Probes, the_base_has_the_velocity_and_acceleration_of_the_motion)
+{
+  OneBlock                  scene;
+  const coupling::RigidBase base(scene.model.initial.base_nodes,
+                                 {scene::Motion(0.5, {2., 2., 2.}), scene::MotionParameters()});
+  Probes                    probes(&scene.model, nullptr, &base);
+  const int                 p = probes.add(Vec2(0.5, -5.), "below");
+  probes.set_reference(scene.state);
+  scene.state.set_time(0.75);
+  const PointMotion motion = probes.sample(scene.state, p);
+  EXPECT_LT((motion.velocity - Vec2(1.5, 0.)).norm(), 1e-14);
+  EXPECT_LT((motion.acceleration - Vec2(2., 0.)).norm(), 1e-14);
+}
+
+
+
+// However near the block above it is.
+TEST(Probes, what_lies_below_the_surface_belongs_to_the_base)
+{
+  OneBlock scene;
+  Probes   probes(&scene.model, nullptr);
+  for (const double depth : {0.01, 0.5, 0.9})
+    {
+      const int p = probes.add(Vec2(1., -depth), "P");
+      probes.set_reference(scene.state);
+      dda::Vec6 d = dda::Vec6::Zero();
+      d[0]        = 1.;
+      move(scene.state, d);
+      EXPECT_EQ(probes.sample(scene.state, p).displacement, Vec2(0., 0.)) << depth;
+    }
+}
+
+
+
+TEST(Probes, point_in_the_air_is_refused_with_the_distances)
+{
+  OneBlock scene;
+  Probes   probes(&scene.model, nullptr);
+  EXPECT_NO_THROW(probes.add(Vec2(1., 2. + 1e-3), "P")); // rounded
+  try
+    {
+      probes.add(Vec2(1., 2.9), "P");
+      FAIL() << "accepted";
+    }
+  catch (const InputError &error)
+    {
+      EXPECT_NE(std::string(error.what())
+                  .find(
+                    "the point 'P' at (1, 2.9) m lies in no part of the section: 0.9 m from the "
+                    "nearest block, 2.9 m above the base, where "),
+                std::string::npos)
+        << error.what();
+    }
 }
 
 

@@ -11,11 +11,12 @@ namespace hybrid::output
   namespace
   {
     /// 1000 steps of 1 ms, 10 ms of wall time and 3 iterations each.
-    std::string run(const bool is_terminal)
+    std::string run(const bool is_terminal, const int width = 120)
     {
       std::ostringstream out;
       double             now = 50.;
-      Progress           progress(out, is_terminal, 0., 1., [&now] { return now; });
+      Progress           progress(
+        out, is_terminal, 0., 1., [&now] { return now; }, [width] { return width; });
       for (int step = 1; step <= 1000; ++step)
         {
           now += 0.01;
@@ -47,6 +48,43 @@ namespace hybrid::output
       EXPECT_NE(text.find("[############............]  50.4 %  t = 0.504 of 1 s  left 0:05"),
                 std::string::npos)
         << text;
+    }
+
+
+    /// Of what is drawn between "\r\033[K" and the next: the longest.
+    std::size_t longest_line(const std::string &text)
+    {
+      const std::string wipe    = "\r\033[K";
+      std::size_t       longest = 0;
+      for (std::size_t begin = text.find(wipe); begin != std::string::npos;)
+        {
+          begin += wipe.size();
+          const std::size_t next = text.find(wipe, begin);
+          const std::size_t end  = next == std::string::npos ? text.size() - 1 : next; // a newline
+          longest                = std::max(longest, end - begin);
+          begin                  = next;
+        }
+      return longest;
+    }
+
+
+    TEST(Progress, TheLineIsNarrowerThanTheTerminal)
+    {
+      for (const int width : {200, 120, 101, 100, 80, 60, 40, 20})
+        EXPECT_LT(longest_line(run(true, width)), std::size_t(width));
+      EXPECT_GT(longest_line(run(true, 80)), 60u);
+      const std::string usual = run(true, 80);
+      EXPECT_NE(usual.find("t = 0.504 of 1 s  left 0:05  100 steps/s"), std::string::npos) << usual;
+      EXPECT_NE(run(true, 40).find("[#####......]  50.4 %  t = 0.504 of 1 s\r"), std::string::npos)
+        << run(true, 40);
+    }
+
+
+    TEST(Progress, WhatDoesNotFitIsLeftOut)
+    {
+      EXPECT_EQ(fitting_line({"one", "two", "three"}, ", ", 15), "one, two, three");
+      EXPECT_EQ(fitting_line({"one", "two", "three"}, ", ", 14), "one, two");
+      EXPECT_EQ(fitting_line({"one", "two", "three"}, ", ", 2), "on");
     }
 
 

@@ -12,11 +12,12 @@ namespace hybrid::output
   namespace
   {
     /// So many iterations of 0.1 s, ten to a step; the residual falls by ten in each.
-    std::string stage(const bool is_terminal, const int iterations)
+    std::string stage(const bool is_terminal, const int iterations, const int width = 120)
     {
       std::ostringstream out;
       double             now = 50.;
-      StaticProgressLine line(out, is_terminal, [&now] { return now; });
+      StaticProgressLine line(
+        out, is_terminal, [&now] { return now; }, [width] { return width; });
       for (int i = 1; i <= iterations; ++i)
         {
           now += 0.1;
@@ -36,6 +37,20 @@ namespace hybrid::output
                           "(ends at 1e-09)"),
                 std::string::npos)
         << text;
+    }
+
+
+    TEST(StaticProgressLine, TheLineIsNarrowerThanTheTerminal)
+    {
+      for (const int width : {120, 80, 60, 20})
+        {
+          std::istringstream lines(stage(true, 50, width));
+          for (std::string line; std::getline(lines, line, '\r');)
+            EXPECT_LT(line.size(), width + std::string("\033[K").size()) << line;
+        }
+      EXPECT_NE(
+        stage(true, 50, 70).find("Static stage: 4 steps, 45 iterations, residual 1.0e-04 of 1e-09"),
+        std::string::npos);
     }
 
 

@@ -25,6 +25,7 @@ namespace hybrid::output
       summary.energy_residual    = 1.25e-4;
       summary.joints             = {7, 9};
       summary.static_joints      = {1, 2};
+      summary.slip               = {0.25, -0.5, {{3., 4.}}, 0.125, 0.375};
       summary.wasted             = {3, 2, 1, 80};
       summary.iterations         = 36000;
       summary.contact_search     = {12003, 40, 2};
@@ -47,6 +48,7 @@ assert (s['simulated_time_s'], s['wall_time_s'], s['energy_residual']) == (12., 
 assert (s['cuts'], s['retries'], s['cuts_moved_too_far']) == (3, 2, 1)
 assert (s['iterations'], s['unconverged_iterations']) == (36000, 80)
 assert s['contact_search'] == {'steps': 12003, 'searches': 40, 'lists': 2}
+assert s['slip_m'] == {'mean': 0.25, 'largest': -0.5, 'largest_at': [3, 4], 'mean_left': 0.125, 'largest_left': 0.375}
 assert s['joints']['tensile'] == 7 and s['joints']['shear'] == 9
 assert s['joints']['static'] == {'tensile': 1, 'shear': 2} and s['joints']['first_failure_time_s'] is None
 m = s['monitors']['S1']

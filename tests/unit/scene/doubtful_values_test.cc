@@ -147,6 +147,71 @@ namespace hybrid::scene
     }
 
 
+    TEST(DoubtfulValues, ABuoyantDensityOfTheSaturatedBodyIsDoubted)
+    {
+      SceneParameters scene           = sound_scene();
+      scene.materials["wet"]          = scene.materials.at("clay");
+      scene.materials["wet"].density  = 1250.;
+      scene.blocks.material           = "clay";
+      scene.blocks.saturated_material = "wet";
+      EXPECT_TRUE(doubtful_values(scene).empty()); // no water
+      scene.environment.water_level = 10.;
+      const auto warnings           = doubtful_values(scene);
+      ASSERT_EQ(warnings.size(), 1u);
+      EXPECT_EQ(
+        warnings[0],
+        "Materials/wet/Density = 1250 kg/m3 of the saturated body is below that of clay, 2000 "
+        "kg/m3: as a buoyant density it makes inertia too small and S waves 34.16 % too fast; "
+        "give the total density, 2250, and set Water/Method = submerged or pressures");
+      scene.materials["wet"].density = 2100.;
+      EXPECT_TRUE(doubtful_values(scene).empty());
+    }
+
+
+    TEST(DoubtfulValues, APeakThatMayBeInGNeedsItsUnit)
+    {
+      SceneParameters scene = sound_scene();
+      const Motion    motion(0.01, {0., 0.3, -0.1, 0.});
+      scene.motion.type = "sine";
+      EXPECT_TRUE(doubtful_values(scene, motion).empty()); // nobody gave a peak
+      scene.motion.peak = 0.3;
+      auto warnings     = doubtful_values(scene, motion);
+      ASSERT_EQ(warnings.size(), 1u);
+      EXPECT_EQ(
+        warnings[0],
+        "Motion/Peak = 0.3 is read as 0.3 m/s2 (0.03059 g), a weak shaking: if it was meant "
+        "in g, set Peak = 0.3 g, else Peak = 0.3 m/s2");
+      scene.motion.peak_has_unit = true;
+      EXPECT_TRUE(doubtful_values(scene, motion).empty());
+      scene.motion.peak_has_unit = false;
+      scene.motion.peak          = 3.;
+      EXPECT_TRUE(doubtful_values(scene, motion.scaled(10.)).empty());
+    }
+
+
+    TEST(DoubtfulValues, ARecordThatMayBeInGNeedsItsUnit)
+    {
+      SceneParameters scene = sound_scene();
+      const Motion    motion(0.01, {0., 0.3, -0.1, 0.});
+      scene.motion.type = "text";
+      scene.motion.file = "quake.txt";
+      auto warnings     = doubtful_values(scene, motion);
+      ASSERT_EQ(warnings.size(), 1u);
+      EXPECT_EQ(
+        warnings[0],
+        "quake.txt: its peak is read as 0.3 m/s2 (0.03059 g), a weak shaking, as Motion/Unit "
+        "is not set: if the file is in g, set Unit = g, else Unit = m/s2");
+      scene.motion.type          = "spectrum";
+      scene.motion.spectrum_file = "target.txt";
+      EXPECT_NE(doubtful_values(scene, motion).at(0).find("target.txt: its peak"),
+                std::string::npos);
+      scene.motion.file_unit_is_set = true;
+      EXPECT_TRUE(doubtful_values(scene, motion).empty());
+      scene.motion.type = "at2"; // in g by itself
+      EXPECT_TRUE(doubtful_values(scene, motion).empty());
+    }
+
+
     TEST(DoubtfulValues, ARecordInMillisecondsOrWithoutMotionIsDoubted)
     {
       SceneParameters scene = sound_scene();

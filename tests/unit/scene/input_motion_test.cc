@@ -160,4 +160,19 @@ namespace hybrid::scene::test
                 spectral_acceleration(two.motion, two.fit.frequency[10], 0.05),
                 1e-9);
   }
+
+
+  TEST_F(InputMotionTest, the_scale_factor_is_told_of_records_and_spectra)
+  {
+    MotionParameters p;
+    p.type                = "text";
+    p.file                = write("record.txt", "0 0\n0.01 1.75\n0.02 -1.75\n0.03 0\n");
+    p.baseline_correction = false;
+    EXPECT_EQ(make(p, 0.03).scaling, "peak 1.75 m/s2 (0.1785 g) as recorded, scale factor 1");
+    p.peak = 0.35;
+    EXPECT_EQ(make(p, 0.03).scaling,
+              "peak 0.35 m/s2 (0.03569 g), scale factor 0.2 on 1.75 m/s2 (0.1785 g) as recorded");
+    p.type = "sine";
+    EXPECT_EQ(make(p, 12.).scaling, "");
+  }
 } // namespace hybrid::scene::test

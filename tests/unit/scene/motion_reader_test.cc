@@ -194,6 +194,7 @@ namespace hybrid::scene::test
   TEST_F(MotionReader, BadAt2RecordsAreRefused)
   {
     expect_part(at2_error(""), "no header line with NPTS and DT");
+    expect_part(at2_error("0 0\n0.01 1\n"), "set Motion/Type = text");
     expect_part(at2_error("1 2 3\n4 5 6\n"), "no header line with NPTS and DT");
     expect_part(at2_error("title\nNPTS= many\n"), "record.at2:2: the header line");
     expect_part(at2_error("NPTS= 4, DT= .01\n1 2 3\n"), "announces 4 points, but the file has 3");
@@ -308,5 +309,25 @@ namespace hybrid::scene::test
     parameters.file = write("record.txt", "0 0\n0.1 0\n0.2 0\n");
     expect_part(message_of([&]() { make_motion(parameters, 1e-3); }),
                 "cannot be scaled to the peak of 1 m/s2");
+  }
+
+
+  TEST_F(MotionReader, WhatWouldMakeARecordReadableIsSaid)
+  {
+    expect_part(text_error("time acc\n0 0\n0.01 1\n"),
+                "record.txt:1: 'time' is not a number; expected a time [s] (a line of words must "
+                "start with #)");
+    expect_part(text_error("Time (s),Acc (g)\n0,0\n"), "(a line of words must start with #)");
+    expect_part(
+      text_error("0,00 0,0\n0,01 0,3\n"),
+      "record.txt:1: found 3 columns; expected time [s] and acceleration (the decimal mark "
+      "must be a point: 0.01 for 0,01)");
+    expect_part(text_error("0,00;0,0\n0,01;0,3\n"), "(the decimal mark must be a point");
+    expect_part(text_error("\"0\",\"0\"\n\"1\",\"0\"\n"), "(leave the quotation marks away)");
+    expect_part(text_error("0.1\n0.2\n0.3\n"), "to accelerations alone add the time before each");
+    expect_part(text_error("PEER NGA\nACC IN G\nNPTS=  3, DT= .01\n 0.1 0.2 0.3\n"),
+                "record.txt:3: this is a record of PEER (NPTS and DT in its header); set "
+                "Motion/Type = at2");
+    EXPECT_EQ(text_error("0 0\n0.01 x\n").find("("), std::string::npos);
   }
 } // namespace hybrid::scene::test

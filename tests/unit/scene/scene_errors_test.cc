@@ -252,6 +252,29 @@ TEST_F(SceneErrors, MonitorFileMustHoldTheNamedRows)
                {file, "Monitors/Names=S1", "Monitors/Points=S1: 0, 0"});
 }
 
+TEST_F(SceneErrors, PathsThatAShellWouldUnderstandAreExplained)
+{
+  write("quake.txt", "0 0\n1 0\n");
+  const std::string file   = write_scene();
+  const auto        record = [](const std::string &value) {
+    return std::vector<std::string>{"Motion/File=" + value};
+  };
+  expect_error(write_scene("subsection Motion\n  set File = \"quake.txt\"\nend\n"),
+               {"there is no file", "; leave the quotation marks away: quake.txt"});
+  expect_error(file, {"leave the quotation marks away: quake.txt"}, record("'quake.txt'"));
+  expect_error(file,
+               {"'~' is not replaced here, write the whole path: ", "/quake.txt"},
+               record("~/quake.txt"));
+  expect_error(file, {"variables are not replaced here"}, record("$HOME/quake.txt"));
+  expect_error(file, {"did you mean 'quake.txt'?"}, record(path("Quake.txt")));
+  expect_error(file, {"did you mean 'quake.txt'?"}, record(path("quake")));
+  expect_error(file, {"it is a directory"}, record(path("")));
+  expect_option_error("Output/Directory=~/output", {"'~' is not replaced here"});
+  expect_option_error("Output/Directory=\"output\"", {"leave the quotation marks away: output"});
+  expect_option_error("Motion/Peak=0.3 gal", {"must be", "m/s2, g or cm/s2"});
+  expect_option_error("Motion/Peak=-0.3 g", {"must be"});
+}
+
 TEST_F(SceneErrors, WaterThatActsNeedsALevelAndTotalDensities)
 {
   expect_error(write_scene(),

@@ -349,6 +349,39 @@ TEST_F(SceneReader, FilesResolveAgainstTheFileThatNamesThem)
   EXPECT_EQ(read_scene(file).mesh.file, path("common/meshes/slope.geo"));
 }
 
+TEST_F(SceneReader, AFileMaySetAgainWhatItsIncludedFilesSet)
+{
+  const std::string base =
+    write_scene("subsection Water\n  set Level = 175\n  set Method = submerged\nend\n");
+  const std::string variant =
+    write("variant.prm",
+          "include scene.prm\nsubsection Water\n  set Method = paper\nend\n"
+          "subsection Materials\n  subsection clay\n    set Density = 1220\n  end\nend\n");
+  EXPECT_EQ(read_scene(base).environment.water_method, WaterMethod::submerged);
+  const SceneParameters scene = read_scene(variant);
+  EXPECT_EQ(scene.environment.water_method, WaterMethod::paper);
+  EXPECT_EQ(scene.environment.water_level, 175.);
+  EXPECT_EQ(scene.materials.at("clay").density, 1220.);
+}
+
+TEST_F(SceneReader, PeaksMayHaveTheirUnit)
+{
+  const std::string file = write_scene();
+  const auto        peak = [&](const std::string &value) {
+    return read_scene(file, {"Motion/Type=sine", "Motion/Peak=" + value}).motion;
+  };
+  EXPECT_EQ(peak("0.3").peak, 0.3);
+  EXPECT_FALSE(peak("0.3").peak_has_unit);
+  EXPECT_DOUBLE_EQ(peak("0.3 g").peak, 0.3 * 9.80665);
+  EXPECT_TRUE(peak("0.3g").peak_has_unit);
+  EXPECT_EQ(peak("2.4e-1 m/s2").peak, 0.24);
+  EXPECT_EQ(peak("24 cm/s2").peak, 0.24);
+  EXPECT_LT(peak("as recorded").peak, 0.);
+  EXPECT_FALSE(peak("as recorded").file_unit_is_set);
+  EXPECT_TRUE(read_scene(file, {"Motion/Unit=m/s2"}).motion.file_unit_is_set);
+  EXPECT_NE(read_scene(file, {"Motion/Peak=0.3 g"}).used_prm.find("0.3 g"), std::string::npos);
+}
+
 TEST_F(SceneReader, BedrockDecidesAndContinuumIsItsShortForm)
 {
   write("slope.geo", "");

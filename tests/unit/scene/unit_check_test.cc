@@ -66,4 +66,32 @@ namespace hybrid::scene::test
     EXPECT_TRUE(unit_warnings(section(1.), rigid_scene()).empty());
     EXPECT_EQ(unit_warnings(section(0.04), rigid_scene()).size(), 1u);
   }
+
+
+  TEST(UnitCheck, StrengthsInKilopascalAreDoubtedWhereBlocksHaveMetres)
+  {
+    SceneParameters scene;
+    scene.blocks.material              = "clay";
+    scene.blocks.belt_material         = "belt";
+    scene.materials["clay"].density    = 2000.;
+    scene.materials["clay"].cohesion   = 80.;
+    scene.materials["belt"].cohesion   = 50e3;
+    scene.materials["unused"].cohesion = 80.;
+    auto warnings                      = unit_warnings(section(3.), scene); // blocks of 3 m
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(
+      warnings[0],
+      "Materials/clay/Cohesion = 80 Pa is doubtful with blocks of 3 m: it carries the weight "
+      "of 4.08 mm of them; if it was meant in kPa, give 80000");
+    scene.materials["clay"].cohesion         = 1000.;
+    scene.materials["belt"].tensile_strength = 999.;
+    warnings                                 = unit_warnings(section(3.), scene);
+    ASSERT_EQ(warnings.size(), 1u);
+    expect_part(warnings[0], "Materials/belt/Tensile strength = 999 Pa");
+    SceneParameters small = scene;
+    EXPECT_TRUE(unit_warnings(section(0.9), rigid_scene()).empty());
+    small.continuum_model = ContinuumModel::none;
+    small.bedrock         = BedrockModel::rigid;
+    EXPECT_TRUE(unit_warnings(section(0.9), small).empty()); // a model in the laboratory
+  }
 } // namespace hybrid::scene::test

@@ -61,6 +61,9 @@ TEST(CommandLine, other_actions)
   EXPECT_EQ(parse({}).action, Action::help);
   EXPECT_EQ(parse({"--help"}).action, Action::help);
   EXPECT_EQ(parse({"scene.prm", "-h"}).action, Action::help);
+  EXPECT_EQ(parse({"help"}).action, Action::help);
+  EXPECT_EQ(parse({"--version"}).action, Action::version);
+  EXPECT_EQ(parse({"version"}).action, Action::version);
   EXPECT_EQ(parse({"--print-parameters"}).action, Action::print_parameters);
   const CommandLine plot = parse({"plot", "output/run"});
   EXPECT_EQ(plot.action, Action::plot);
@@ -84,6 +87,10 @@ TEST(CommandLine, mistakes_are_named)
   expect_refused({"plot"}, "no parameter file or directory");
   expect_refused({"one.prm", "two.prm"}, "two.prm");
   expect_refused({"check", "scene.prm"}, "did you mean '--check'?");
+  expect_refused({"--chek", "scene.prm"}, "unknown option '--chek' (did you mean '--check'?)");
+  expect_refused({"--versoin"}, "did you mean '--version'?");
+  expect_refused({"chek", "scene.prm"}, "'chek' is no action; did you mean '--check'?");
+  expect_refused({"plott", "output"}, "did you mean 'plot'?");
   expect_refused({"--check", "--resume", "output"}, "'--resume' cannot be combined");
 }
 
@@ -96,6 +103,7 @@ TEST(CommandLine, usage_lists_every_action)
                            "--resume",
                            "--force",
                            "--print-parameters",
+                           "--version",
                            "plot",
                            "-s",
                            "Exit code"})

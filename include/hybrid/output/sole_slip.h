@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/model.h>
+#include <hybrid/dda/state.h>
+#include <hybrid/restart/archive_forward.h>
+
+#include <vector>
+
+namespace hybrid::output
+{
+  /**
+   * How far the mass has slid on what it stands on.
+   *
+   * A sole is an edge of a block of the mass that lies on the base or on the bedrock's blocks
+   * before the first step. Its slip is the displacement of its middle relative to the point of the
+   * ground that it lay on, since the state at rest, along the sole as it was then; positive
+   * downhill (along +x on a level surface). Nothing is summed up over steps, so it is the same
+   * whatever holds the sole: joints, contacts or nothing.
+   */
+  class SoleSlip
+  {
+  public:
+    /// @param blocks may be nullptr.  @param downhill sign of x downhill, 0: level.
+    SoleSlip(const dda::Model *blocks, double downhill);
+
+    int n_soles() const
+    {
+      return static_cast<int>(soles.size());
+    }
+
+    /// Middle of a sole as drawn [m].
+    const Vec2 &position(const int sole) const
+    {
+      return soles[sole].position;
+    }
+
+    /// [m]
+    double length(const int sole) const
+    {
+      return soles[sole].length;
+    }
+
+    /// Slip counts from @p state.
+    void set_reference(const dda::DdaState &state);
+
+    /// Slip of all soles [m].
+    std::vector<double> values(const dda::DdaState &state) const;
+
+    /// Mean of @p slip, weighted by the soles' lengths [m].
+    double mean(const std::vector<double> &slip) const;
+
+    /// Number of the sole that has slid farthest, either way; 0 if nothing has.
+    static int farthest(const std::vector<double> &slip);
+
+    /// Reference, for the checkpoint.
+    void serialize(restart::Archive &archive);
+
+  private:
+    /// A point between two nodes of the base, or between two vertices of a block of the bedrock.
+    struct Ground
+    {
+      bool   base  = false; ///< else vertices
+      int    first = -1, second = -1;
+      double part = 0.; ///< of the way from the first to the second
+    };
+
+    struct Sole
+    {
+      int    first, second; ///< vertices of the block, counter-clockwise
+      Ground ground;
+      Vec2   position;
+      double length;
+      Vec2   start = Vec2::Zero(); ///< middle relative to the ground at rest [m]
+      Vec2   along = Vec2::Zero(); ///< unit vector at rest
+    };
+
+    const double      sign; ///< of the block's edge, for a slip that is positive downhill
+    std::vector<Sole> soles;
+
+    void find_soles(const dda::Model &model);
+
+    /// Middle of a sole relative to the ground point it started on [m].
+    static Vec2 place(const dda::DdaState &state, const Sole &sole);
+  };
+} // namespace hybrid::output

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/sole_slip.h>
+#include <hybrid/restart/archive.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    constexpr double near     = 0.05; ///< distance of a sole from the ground over its length [-]
+    constexpr double parallel = 0.85; ///< cosine of the largest angle between sole and ground
+
+
+
+    /// An edge whose block is on its left side.
+    struct Edge
+    {
+      int  first, second;
+      Vec2 a, b;
+      bool base = false; ///< its ends are nodes of the base
+    };
+
+
+
+    /// Edges of the blocks from @p begin to @p end that they do not share with each other.
+    std::vector<Edge> outer_edges(const dda::Geometry &g, const int begin, const int end)
+    {
+      std::set<std::array<double, 4>> drawn;
+      std::vector<Edge>               edges;
+      for (int v = g.offset[begin]; v < g.offset[end]; ++v)
+        {
+          const Vec2 &a = g.vertices[v], &b = g.vertices[g.next(v)];
+          drawn.insert({a.x(), a.y(), b.x(), b.y()});
+          edges.push_back({v, g.next(v), a, b});
+        }
+      std::vector<Edge> outer;
+      for (const Edge &edge : edges)
+        if (drawn.count({edge.b.x(), edge.b.y(), edge.a.x(), edge.a.y()}) == 0)
+          outer.push_back(edge);
+      return outer;
+    }
+
+
+
+    /// Everything that the mass can lie on.
+    std::vector<Edge> ground_of(const dda::Model &model)
+    {
+      std::vector<Edge> ground;
+      if (model.n_bedrock > 0)
+        ground = outer_edges(model.initial, model.n_mass(), model.n_blocks());
+      for (int k = 0; k + 1 < model.n_base_nodes(); ++k) // left to right: the ground is below
+        ground.push_back(
+          {k + 1, k, model.initial.base_nodes[k + 1], model.initial.base_nodes[k], true});
+      return ground;
+    }
+  } // namespace
+
+
+
+  SoleSlip::SoleSlip(const dda::Model *blocks, const double downhill)
+    : sign(downhill < 0. ? -1. : 1.)
+  {
+    if (blocks != nullptr && blocks->n_mass() > 0)
+      find_soles(*blocks);
+  }
+
+
+
+  void SoleSlip::find_soles(const dda::Model &model)
+  {
+    const std::vector<Edge> ground = ground_of(model);
+    for (const Edge &edge : outer_edges(model.initial, 0, model.n_mass()))
+      {
+        const Vec2   middle = 0.5 * (edge.a + edge.b), along = edge.b - edge.a;
+        const double length  = along.norm();
+        double       nearest = near * length;
+        Ground       below;
+        for (const Edge &other : ground)
+          {
+            const Vec2   way   = other.b - other.a;
+            const double width = way.norm(), part = (middle - other.a).dot(way) / (width * width);
+            if (part < 0. || part > 1. || along.dot(way) > -parallel * length * width)
+              continue;
+            const double distance = std::abs(cross(way, middle - other.a)) / width;
+            if (distance >= nearest)
+              continue;
+            nearest = distance;
+            below   = {other.base, other.first, other.second, part};
+          }
+        if (below.first >= 0)
+          soles.push_back({edge.first, edge.second, below, middle, length});
+      }
+  }
+
+
+
+  Vec2 SoleSlip::place(const dda::DdaState &state, const Sole &sole)
+  {
+    const std::vector<Vec2> &v = state.geometry.vertices;
+    const Ground            &g = sole.ground;
+    const Vec2               x = 0.5 * (v[sole.first] + v[sole.second]);
+    if (!g.base)
+      return x - (1. - g.part) * v[g.first] - g.part * v[g.second];
+    const auto &u = state.base_displacement;
+    return x - (1. - g.part) * u.segment<2>(2 * g.first) - g.part * u.segment<2>(2 * g.second);
+  }
+
+
+
+  void SoleSlip::set_reference(const dda::DdaState &state)
+  {
+    for (Sole &sole : soles)
+      {
+        const Vec2 edge =
+          state.geometry.vertices[sole.second] - state.geometry.vertices[sole.first];
+        sole.start = place(state, sole);
+        sole.along = sign / edge.norm() * edge;
+      }
+  }
+
+
+
+  std::vector<double> SoleSlip::values(const dda::DdaState &state) const
+  {
+    std::vector<double> slip;
+    slip.reserve(soles.size());
+    for (const Sole &sole : soles)
+      slip.push_back((place(state, sole) - sole.start).dot(sole.along));
+    return slip;
+  }
+
+
+
+  double SoleSlip::mean(const std::vector<double> &slip) const
+  {
+    double sum = 0., width = 0.;
+    for (std::size_t k = 0; k < soles.size(); ++k)
+      {
+        sum += soles[k].length * slip[k];
+        width += soles[k].length;
+      }
+    return width > 0. ? sum / width : 0.;
+  }
+
+
+
+  int SoleSlip::farthest(const std::vector<double> &slip)
+  {
+    int found = 0;
+    for (std::size_t k = 0; k < slip.size(); ++k)
+      if (std::abs(slip[k]) > std::abs(slip[found]))
+        found = static_cast<int>(k);
+    return found;
+  }
+
+
+
+  void SoleSlip::serialize(restart::Archive &archive)
+  {
+    std::vector<Vec2> reference;
+    for (const Sole &sole : soles)
+      {
+        reference.push_back(sole.start);
+        reference.push_back(sole.along);
+      }
+    archive(reference);
+    for (std::size_t k = 0; archive.is_reading() && k < soles.size(); ++k)
+      {
+        soles[k].start = reference.at(2 * k);
+        soles[k].along = reference.at(2 * k + 1);
+      }
+  }
+} // namespace hybrid::output

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/line_card.h>
+
+#include <gtest/gtest.h>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    /// A line of 2 m for each name.
+    scene::SectionMesh mesh_with(const std::vector<std::string> &names)
+    {
+      scene::SectionMesh mesh;
+      mesh.nodes = {{0., 0.}, {2., 0.}};
+      for (const std::string &name : names)
+        mesh.lines[name] = {{0, 1}};
+      return mesh;
+    }
+
+
+    void expect_row(const std::string &text, const std::string &names, const std::string &role)
+    {
+      const auto begin = text.find("\n  " + names + " ");
+      ASSERT_NE(begin, std::string::npos) << names << " is not in" << text;
+      EXPECT_NE(text.substr(begin + 1, text.find('\n', begin + 1) - begin).find(role),
+                std::string::npos)
+        << text;
+    }
+
+
+    TEST(LineCard, PlanesThatNoParameterNamesAreWelded)
+    {
+      const auto             mesh = mesh_with({"bedding_1", "bedding_2", "bedding_3"});
+      scene::SceneParameters scene;
+      scene.bedding.names = {"bedding_2"};
+      std::string text    = describe_lines(mesh, scene);
+      expect_row(text, "bedding_1, bedding_3", "4 m  welded, as Bedding planes/Names does not");
+      expect_row(text, "bedding_2", "2 m  elastic joint");
+      scene.bedding.slips = true;
+      expect_row(describe_lines(mesh, scene), "bedding_2", "joint that slips and opens");
+    }
+
+
+    TEST(LineCard, TheSlidingSurfaceIsABeltOrAContact)
+    {
+      const auto             mesh = mesh_with({"sliding_surface"});
+      scene::SceneParameters scene;
+      expect_row(describe_lines(mesh, scene), "sliding_surface", "unbonded contact with friction");
+      scene.blocks.belt_material           = "belt";
+      scene.blocks.saturated_belt_material = "wet";
+      expect_row(describe_lines(mesh, scene),
+                 "sliding_surface",
+                 "bonded to the blocks, belt material belt");
+      scene.environment.water_level = 175.;
+      expect_row(describe_lines(mesh, scene),
+                 "sliding_surface",
+                 "belt material belt (below the water wet)");
+      scene.blocks.enabled = false;
+      expect_row(describe_lines(mesh, scene), "sliding_surface", "free surface, as there are no");
+    }
+
+
+    TEST(LineCard, BoundariesSayWhatTheyAre)
+    {
+      const auto             mesh = mesh_with({"base", "left", "right", "ground", "mass_surface"});
+      scene::SceneParameters scene;
+      scene.continuum.sides = scene::SideBoundary::free_field;
+      std::string text      = describe_lines(mesh, scene);
+      expect_row(text, "base", "compliant base");
+      expect_row(text, "left, right", "4 m  side: free field");
+      expect_row(text, "ground", "free surface of the bedrock");
+      expect_row(text, "mass_surface", "only drawn");
+      scene.continuum_model = scene::ContinuumModel::none;
+      scene.bedrock         = scene::BedrockModel::rigid;
+      text                  = describe_lines(mesh, scene);
+      expect_row(text, "ground", "surface of the rigid base");
+      expect_row(text, "base, left, right", "not used, as the bedrock is rigid");
+      EXPECT_EQ(describe_lines(mesh_with({}), scene), "");
+    }
+  } // namespace
+} // namespace hybrid::output

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block_scenes.h"
+
+#include <hybrid/output/sole_slip.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace hybrid;
+  using namespace hybrid::output;
+
+  /// Two blocks of 2 m side by side on a level base of segments of 1 m from x = -1 to x = 6.
+  struct TwoBlocks
+  {
+    TwoBlocks()
+      : model(dda::build_model(test::square_blocks(2, 1, 2.),
+                               test::block_parameters(30.),
+                               test::straight_base(0., 1., 6., 7)))
+      , state(dda::initial_state(model))
+    {}
+
+    void move(const int block, const Vec2 &by)
+    {
+      dda::Geometry &g = state.geometry;
+      for (int v = g.offset[block]; v < g.offset[block + 1]; ++v)
+        g.vertices[v] += by;
+    }
+
+    dda::Model    model;
+    dda::DdaState state;
+  };
+} // namespace
+
+
+
+TEST(SoleSlip, counts_from_rest_relative_to_the_ground)
+{
+  TwoBlocks scene;
+  for (const double sign : {1., -1., 0.})
+    {
+      SoleSlip slip(&scene.model, sign);
+      ASSERT_EQ(slip.n_soles(), 2);
+      EXPECT_NEAR(slip.length(0), 2., 1e-12);
+      EXPECT_LT((slip.position(1) - Vec2(3., 0.)).norm(), 1e-12);
+      scene.state = dda::initial_state(scene.model);
+      scene.move(0, Vec2(0.01, -0.02)); // while it settles
+      slip.set_reference(scene.state);
+      EXPECT_EQ(slip.values(scene.state), std::vector<double>({0., 0.}));
+      for (int k = 0; k < scene.model.n_base_nodes(); ++k)
+        scene.state.base_displacement.segment<2>(2 * k) = Vec2(0.3, 0.1);
+      scene.move(0, Vec2(0.5, 0.1));
+      scene.move(1, Vec2(0.2, 0.1));
+      const std::vector<double> now = slip.values(scene.state);
+      const double              way = sign < 0. ? -1. : 1.;
+      EXPECT_NEAR(now[0], way * 0.2, 1e-14);
+      EXPECT_NEAR(now[1], way * -0.1, 1e-14);
+      EXPECT_NEAR(slip.mean(now), way * 0.05, 1e-14);
+      EXPECT_EQ(SoleSlip::farthest(now), 0);
+    }
+}
+
+
+
+// Ground that stretches: the point under the sole counts, between the nodes beside it.
+TEST(SoleSlip, follows_the_point_that_the_sole_lay_on)
+{
+  TwoBlocks scene;
+  SoleSlip  slip(&scene.model, 1.);
+  slip.set_reference(scene.state);
+  for (int k = 0; k < scene.model.n_base_nodes(); ++k)
+    scene.state.base_displacement[2 * k] = 0.01 * scene.model.initial.base_nodes[k].x();
+  const std::vector<double> now = slip.values(scene.state);
+  EXPECT_NEAR(now[0], -0.01 * 1., 1e-14);
+  EXPECT_NEAR(now[1], -0.01 * 3., 1e-14);
+}
+
+
+
+TEST(SoleSlip, blocks_in_the_air_and_scenes_without_blocks_have_no_soles)
+{
+  const dda::Model model = dda::build_model(test::square_blocks(1, 1, 2.),
+                                            test::block_parameters(30.),
+                                            {Vec2(-1., -0.2), Vec2(3., -0.2)});
+  EXPECT_EQ(SoleSlip(&model, 1.).n_soles(), 0);
+  EXPECT_EQ(SoleSlip(nullptr, 1.).n_soles(), 0);
+}

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every base moves with the ground motion that the scene gives, whether that is an outcrop's or the incident wave.
+
+A section of stiff rock (20 m, 3 km/s), its top a bonded mass, is shaken at 2 Hz: it is so short beside the wave that all of
+it moves like an outcrop, within 1/cos(2 pi f H/c_s) - 1 = 0.4 %, on any base. So all models have to agree with each other and
+with the motion, monitors on the base have to have its velocity and acceleration, and `incident` has to double everything.
+
+Usage: base_motion_test.py HYBRID_BINARY SOURCE_DIR WORK_DIR
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import h5py
+import numpy
+
+SCENE = """
+set Title = %(title)s
+subsection Time
+  set End time  = 1.2
+  set Time step = 0.001
+end
+subsection Mesh
+  set File    = %(mesh)s
+  set Numbers = Width = 20; Resolution/h = 5
+end
+subsection Model
+  set Bedrock = %(bedrock)s
+  set Blocks  = %(blocks)s
+end
+subsection Materials
+  set Names = rock
+  subsection rock
+    set Density          = 2500
+    set Young modulus    = 60e9
+    set Poisson ratio    = 0.25
+    set Friction angle   = 45
+    set Cohesion         = 1e12
+    set Tensile strength = 1e12
+  end
+end
+subsection Continuum
+  set Materials = rock
+  set Base      = %(base)s
+  set Sides     = %(sides)s
+end
+subsection Bedding planes
+  set Names            = bedding_1
+  set Normal stiffness = 1e13
+  set Shear stiffness  = 1e13
+end
+subsection Blocks
+  set Material      = rock
+  set Belt material = rock
+end
+subsection Gravity
+  set Acceleration = 0
+end
+subsection Motion
+  set Type      = ricker
+  set Frequency = 2
+  set Peak      = 1
+  set Meaning   = %(meaning)s
+end
+subsection Monitors
+  set Points = base: 10, 0; mass: 10.3, 17.2
+end
+subsection Output
+  set Directory = %(output)s
+end
+"""
+
+# bedrock, base, sides; and what the base monitor is: prescribed (the outcrop's motion itself) or free to answer
+MODELS = {
+    "continuum, compliant": ("continuum", "compliant", "free field"),
+    "continuum, rigid": ("continuum", "rigid", "free field"),
+    "triangles, compliant": ("triangles", "compliant", "free field"),
+    "triangles, rigid": ("triangles", "rigid", "free field"),
+    "layers": ("layers", "compliant", "viscous"),
+    "rigid": ("rigid", "compliant", "viscous"),
+}
+QUANTITIES = ("displacement", "velocity", "acceleration")
+
+
+def run(binary, source, work, model, meaning):
+    """{(place, quantity): largest |x component|} of the base, the mass and the outcrop's motion as recorded."""
+    bedrock, base, sides = MODELS[model]
+    directory = work / (model.replace(", ", "_") + "_" + meaning)
+    scene = directory.with_suffix(".prm")
+    # each layer has to be one surface of the mesh: the upper two of three are the blocks then
+    mesh, blocks = ("layers.geo", "none") if bedrock == "layers" else ("blocks_on_layers.geo", "bonded")
+    scene.write_text(SCENE % {"title": model + ", " + meaning, "mesh": source / "meshes" / mesh,
+                              "blocks": blocks, "bedrock": bedrock, "base": base, "sides": sides, "meaning": meaning, "output": directory})
+    subprocess.run([binary, scene], check=True, stdout=subprocess.DEVNULL)
+    peaks = {}
+    with h5py.File(directory / "run.h5", "r") as file:
+        for place in ("base", "mass", "input"):
+            group = file["input" if place == "input" else "monitors/" + place]
+            for quantity in QUANTITIES:
+                peaks[place, quantity] = numpy.abs(group[quantity][:, 0]).max()
+    return peaks
+
+
+def main():
+    binary, source, work = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    failed = 0
+    for model in MODELS:
+        peaks = {meaning: run(binary, source, work, model, meaning) for meaning in ("outcrop", "incident")}
+        for meaning, found in peaks.items():
+            for place in ("base", "mass"):
+                ratios = [found[place, quantity] / found["input", quantity] for quantity in QUANTITIES]
+                bad = max(abs(ratio - 1.) for ratio in ratios) > 0.02
+                failed += bad
+                print(f"{model}, {meaning}: {place} over outcrop " + ", ".join("%.4f" % r for r in ratios) +
+                      ("  WRONG" if bad else ""))
+        doubled = [peaks["incident"][key] / max(peaks["outcrop"][key], 1e-300) for key in peaks["outcrop"]]
+        bad = max(abs(ratio - 2.) for ratio in doubled) > 1e-3
+        failed += bad
+        print(f"{model}: incident over outcrop from {min(doubled):.6f} to {max(doubled):.6f}" + ("  WRONG" if bad else ""))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
