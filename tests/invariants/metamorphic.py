@@ -113,11 +113,15 @@ RELATIONS = (mirrored, shifted, renumbered, heavier, threads, in_two_halves)
 
 def slab(bedrock, **chosen):
     """One slab on a stiff slope that holds at rest and slides in the earthquake."""
-    bedding = "elastic" if bedrock == "layers" else "off"
-    scene = Scene(options(bedrock=bedrock, base="rigid", bedding=bedding, static="held", **dict({"motion": "outcrop"}, **chosen)))
+    layers = bedrock == "layers"
+    scene = Scene(options(bedrock=bedrock, base="rigid", bedding="elastic" if layers else "off", static="held",
+                          sides="free field" if bedrock in ("continuum", "triangles") else "viscous",
+                          **dict({"motion": "outcrop"}, **chosen)))
     scene.end_time = 1.2
     scene.further = {"Motion/Peak": 4.0 if chosen.get("motion") == "incident" else 8.0, "Motion/Frequency": 2.5,
                      "Materials/mass/Young modulus": 2e9}
+    if layers:
+        scene.further.update({"Bedding planes/Normal stiffness": 1e12, "Bedding planes/Shear stiffness": 1e12})
     return scene
 
 
