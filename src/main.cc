@@ -86,6 +86,7 @@ namespace
         case RunStatus::finished:
           return 0;
         case RunStatus::no_convergence:
+        case RunStatus::energy_limit:
           return 1;
         case RunStatus::interrupted:
           return 130;

@@ -349,8 +349,7 @@ namespace hybrid
     else
       run.recorder.flush();
     const RunStatus status = advance(run, interruption);
-    finish(run, status);
-    return status;
+    return finish(run, status);
   }
 
 
@@ -399,24 +398,28 @@ namespace hybrid
                         summary.steps - first_step,
                         summary.iterations - first_iteration);
         output_time += seconds_since(accepted);
-        if (interruption.is_requested())
+        if (!watch_energy(run))
+          status = RunStatus::energy_limit;
+        else if (interruption.is_requested())
           status = RunStatus::interrupted;
         else if (run.schedule.is_due(summary.steps))
           save(run);
       }
     if (status != RunStatus::no_convergence)
       progress.finish();
-    if (status == RunStatus::interrupted || scene.checkpoint.is_on())
+    if (status == RunStatus::interrupted || status == RunStatus::energy_limit ||
+        scene.checkpoint.is_on())
       save(run);
     return status;
   }
 
 
 
-  void Simulation::finish(Run &run, const RunStatus status)
+  RunStatus Simulation::finish(Run &run, RunStatus status)
   {
     output::Summary &summary = run.summary;
     run.recorder.finish(state, summary);
+    status                 = judge_energy(run, status);
     summary.title          = scene.title;
     summary.finished       = status == RunStatus::finished;
     summary.simulated_time = run.clock.time();
@@ -454,6 +457,10 @@ namespace hybrid
     log.info(text);
     if (status == RunStatus::interrupted)
       log.info("Interrupted; to continue: " + resume_command(scene.output.directory));
+    if (status == RunStatus::energy_limit)
+      log.info("To go on nevertheless: " + resume_command(scene.output.directory) +
+               " -s \"Output/Energy limit=0\"");
+    return status;
   }
 
 

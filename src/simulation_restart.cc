@@ -24,6 +24,7 @@ namespace hybrid
                 simulation.base.get()},
                mode)
     , schedule(simulation.scene.checkpoint)
+    , energy(simulation.scene.output.energy_warning, simulation.scene.output.energy_limit)
   {}
 
 
@@ -42,7 +43,7 @@ namespace hybrid
     auto &[cuts, retries, moved_too_far, unconverged] = summary.wasted;
     archive(summary.steps, summary.iterations, summary.timings);
     archive(cuts, retries, moved_too_far, unconverged);
-    archive(run.recorder);
+    archive(run.recorder, run.energy);
     if (!archive.is_reading())
       return;
     run.earlier_wall_time = wall_time;
@@ -134,7 +135,6 @@ namespace hybrid
     log.info(text);
     warn_of_missing_pictures(run);
     const RunStatus status = advance(run, interruption);
-    finish(run, status);
-    return status;
+    return finish(run, status);
   }
 } // namespace hybrid

@@ -24,6 +24,7 @@ namespace hybrid
   {
     finished,
     no_convergence, ///< a step failed at the smallest allowed size
+    energy_limit,   ///< the energy audit does not close, with a checkpoint
     interrupted     ///< by the user, with a checkpoint if the static stage was over
   };
 
@@ -93,8 +94,8 @@ namespace hybrid
     /// The time loop. @return how it ended, after a checkpoint if it was interrupted.
     RunStatus advance(Run &run, const Interruption &interruption);
 
-    /// Last records and the summary.
-    void finish(Run &run, RunStatus status);
+    /// Last records and the summary. @return the status after the last audit.
+    RunStatus finish(Run &run, RunStatus status);
 
     /// Everything that changes, for the checkpoint; what says whose it is comes before it.
     void serialize(restart::Archive &archive, Run &run);
@@ -107,6 +108,12 @@ namespace hybrid
 
     /// Of a run that goes on: somebody has deleted pictures.
     void warn_of_missing_pictures(const Run &run) const;
+
+    /// Say what the last energy audit calls for. @return false if the run has to stop.
+    bool watch_energy(Run &run) const;
+
+    /// The same after the last audit of a run that ended with @p status. @return its status now.
+    RunStatus judge_energy(Run &run, RunStatus status) const;
 
     void say_why(const dda::StepResult &result, double time) const;
   };

@@ -3,6 +3,7 @@
 
 #include <hybrid/checkpoint.h>
 #include <hybrid/dda/block_solver.h>
+#include <hybrid/output/energy_watch.h>
 #include <hybrid/simulation.h>
 
 #include <chrono>
@@ -29,6 +30,7 @@ namespace hybrid
     output::RunRecorder               recorder;
     output::Summary                   summary; ///< steps, iterations and timings so far
     CheckpointSchedule                schedule;
+    output::EnergyWatch               energy;
     const SteadyClock::time_point     start             = SteadyClock::now();
     double                            earlier_wall_time = 0.; ///< before the run was resumed [s]
 

@@ -9,7 +9,37 @@ namespace hybrid::output
 {
   namespace
   {
-    using Terms = std::vector<std::pair<std::string, double>>;
+    using Terms = std::vector<EnergyTerm>;
+
+    /// Energies below which nothing is said of their balance: what forces that balance to 1e-8 do
+    /// on ways of micrometres, and the round-off of what is held at the start.
+    constexpr double least_in_play = 1e-3; ///< [J/m]
+    constexpr double part_of_held  = 1e-6; ///< [-]
+
+
+
+    /// Numbers of the time integration and the contact search, not of physics.
+    bool is_of_scheme(const std::string &name)
+    {
+      return name == "contact_switch_loss" || name == "blocks_integration_loss" ||
+             name == "bedrock_integration_loss";
+    }
+
+
+
+    /// Work that moving mass and rock together does on each other's account.
+    bool is_of_weight(const std::string &name)
+    {
+      return name == "blocks_gravity" || name == "bedrock_static_stress";
+    }
+
+
+
+    bool is_kinetic(const std::string &name)
+    {
+      return name == "blocks_kinetic" || name == "bedrock_kinetic";
+    }
+
 
     /// All terms with the sign they have in the sum.
     Terms collect(const coupling::CoupledState     &state,
@@ -68,8 +98,8 @@ namespace hybrid::output
   std::vector<std::string> EnergyLedger::names() const
   {
     std::vector<std::string> result;
-    for (const auto &term : collect({}, {}, has_continuum, effects))
-      result.push_back(term.first);
+    for (const EnergyTerm &term : collect({}, {}, has_continuum, effects))
+      result.push_back(term.name);
     return result;
   }
 
@@ -80,30 +110,68 @@ namespace hybrid::output
   {
     const Terms now = collect(state, bedrock, has_continuum, effects);
     if (start.empty())
-      for (const auto &term : now)
-        {
-          start.push_back(term.second);
-          if (term.first == "blocks_kinetic" || term.first == "bedrock_kinetic")
-            exchanged += term.second; // what moves at the start is in play from then on
-        }
-    terms.resize(now.size());
-    double sum = 0., total = 0.;
+      {
+        double held = 0., moving = 0.;
+        for (const EnergyTerm &term : now)
+          {
+            start.push_back(term.value);
+            held += std::abs(term.value);
+            if (is_kinetic(term.name))
+              moving += term.value; // what moves at the start is in play from then on
+          }
+        in_play = std::max({least_in_play, part_of_held * held, moving});
+        terms.assign(now.size(), 0.);
+      }
+    before        = terms;
+    double weight = 0., physical = 0.;
+    imbalance = scheme_total = 0.;
     for (std::size_t i = 0; i < now.size(); ++i)
       {
-        terms[i] = now[i].second - start[i];
-        sum += terms[i];
-        total += std::abs(terms[i]);
+        terms[i] = now[i].value - start[i];
+        imbalance += terms[i];
+        if (is_of_scheme(now[i].name))
+          scheme_total += std::abs(terms[i]);
+        else if (is_of_weight(now[i].name))
+          weight += terms[i];
+        else
+          physical += std::abs(terms[i]);
       }
-    exchanged = std::max(exchanged, total);
-    imbalance = std::abs(sum) / exchanged;
-    largest   = std::max(largest, imbalance);
+    in_play = std::max(in_play, physical + std::abs(weight));
+    largest = std::max(largest, std::abs(imbalance));
     return terms;
+  }
+
+
+
+  std::vector<EnergyTerm> EnergyLedger::largest_changes(const int n) const
+  {
+    const std::vector<std::string> all = names();
+    std::vector<EnergyTerm>        changes;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      changes.push_back({all[i], terms[i] - before[i]});
+    std::stable_sort(changes.begin(), changes.end(), [](const EnergyTerm &a, const EnergyTerm &b) {
+      return std::abs(a.value) > std::abs(b.value);
+    });
+    changes.resize(std::min<std::size_t>(changes.size(), n));
+    return changes;
+  }
+
+
+
+  std::vector<EnergyTerm> EnergyLedger::scheme_terms() const
+  {
+    const std::vector<std::string> all = names();
+    std::vector<EnergyTerm>        result;
+    for (std::size_t i = 0; i < terms.size(); ++i)
+      if (is_of_scheme(all[i]))
+        result.push_back({all[i], terms[i]});
+    return result;
   }
 
 
 
   void EnergyLedger::serialize(restart::Archive &archive)
   {
-    archive(start, terms, exchanged, imbalance, largest);
+    archive(start, terms, before, in_play, imbalance, scheme_total, largest);
   }
 } // namespace hybrid::output

@@ -20,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "src/output/plot"), str(ROOT / "tests"), str(ROOT / "tests/verification/cases"), str(ROOT / "tests/stability")]
 
 from hard_case_list import CASES  # noqa: E402 (needs the path above)
-from hard_cases import NOISE, created_energy, energy_terms, exchanged_energy  # noqa: E402
+from hard_cases import NOISE, created_energy, energy_terms, exchanged_energy, physical_total  # noqa: E402
 from run_data import RunData  # noqa: E402
 from run_hybrid import run_hybrid  # noqa: E402
 
@@ -29,7 +29,6 @@ NOT_ADMITTED = "is for a continuum alone"  # what the program says of the scheme
 TOO_LONG = ("lamb_80x60",)  # lamb is the same problem
 EVERY_STEP = ["Output/Audit interval=1e-12", "Output/Picture interval=0"]
 SMOOTH, ROUGH = 0.001, 0.01
-FLOOR = 1e-9  # of the energy that the program's residual refers to [J/m]
 
 
 def scenes(names):
@@ -51,8 +50,8 @@ def is_smooth(run):
 def largest_residual(run, limit):
     """Residual over energy exchanged so far and what moved at the start, largest of all audits, where NOISE does not hide it."""
     moved = sum(run.file["energy"][name].attrs["start"][0] for name in run.names("energy") if name.endswith("_kinetic"))
-    so_far = moved + np.maximum.accumulate(sum(np.abs(term).ravel() for term in energy_terms(run).values()))
-    unexplained = run.get("energy/residual").ravel() * np.maximum(so_far, FLOOR)
+    so_far = moved + np.maximum.accumulate(physical_total(run))
+    unexplained = np.abs(sum(term.ravel() for term in energy_terms(run).values()))
     return (unexplained / (so_far + NOISE / limit)).max()
 
 

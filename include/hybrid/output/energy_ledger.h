@@ -3,8 +3,8 @@
 
 #include <hybrid/coupling/coupled_state.h>
 
+#include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace hybrid::output
@@ -19,13 +19,25 @@ namespace hybrid::output
   };
 
 
+  /// A term of the audit and its value [J/m].
+  struct EnergyTerm
+  {
+    std::string name;
+    double      value;
+  };
+
+
   /**
    * The energy audit of the whole model.
    *
    * All terms relative to the start of the dynamic stage: energy held (blocks,
    * springs, bedrock), energy lost, less the work put in. Their sum is zero if
-   * nothing is created or forgotten; the residual is |sum| over the largest
-   * total of absolute terms so far (floor 1e-9 J/m).
+   * nothing is created or forgotten. It is compared with the energy in play, the
+   * largest total of absolute terms so far, kinetic energy at the start included,
+   * of physics alone: not what the time integration or the replacing of
+   * contacts takes, which is judged beside it. The work against static stress
+   * and that against gravity are one term there, because mass and rock that are
+   * lifted together leave nothing of either.
    */
   class EnergyLedger
   {
@@ -53,11 +65,35 @@ namespace hybrid::output
       return terms;
     }
 
-    /// Relative residual now [-].
+    /// Sum of the terms now over the energy in play so far [-].
     double residual() const
+    {
+      return std::abs(imbalance) / in_play;
+    }
+
+    /// What the scheme has taken or given, terms in absolute value, over the energy in play [-].
+    double scheme_part() const
+    {
+      return scheme_total / in_play;
+    }
+
+    /// Sum of the terms now [J/m]; positive: created.
+    double sum() const
     {
       return imbalance;
     }
+
+    /// Energy in play so far [J/m].
+    double exchanged() const
+    {
+      return in_play;
+    }
+
+    /// What changed most since the audit before, largest first, at most @p n [J/m].
+    std::vector<EnergyTerm> largest_changes(int n) const;
+
+    /// Terms of the scheme [J/m].
+    std::vector<EnergyTerm> scheme_terms() const;
 
     /// What the terms are relative to [J/m]; empty before the first call of update().
     const std::vector<double> &at_start() const
@@ -65,10 +101,10 @@ namespace hybrid::output
       return start;
     }
 
-    /// Largest relative residual so far [-].
+    /// Largest sum so far over the energy in play so far [-].
     double largest_residual() const
     {
-      return largest;
+      return largest / in_play;
     }
 
     /// For the checkpoint.
@@ -77,7 +113,8 @@ namespace hybrid::output
   private:
     bool                has_continuum;
     EffectTerms         effects;
-    std::vector<double> start, terms;
-    double              exchanged = 1e-9, imbalance = 0., largest = 0.;
+    std::vector<double> start, terms, before;
+    double              in_play   = 1e-300;                              ///< see exchanged() [J/m]
+    double              imbalance = 0., scheme_total = 0., largest = 0.; ///< [J/m]
   };
 } // namespace hybrid::output

@@ -239,6 +239,8 @@ namespace hybrid::scene
     double picture_interval = 0.1; ///< simulated time between VTU files [s]; 0: only first and last
     double flush_interval   = 2.;  ///< wall time between flushes of run.h5 [s]
     double audit_interval   = 0.01; ///< simulated time between energy audits [s]
+    double energy_warning   = 0.01; ///< residual of the audit from which it is said; 0: never [-]
+    double energy_limit     = 0.05; ///< residual at which the run stops; 0: never [-]
   };
 
   /// Everything a scene says.

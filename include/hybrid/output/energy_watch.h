@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/output/energy_ledger.h>
+
+#include <string>
+
+namespace hybrid::output
+{
+  /**
+   * Says when the energy audit of a run does not close: a warning once the residual passes the one
+   * limit, the end of the run at the other.
+   */
+  class EnergyWatch
+  {
+  public:
+    /// @param warning_part, limit_part residuals [-]; 0: never.
+    EnergyWatch(const double warning_part, const double limit_part)
+      : warning(warning_part)
+      , limit(limit_part)
+    {}
+
+    /// Look at the audit of @p time [s]. @return what is to be said now; empty: nothing.
+    std::string look(const EnergyLedger &ledger, double time);
+
+    /// True if the run has to stop: the last audit is above the limit.
+    bool is_over(const EnergyLedger &ledger) const
+    {
+      return limit > 0. && ledger.residual() > limit;
+    }
+
+    /// What the scheme took, where that is more than the warning's part; said once, at the end.
+    std::string of_scheme(const EnergyLedger &ledger) const;
+
+    /// For the checkpoint.
+    void serialize(restart::Archive &archive);
+
+  private:
+    const double warning, limit;
+    bool         has_warned = false;
+  };
+} // namespace hybrid::output

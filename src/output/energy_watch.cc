@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/energy_watch.h>
+#include <hybrid/restart/archive.h>
+
+#include <sstream>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    std::string number(const double value)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << value;
+      return text.str();
+    }
+
+
+
+    std::string list(const std::vector<EnergyTerm> &terms)
+    {
+      std::string text;
+      for (const EnergyTerm &term : terms)
+        text += (text.empty() ? "" : ", ") + term.name + " " + number(term.value);
+      return text + " J/m";
+    }
+
+
+
+    std::string finding(const EnergyLedger &ledger)
+    {
+      return number(std::abs(ledger.sum())) + " J/m were " +
+             (ledger.sum() > 0. ? "created" : "lost") + ", " + number(100. * ledger.residual()) +
+             " % of the " + number(ledger.exchanged()) +
+             " J/m in play; largest changes since the audit before: " +
+             list(ledger.largest_changes(3));
+    }
+  } // namespace
+
+
+
+  std::string EnergyWatch::look(const EnergyLedger &ledger, const double time)
+  {
+    if (is_over(ledger))
+      return "stopped at t = " + number(time) +
+             " s, because the energy audit does not close: " + finding(ledger) +
+             "; the results are wrong from about here on, allowed are " + number(100. * limit) +
+             " % (Output/Energy limit), a smaller Time/Time step may do";
+    if (has_warned || !(warning > 0.) || ledger.residual() <= warning)
+      return "";
+    has_warned = true;
+    return "the energy audit does not close at t = " + number(time) + " s: " + finding(ledger) +
+           "; warned from " + number(100. * warning) +
+           " % on (Output/Energy warning), a smaller Time/Time step may do";
+  }
+
+
+
+  std::string EnergyWatch::of_scheme(const EnergyLedger &ledger) const
+  {
+    if (!(warning > 0.) || ledger.scheme_part() <= warning)
+      return "";
+    return "the time integration took " + number(100. * ledger.scheme_part()) + " % of the " +
+           number(ledger.exchanged()) + " J/m in play (" + list(ledger.scheme_terms()) +
+           "): this part depends on Time/Time step, compare with half the step";
+  }
+
+
+
+  void EnergyWatch::serialize(restart::Archive &archive)
+  {
+    archive(has_warned);
+  }
+} // namespace hybrid::output

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run says of its energy audit.
+#include <hybrid/simulation_run.h>
+
+namespace hybrid
+{
+  bool Simulation::watch_energy(Run &run) const
+  {
+    const output::EnergyLedger &ledger = run.recorder.energy();
+    const std::string           text   = run.energy.look(ledger, run.clock.time());
+    if (!text.empty())
+      log.warning(text);
+    return !run.energy.is_over(ledger);
+  }
+
+
+
+  RunStatus Simulation::judge_energy(Run &run, const RunStatus status) const
+  {
+    const std::string of_scheme = run.energy.of_scheme(run.recorder.energy());
+    if (!of_scheme.empty())
+      log.warning(of_scheme);
+    if (status == RunStatus::energy_limit || watch_energy(run))
+      return status;
+    return status == RunStatus::finished ? RunStatus::energy_limit : status;
+  }
+} // namespace hybrid
