@@ -79,9 +79,9 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, Geometry &geometry)
   {
-    auto &[offset, block_of, vertices, base_nodes, bedrock] = geometry;
-    auto &[first_block, next, previous]                     = bedrock;
-    archive(offset, block_of, vertices, base_nodes, first_block, next, previous);
+    auto &[offset, block_of, vertices, base_nodes, bedrock, base_shares] = geometry;
+    auto &[first_block, next, previous]                                  = bedrock;
+    archive(offset, block_of, vertices, base_nodes, first_block, next, previous, base_shares);
   }
 
 

@@ -106,6 +106,10 @@ namespace hybrid::continuum
     /// Empty if the scene has no blocks.
     const std::vector<Vec2> &surface_nodes() const;
 
+    /// Of a uniform load between two nodes of the surface, the part that the first one bears [-],
+    /// by the shape functions of the elements; one fewer than the nodes.
+    const std::vector<double> &surface_shares() const;
+
     /// Condensed dynamic stiffness S for the step dt [N/m per m], symmetric, 2 |nodes| square,
     /// unknowns (x0, y0, x1, y1, ...). Factored on first use; the last three step sizes are kept,
     /// and so long stays the reference valid. A supported unknown has a diagonal that is a million

@@ -38,7 +38,9 @@ namespace hybrid::continuum
 
     std::vector<Vec2> surface_positions;
     std::vector<int>  surface; ///< nodes of the contact surface from left to right
-    std::vector<int>  left_nodes, right_nodes, base_nodes;
+    std::vector<double>
+      surface_shares; ///< per two of them: what the first bears of a uniform load between them [-]
+    std::vector<int> left_nodes, right_nodes, base_nodes;
     std::vector<double>
       static_displacement; ///< of the restrained model [m], empty before solve_static_state()
 

@@ -39,6 +39,12 @@ namespace hybrid::coupling
     /// Nodes of the contact surface [m], left to right.
     virtual const std::vector<Vec2> &surface_nodes() const = 0;
 
+    /// Per two nodes: what the first bears of a uniform load between them [-]; empty: half.
+    virtual std::vector<double> surface_shares() const
+    {
+      return {};
+    }
+
     virtual const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) = 0;
 
     /// Slip inside the base for this displacement of its surface [m]; a base without it is settled.

@@ -24,6 +24,11 @@ namespace hybrid::coupling
       return continuum.surface_nodes();
     }
 
+    std::vector<double> surface_shares() const override
+    {
+      return continuum.surface_shares();
+    }
+
     const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) override;
 
     continuum::SlipStatus solve_slip(const continuum::ContinuumState &state,
