@@ -217,7 +217,7 @@ namespace hybrid::output
   void RunRecorder::record_energy(coupling::CoupledState &state)
   {
     if (parts.continuum != nullptr)
-      parts.continuum->audit_energy(state.continuum, parts.scene.time.time_step);
+      parts.continuum->audit_energy(state.continuum);
     const std::vector<double> &terms    = ledger.update(state);
     const double               residual = ledger.residual();
     file.append(energy_time, &state.time);
