@@ -118,7 +118,7 @@ def main():
         missing, switched, _ = bounces.run(rod, [FALLS, "Time/Scheme=" + scheme] + more)
         what = "rod of %s, %s %s: " % (rod, scheme, ", ".join(more))
         bounces.below(what + "audit", missing, limit)
-        bounces.below(what + "stored when contacts are replaced", switched, 1e-6)
+        bounces.below(what + "stored when contacts are replaced", switched, limit)
 
     steps = (2e-3, 1e-3, 5e-4, 2.5e-4, 1e-4, 5e-5)
     runs = [bounces.run("one", [eccentric, "Time/Time step=%g" % dt]) for dt in steps]
