@@ -83,6 +83,11 @@ namespace hybrid::continuum
         {
           const int j = 2 * matrices.column[e];
           sum += matrices.mass[e] * Vec2(a[j], a[j + 1]);
+          if (!matrices.inertia_correction.empty())
+            {
+              const double *m = matrices.inertia_correction.data() + 4 * e;
+              sum += Vec2(m[0] * a[j] + m[1] * a[j + 1], m[2] * a[j] + m[3] * a[j + 1]);
+            }
         }
     return sum;
   }

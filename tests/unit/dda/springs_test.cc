@@ -153,10 +153,12 @@ namespace
     scene.move(there, Reversed::locks);
     EXPECT_EQ(now.state, ContactState::sliding);
     EXPECT_FALSE(scene.springs.responses[0].held);
+    scene.springs.remember();
     scene.move(back, Reversed::locks);
     EXPECT_EQ(now.state, ContactState::locked);
     EXPECT_TRUE(scene.springs.any_held());
     const double held = now.shear;
+    scene.springs.remember();
     scene.move(back, Reversed::locks); // from sticking it may slide either way
     EXPECT_EQ(now.state, ContactState::sliding);
     EXPECT_FALSE(scene.springs.responses[0].held);
