@@ -174,7 +174,8 @@ namespace hybrid::continuum
 
   void Continuum::Implementation::allocate_work()
   {
-    for (auto *x : {&predicted, &rate, &load, &product, &product2, &mean, &du, &da, &u1, &v1, &a1})
+    for (auto *x :
+         {&predicted, &rate, &load, &product, &product2, &mean, &du, &da, &u1, &v1, &a0, &a1})
       x->assign(n_dofs(), 0.);
     rhs.assign(dof_of_system.size(), 0.);
     solution.assign(dof_of_system.size(), 0.);

@@ -206,12 +206,11 @@ namespace hybrid::output
 
   void RunRecorder::record_energy(const coupling::CoupledState &state)
   {
-    const continuum::ContinuumEnergy bedrock =
-      parts.continuum != nullptr
-        ? parts.continuum->audit_energy(state.continuum, parts.scene.time.time_step)
-        : continuum::ContinuumEnergy();
-    const std::vector<double> &terms    = ledger.update(state, bedrock);
-    const double               residual = ledger.residual(), now = state.time();
+    const continuum::ContinuumEnergy bedrock  = parts.continuum != nullptr
+                                                  ? parts.continuum->audit_energy(state.continuum)
+                                                  : continuum::ContinuumEnergy();
+    const std::vector<double>       &terms    = ledger.update(state, bedrock);
+    const double                     residual = ledger.residual(), now = state.time();
     file.append(energy_time, &now);
     file.append(energy_residual, &residual);
     for (std::size_t k = 0; k < terms.size(); ++k)

@@ -62,10 +62,10 @@ namespace hybrid::coupling
     }
 
     /// @param displacement of the surface nodes at the end of the step [m].
-    /// @param force increments of the blocks' forces on them at the end of the step [N/m].
-    virtual void correct(continuum::ContinuumState &state,
-                         double                     dt,
-                         const Eigen::VectorXd     &displacement,
-                         const Eigen::VectorXd     &force) = 0;
+    /// @param force of the blocks on them at the end of the step.
+    virtual void correct(continuum::ContinuumState     &state,
+                         double                         dt,
+                         const Eigen::VectorXd         &displacement,
+                         const continuum::SurfaceForce &force) = 0;
   };
 } // namespace hybrid::coupling

@@ -35,10 +35,10 @@ namespace hybrid::coupling
                                      double                           dt,
                                      const Eigen::VectorXd           &displacement) override;
 
-    void correct(continuum::ContinuumState &state,
-                 double                     dt,
-                 const Eigen::VectorXd     &displacement,
-                 const Eigen::VectorXd     &force) override
+    void correct(continuum::ContinuumState     &state,
+                 double                         dt,
+                 const Eigen::VectorXd         &displacement,
+                 const continuum::SurfaceForce &force) override
     {
       continuum.correct(state, dt, displacement, force);
     }

@@ -20,7 +20,8 @@ namespace hybrid::coupling
       rock.velocity                = {5., 6.};
       rock.acceleration            = {7., 8., 9.};
       rock.surface_force           = {10.};
-      rock.time_step               = 11.;
+      rock.surface_contact         = {11.};
+      rock.contact_acceleration    = {11.5};
       rock.slip.jump               = {12.};
       rock.slip.path               = {13.};
       rock.slip.broken             = {1, 0};
@@ -42,7 +43,8 @@ namespace hybrid::coupling
       EXPECT_EQ(copy.continuum.velocity, rock.velocity);
       EXPECT_EQ(copy.continuum.acceleration, rock.acceleration);
       EXPECT_EQ(copy.continuum.surface_force, rock.surface_force);
-      EXPECT_EQ(copy.continuum.time_step, 11.);
+      EXPECT_EQ(copy.continuum.surface_contact, rock.surface_contact);
+      EXPECT_EQ(copy.continuum.contact_acceleration, rock.contact_acceleration);
       EXPECT_EQ(copy.continuum.slip.jump, rock.slip.jump);
       EXPECT_EQ(copy.continuum.slip.path, rock.slip.path);
       EXPECT_EQ(copy.continuum.slip.broken, rock.slip.broken);
