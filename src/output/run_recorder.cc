@@ -2,6 +2,7 @@
 #include <hybrid/output/input_tables.h>
 #include <hybrid/output/monitor_summary.h>
 #include <hybrid/output/run_recorder.h>
+#include <hybrid/output/section_tables.h>
 #include <hybrid/scene/input_error.h>
 
 #include <algorithm>
@@ -39,6 +40,7 @@ namespace hybrid::output
     file.set_attribute("/", "base_monitor", parts.scene.monitors.base_monitor);
     add_series();
     write_spectrum(file, parts.fit, parts.scene.motion.outcrop);
+    write_section_materials(file, parts.scene, parts.mesh, parts.blocks);
     if (parts.blocks != nullptr)
       {
         write_heterogeneity(file, parts.scene.heterogeneity, *parts.blocks);
