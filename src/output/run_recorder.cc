@@ -2,6 +2,7 @@
 #include <hybrid/output/input_tables.h>
 #include <hybrid/output/monitor_summary.h>
 #include <hybrid/output/run_recorder.h>
+#include <hybrid/output/section_tables.h>
 #include <hybrid/scene/downhill.h>
 #include <hybrid/scene/input_error.h>
 
@@ -32,6 +33,7 @@ namespace hybrid::output
     file.set_attribute("/", "downhill_sign", std::vector<double>{downhill});
     add_series();
     write_spectrum(file, parts.fit, parts.scene.motion.outcrop);
+    write_section_materials(file, parts.scene, parts.mesh, parts.blocks);
     if (parts.blocks != nullptr)
       {
         write_heterogeneity(file, parts.scene.heterogeneity, *parts.blocks);
