@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# ./setup.sh                        install what is missing, then configure and build (build/release/hybrid)
+# ./setup.sh                        install what is missing, then configure and build the program (build/release/hybrid)
 # ./setup.sh run PARAMS.prm [args]  the same, then run a scene
-# ./setup.sh test [--long]          the same, then every test, also under address and undefined-behaviour
+# ./setup.sh test [--long]          the same with the tests, then every test, also under address and undefined-behaviour
 #                                   sanitizers; --long adds the long runs
 set -euo pipefail
 
@@ -13,6 +13,8 @@ packages=(build-essential cmake ninja-build git libdeal.ii-dev libgmsh-dev libei
           libsuitesparse-dev libopenblas-dev libgtest-dev libhdf5-openmpi-dev
           python3 python3-h5py python3-matplotlib python3-scipy
           python3-allpairspy python3-hypothesis)
+
+test_packages=(python3-vtk9) # for `test` alone: reads the files for ParaView
 
 # Modules whose unit tests run under the sanitizers, and whether a leak is an error:
 # where MPI is linked, the leak checker reports MPI's own.
@@ -120,9 +122,14 @@ case "$command" in
   *)     usage ;;
 esac
 
+[[ "$command" == test ]] && packages+=("${test_packages[@]}")
 install_packages
 mkdir -p "$root/build"
-configure_and_build release
+if [[ "$command" == test ]]; then
+  configure_and_build release
+else
+  configure_and_build release hybrid
+fi
 
 case "$command" in
   run)  exec "$root/build/release/hybrid" "$@" ;;

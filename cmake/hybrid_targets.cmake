@@ -32,10 +32,17 @@ separate_arguments(deal_ii_linker_flags UNIX_COMMAND "${DEAL_II_LINKER_FLAGS} ${
 target_link_options(hybrid_deal_ii INTERFACE ${deal_ii_linker_flags})
 target_link_libraries(hybrid_deal_ii INTERFACE ${DEAL_II_TARGET_${deal_ii_build}})
 
-# hybrid_module(<name> SOURCES ... [DEPENDS ...] [DEAL_II] [UNITY n])
-# makes the static library hybrid_<name>. DEAL_II adds deal.II's include paths and libraries.
+# ccache does not keep what was compiled with precompiled headers.
+if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES ccache)
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
+endif()
+
+# hybrid_module(<name> SOURCES ... [DEPENDS ...] [DEAL_II] [UNITY])
+# makes the static library hybrid_<name>. DEAL_II adds deal.II's include paths and libraries. UNITY compiles sources
+# that stand together in the list together (HYBRID_UNITY): what they instantiate from Eigen and deal.II costs more than
+# themselves. Names in their anonymous namespaces must differ. Other modules read the usual headers precompiled.
 function(hybrid_module name)
-  cmake_parse_arguments(ARG "DEAL_II" "UNITY" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "DEAL_II;UNITY" "" "SOURCES;DEPENDS" ${ARGN})
   set(target hybrid_${name})
   add_library(${target} STATIC ${ARG_SOURCES})
   if(ARG_DEAL_II)
@@ -43,7 +50,13 @@ function(hybrid_module name)
   endif()
   target_link_libraries(${target} PUBLIC hybrid_flags ${ARG_DEPENDS})
   if(ARG_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${ARG_UNITY})
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${HYBRID_UNITY} UNITY_BUILD_BATCH_SIZE ${HYBRID_UNITY_SOURCES})
+    if(HYBRID_UNITY) # the warning takes sources that are included for headers
+      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+    endif()
+  else()
+    target_precompile_headers(${target} PRIVATE <Eigen/Core> <algorithm> <array> <cmath> <filesystem> <fstream>
+      <functional> <map> <memory> <set> <sstream> <string> <vector>)
   endif()
 endfunction()
 

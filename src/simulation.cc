@@ -123,6 +123,7 @@ namespace hybrid
     else
       base = std::make_unique<coupling::RigidBase>(surface_of(mesh), motion);
     blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, base->surface_nodes()));
+    blocks->initial.base_shares = base->surface_shares();
     state.blocks = dda::initial_state(*blocks);
   }
 

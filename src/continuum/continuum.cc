@@ -40,20 +40,34 @@ namespace hybrid::continuum
       return {result.begin(), result.end()};
     }
 
-    std::vector<int> surface_nodes_of(const RockMesh           &rock,
-                                      const scene::SectionMesh &mesh,
-                                      const ElementNodes       &nodes)
+    /// Nodes of the contact surface, and what each bears of the load between it and the next.
+    struct Surface
+    {
+      std::vector<int>    nodes;
+      std::vector<double> shares;
+    };
+
+    Surface
+    surface_of(const RockMesh &rock, const scene::SectionMesh &mesh, const ElementNodes &nodes)
     {
       const auto faces = faces_of_lines(rock, mesh, {"sliding_surface", "ground"});
       if (faces.empty())
         throw InputError("Mesh: blocks on bedrock need a line 'sliding_surface' or 'ground' on the "
                          "boundary of the bedrock, and there is none.");
-      std::vector<int> result;
+      const std::vector<double> shares = nodes.line.load_shares();
+      Surface                   surface;
       for (const auto &face : surface_chain(rock, faces))
-        for (const int node : nodes.along({face.cell, face.b, face.a}))
-          if (result.empty() || result.back() != node)
-            result.push_back(node);
-      return result;
+        {
+          const std::vector<int> along = nodes.along({face.cell, face.b, face.a});
+          if (!surface.nodes.empty() && surface.nodes.back() != along.front())
+            surface.shares.push_back(
+              0.5); // two nodes at one place, where a bedding plane crops out
+          if (surface.nodes.empty() || surface.nodes.back() != along.front())
+            surface.nodes.push_back(along.front());
+          surface.nodes.insert(surface.nodes.end(), along.begin() + 1, along.end());
+          surface.shares.insert(surface.shares.end(), shares.begin(), shares.end());
+        }
+      return surface;
     }
   } // namespace
 
@@ -92,7 +106,11 @@ namespace hybrid::continuum
     const bool blocks =
       scene.blocks.enabled && (!mesh.blocks.empty() || !scene.mesh.polygons_file.empty());
     if (blocks)
-      m.surface = surface_nodes_of(m.rock, mesh, *m.nodes);
+      {
+        Surface surface  = surface_of(m.rock, mesh, *m.nodes);
+        m.surface        = std::move(surface.nodes);
+        m.surface_shares = std::move(surface.shares);
+      }
     for (const int node : m.surface)
       m.surface_positions.push_back(m.nodes->positions[node]);
     m.number_system();
@@ -156,7 +174,8 @@ namespace hybrid::continuum
 
   void Continuum::Implementation::allocate_work()
   {
-    for (auto *x : {&predicted, &rate, &load, &product, &product2, &mean, &du, &da, &u1, &v1, &a1})
+    for (auto *x :
+         {&predicted, &rate, &load, &product, &product2, &mean, &du, &da, &u1, &v1, &a0, &a1})
       x->assign(n_dofs(), 0.);
     rhs.assign(dof_of_system.size(), 0.);
     solution.assign(dof_of_system.size(), 0.);
@@ -195,6 +214,12 @@ namespace hybrid::continuum
   const std::vector<Vec2> &Continuum::surface_nodes() const
   {
     return impl->surface_positions;
+  }
+
+
+  const std::vector<double> &Continuum::surface_shares() const
+  {
+    return impl->surface_shares;
   }
 
 

@@ -4,12 +4,11 @@
 namespace hybrid::continuum
 {
   /*
-   * Newmark's discrete identity, with D the change over a step and F = M a the sum of all forces:
-   *   D[1/2 v M v + 1/2 (beta - gamma/2) dt^2 a M a] + (gamma - 1/2)(beta - gamma/2) dt^2 Da M Da
-   *     = Du . [(1 - gamma) F_0 + gamma F_1],
-   * so each force does the work Du . [(1 - gamma) F_i0 + gamma F_i1]. That of the elastic forces is
-   *   -D[1/2 u K u] - (gamma - 1/2) Du K Du.
-   * K Du follows from the difference of the equilibrium at both ends; no product with K is needed.
+   * Newmark's discrete identity with 2 beta = gamma, with D the change over a step, F = M a the sum
+   * of all forces but contacts, and C that of contacts at its end: D[1/2 v M v] = Du . [(1 - gamma)
+   * F_0 + gamma F_1 + C], so each force does the work Du . [(1 - gamma) F_i0 + gamma F_i1],
+   * contacts Du . C. That of the elastic forces is -D[1/2 u K u] - (gamma - 1/2) Du K Du. K Du
+   * follows from the difference of the equilibrium at both ends; no product with K is needed.
    */
   namespace
   {
@@ -70,6 +69,26 @@ namespace hybrid::continuum
     for (std::size_t k = 0; k < edge_nodes.size(); ++k)
       if (boundary->supports()[2 * edge_nodes[k]] == Support::base_motion)
         sum -= Vec2(edge_force[2 * k], edge_force[2 * k + 1]);
+    return sum;
+  }
+
+
+  Vec2 Continuum::Implementation::base_inertia(const std::vector<double> &a) const
+  {
+    Vec2 sum(0., 0.);
+    if (a.empty())
+      return sum;
+    for (const int node : boundary->moving_nodes())
+      for (int e = matrices.row_start[node]; e < matrices.row_start[node + 1]; ++e)
+        {
+          const int j = 2 * matrices.column[e];
+          sum += matrices.mass[e] * Vec2(a[j], a[j + 1]);
+          if (!matrices.inertia_correction.empty())
+            {
+              const double *m = matrices.inertia_correction.data() + 4 * e;
+              sum += Vec2(m[0] * a[j] + m[1] * a[j + 1], m[2] * a[j] + m[3] * a[j + 1]);
+            }
+        }
     return sum;
   }
 
@@ -146,11 +165,9 @@ namespace hybrid::continuum
     const int    node  = boundary->moving_nodes().front();
     const Vec2   moved(u1[2 * node] - state.displacement[2 * node],
                      u1[2 * node + 1] - state.displacement[2 * node + 1]);
-    Vec2         r0 = base_reaction(state.displacement.data(),
-                            state.velocity.data(),
-                            state.acceleration.data(),
-                            edge_force0);
-    Vec2         r1 = base_reaction(u1.data(), v1.data(), a1.data(), edge_force1);
+    Vec2         r0 =
+      base_reaction(state.displacement.data(), state.velocity.data(), a0.data(), edge_force0);
+    Vec2 r1 = base_reaction(u1.data(), v1.data(), a1.data(), edge_force1);
     if (slip != nullptr)
       {
         base_excess(state.slip.jump, state.velocity, excess0);
@@ -161,13 +178,13 @@ namespace hybrid::continuum
             r1 -= Vec2(excess1[2 * moving], excess1[2 * moving + 1]);
           }
       }
-    state.energy.input_work += moved.dot((1. - gamma) * r0 + gamma * r1);
+    state.energy.input_work += moved.dot((1. - gamma) * r0 + gamma * r1 + base_inertia(c1));
     return moved.dot(r1 - r0);
   }
 
 
-  double Continuum::Implementation::add_surface_energy(ContinuumState        &state,
-                                                       const Eigen::VectorXd *force)
+  double Continuum::Implementation::add_surface_energy(ContinuumState     &state,
+                                                       const SurfaceForce &force)
   {
     const double gamma         = newmark.gamma;
     double       strain_change = 0.;
@@ -175,10 +192,12 @@ namespace hybrid::continuum
       for (int c = 0; c < 2; ++c)
         {
           const std::size_t i = 2 * k + c, dof = 2 * surface[k] + c;
-          const double      old   = state.surface_force.empty() ? 0. : state.surface_force[i];
-          const double      now   = force == nullptr ? 0. : (*force)[i];
-          const double      moved = u1[dof] - state.displacement[dof];
-          state.energy.surface_work += moved * ((1. - gamma) * old + gamma * now);
+          const double      contact = force.contacts.size() == 0 ? 0. : force.contacts[i];
+          const double      now     = (force.all.size() == 0 ? 0. : force.all[i]) - contact;
+          const double      old     = (state.surface_force.empty() ? 0. : state.surface_force[i]) -
+                             (state.surface_contact.empty() ? 0. : state.surface_contact[i]);
+          const double moved = u1[dof] - state.displacement[dof];
+          state.energy.surface_work += moved * ((1. - gamma) * old + gamma * now + contact);
           strain_change += moved * (now - old);
         }
     return strain_change;
@@ -194,22 +213,13 @@ namespace hybrid::continuum
   }
 
 
-  void Continuum::Implementation::add_energy(ContinuumState        &state,
-                                             const double           dt,
-                                             const Eigen::VectorXd *force)
+  void Continuum::Implementation::add_energy(ContinuumState     &state,
+                                             const double        dt,
+                                             const SurfaceForce &force)
   {
-    const std::size_t n     = n_dofs();
-    const double      gamma = newmark.gamma, scheme = newmark.beta - 0.5 * newmark.gamma;
+    const std::size_t n      = n_dofs();
+    const double      gamma  = newmark.gamma;
     ContinuumEnergy  &energy = state.energy;
-
-    if (state.time_step != dt && scheme != 0.)
-      {
-        // The scheme's own energy holds dt: changing the step changes it.
-        std::copy(state.acceleration.begin(), state.acceleration.begin() + n, da.begin());
-        matrices.multiply_inertia(da.data(), product.data());
-        energy.integration_loss -=
-          0.5 * scheme * (dt * dt - state.time_step * state.time_step) * dot(da, product);
-      }
 
     // Du . K Du, from the equilibrium of both ends: what pushes from outside, then inertia and
     // damping.
@@ -222,7 +232,7 @@ namespace hybrid::continuum
     for (std::size_t i = 0; i < n; ++i)
       {
         du[i] = u1[i] - state.displacement[i];
-        da[i] = a1[i] - state.acceleration[i];
+        da[i] = a1[i] - a0[i];
       }
     matrices.multiply_inertia(da.data(), product.data());
     strain_change -= dot(du, product);
@@ -237,12 +247,11 @@ namespace hybrid::continuum
         multiply_rayleigh(mean.data(), load, product2);
         strain_change -= dot(du, load);
       }
-    energy.integration_loss +=
-      (gamma - 0.5) * (scheme * dt * dt * dot(da, product) + strain_change);
+    energy.integration_loss += (gamma - 0.5) * strain_change;
   }
 
 
-  ContinuumEnergy Continuum::audit_energy(const ContinuumState &state, const double dt) const
+  ContinuumEnergy Continuum::audit_energy(const ContinuumState &state) const
   {
     const auto         &m      = *impl;
     ContinuumEnergy     energy = state.energy;
@@ -256,8 +265,6 @@ namespace hybrid::continuum
     };
     m.matrices.multiply_inertia(state.velocity.data(), product.data());
     energy.kinetic = form(state.velocity);
-    m.matrices.multiply_inertia(state.acceleration.data(), product.data());
-    energy.newmark = (m.newmark.beta - 0.5 * m.newmark.gamma) * dt * dt * form(state.acceleration);
     m.matrices.multiply_stiffness(state.displacement.data(), product.data());
     energy.strain = form(state.displacement);
     if (m.slip != nullptr)

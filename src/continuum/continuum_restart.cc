@@ -17,7 +17,6 @@ namespace hybrid::continuum
   void serialize(Archive &archive, ContinuumEnergy &energy)
   {
     auto &[kinetic,
-           newmark,
            strain,
            boundary_springs,
            input_work,
@@ -27,7 +26,7 @@ namespace hybrid::continuum
            bedding_loss,
            bedding_static_stress,
            integration_loss] = energy;
-    archive(kinetic, newmark, strain, boundary_springs, input_work, surface_work, boundary_loss);
+    archive(kinetic, strain, boundary_springs, input_work, surface_work, boundary_loss);
     archive(damping_loss, bedding_loss, bedding_static_stress, integration_loss);
   }
 
@@ -35,8 +34,9 @@ namespace hybrid::continuum
 
   void serialize(Archive &archive, ContinuumState &state)
   {
-    auto &[time, displacement, velocity, acceleration, force, time_step, slip, energy] = state;
-    archive(time, displacement, velocity, acceleration, force, time_step, slip, energy);
+    auto &[time, displacement, velocity, acceleration, of_contacts, force, contact, slip, energy] =
+      state;
+    archive(time, displacement, velocity, acceleration, of_contacts, force, contact, slip, energy);
   }
 
 

@@ -179,7 +179,7 @@ namespace hybrid::continuum
       }
     if (status != SlipStatus::settled)
       return false;
-    m.finish(state, dt, nullptr);
+    m.finish(state, dt, {});
     return true;
   }
 } // namespace hybrid::continuum

@@ -74,20 +74,36 @@ namespace hybrid::continuum
     if (!point_loads.empty())
       point_loads.add_forces(state.time, product);
 
-    std::vector<double> inertia(matrices.stiffness.size(), 0.);
-    for (std::size_t e = 0; e < matrices.mass.size(); ++e)
-      inertia[4 * e] = inertia[4 * e + 3] = matrices.mass[e];
-    for (std::size_t k = 0; k < matrices.inertia_correction.size(); ++k)
-      inertia[k] += matrices.inertia_correction[k];
+    solve_inertia(product, a1);
+    for (std::size_t s = 0; s < dof_of_system.size(); ++s)
+      if (boundary->supports()[dof_of_system[s]] == Support::none)
+        state.acceleration[dof_of_system[s]] = a1[dof_of_system[s]];
+  }
+
+
+
+  void Continuum::Implementation::solve_inertia(const std::vector<double> &force,
+                                                std::vector<double>       &a)
+  {
+    if (inertia_factor == nullptr)
+      {
+        std::vector<double> inertia(matrices.stiffness.size(), 0.);
+        for (std::size_t e = 0; e < matrices.mass.size(); ++e)
+          inertia[4 * e] = inertia[4 * e + 3] = matrices.mass[e];
+        for (std::size_t k = 0; k < matrices.inertia_correction.size(); ++k)
+          inertia[k] += matrices.inertia_correction[k];
+        inertia_factor = factorisation->factor(pattern.values(inertia));
+      }
     const auto &supports = boundary->supports();
     for (std::size_t s = 0; s < dof_of_system.size(); ++s)
-      rhs[s] = supports[dof_of_system[s]] == Support::none ? product[dof_of_system[s]] : 0.;
-    const auto factor = factorisation->factor(pattern.values(inertia));
-    factorisation->forward(*factor, rhs, surface_load);
-    factorisation->backward(*factor, solution);
+      rhs[s] = supports[dof_of_system[s]] == Support::none ? force[dof_of_system[s]] : 0.;
+    Eigen::VectorXd surface_part;
+    factorisation->forward(*inertia_factor, rhs, surface_part);
+    factorisation->backward(*inertia_factor, solution);
+    a.assign(n_dofs(), 0.);
     for (std::size_t s = 0; s < dof_of_system.size(); ++s)
       if (supports[dof_of_system[s]] == Support::none)
-        state.acceleration[dof_of_system[s]] = solution[s];
+        a[dof_of_system[s]] = solution[s];
   }
 
 

@@ -102,8 +102,8 @@ namespace hybrid::continuum
     const double     *u = state.displacement.data(), *v = state.velocity.data(),
                  *a         = state.acceleration.data();
     const double beta       = newmark.beta;
-    const double to_rate    = newmark.gamma / (beta * dt);
     const double to_inertia = 1. / (beta * dt * dt);
+    newmark_acceleration(state);
 
     boundary->step_columns({u + n, v + n, a + n},
                            {column_u.data(), column_v.data(), column_a.data()},
@@ -113,8 +113,8 @@ namespace hybrid::continuum
 
     for (std::size_t i = 0; i < n; ++i)
       {
-        predicted[i] = u[i] + dt * v[i] + dt * dt * (0.5 - beta) * a[i];
-        rate[i]      = to_rate * predicted[i] - v[i] - (1. - newmark.gamma) * dt * a[i];
+        predicted[i] = u[i] + dt * v[i] + dt * dt * (0.5 - beta) * a0[i];
+        rate[i]      = 2. / dt * u[i] + v[i]; // v1 = 2 (u1 - u0) / dt - v0, as 2 beta = gamma
         load[i]      = to_inertia * predicted[i] + rayleigh_mass * rate[i];
       }
     for (const int i : fixed_dofs)
@@ -135,7 +135,7 @@ namespace hybrid::continuum
         slip->add_load(state.slip.jump, 1., product);
       }
 
-    // Boundary: t_in + Z (v_ff - v) with v = gamma / (beta dt) u - rate; the first part of v is in
+    // Boundary: t_in + Z (v_ff - v) with v = 2 u / dt - rate; the first part of v is in
     // A.
     gather_boundary(rate, edge0);
     for (double &x : edge0)
@@ -166,6 +166,15 @@ namespace hybrid::continuum
   }
 
 
+  void Continuum::Implementation::newmark_acceleration(const ContinuumState &state)
+  {
+    std::copy(state.acceleration.begin(), state.acceleration.begin() + n_dofs(), a0.begin());
+    if (!state.contact_acceleration.empty())
+      for (std::size_t i = 0; i < n_dofs(); ++i)
+        a0[i] -= state.contact_acceleration[i];
+  }
+
+
   void Continuum::Implementation::take_displacement(const ContinuumState &state, const double dt)
   {
     const Vec2  base     = boundary->base_acceleration(state.time + dt);
@@ -180,9 +189,9 @@ namespace hybrid::continuum
   }
 
 
-  void Continuum::Implementation::finish(ContinuumState        &state,
-                                         const double           dt,
-                                         const Eigen::VectorXd *force)
+  void Continuum::Implementation::finish(ContinuumState     &state,
+                                         const double        dt,
+                                         const SurfaceForce &force)
   {
     const std::size_t n    = n_dofs();
     const double      beta = newmark.beta, gamma = newmark.gamma;
@@ -198,8 +207,11 @@ namespace hybrid::continuum
           a1[i] = supports[i] == Support::base_motion ? base[i % 2] : 0.;
         v1[i] = supports[i] == Support::zero
                   ? 0.
-                  : state.velocity[i] + dt * ((1. - gamma) * state.acceleration[i] + gamma * a1[i]);
+                  : state.velocity[i] + dt * ((1. - gamma) * a0[i] + gamma * a1[i]);
       }
+    accelerate_by(force.contacts, c1);
+    for (std::size_t i = 0; i < c1.size(); ++i) // a is u's second difference less what contacts did
+      a1[i] -= 0.5 / beta * c1[i];
     add_energy(state, dt, force);
     if (slip != nullptr)
       add_slip_energy(state);
@@ -207,14 +219,38 @@ namespace hybrid::continuum
     std::copy(u1.begin(), u1.end(), state.displacement.begin());
     std::copy(v1.begin(), v1.end(), state.velocity.begin());
     std::copy(a1.begin(), a1.end(), state.acceleration.begin());
+    add_contacts(state, force);
     std::copy(column_u.begin(), column_u.end(), state.displacement.begin() + n);
     std::copy(column_v.begin(), column_v.end(), state.velocity.begin() + n);
     std::copy(column_a.begin(), column_a.end(), state.acceleration.begin() + n);
-    state.surface_force.resize(surface_load.size());
-    for (Eigen::Index i = 0; i < surface_load.size(); ++i)
-      state.surface_force[i] = force == nullptr ? 0. : (*force)[i];
+    state.surface_force.assign(surface_load.size(), 0.);
+    std::copy(force.all.begin(), force.all.end(), state.surface_force.begin());
+    state.surface_contact.assign(force.ended.begin(), force.ended.end());
     state.time += dt;
-    state.time_step = dt;
+  }
+
+
+  void Continuum::Implementation::accelerate_by(const Eigen::VectorXd &surface_force,
+                                                std::vector<double>   &a)
+  {
+    a.clear();
+    if (surface_force.size() == 0 || surface_force.isZero(0.))
+      return;
+    std::fill(product.begin(), product.end(), 0.);
+    for (std::size_t k = 0; k < 2 * surface.size(); ++k)
+      product[2 * surface[k / 2] + k % 2] += surface_force[k];
+    solve_inertia(product, a);
+  }
+
+
+  void Continuum::Implementation::add_contacts(ContinuumState &state, const SurfaceForce &force)
+  {
+    for (std::size_t i = 0; i < c1.size(); ++i)
+      state.acceleration[i] += c1[i];
+    const bool tore = force.ended.size() > 0 && force.ended != force.contacts;
+    if (tore)
+      accelerate_by(force.ended, c1);
+    state.contact_acceleration = c1;
   }
 
 
@@ -262,10 +298,10 @@ namespace hybrid::continuum
   void Continuum::correct(ContinuumState        &state,
                           const double           dt,
                           const Eigen::VectorXd &surface_displacement,
-                          const Eigen::VectorXd &surface_force)
+                          const SurfaceForce    &surface_force)
   {
     if (impl->slip == nullptr) // solve_slip() has done it
       impl->expand(dt, surface_displacement);
-    impl->finish(state, dt, &surface_force);
+    impl->finish(state, dt, surface_force);
   }
 } // namespace hybrid::continuum

@@ -30,6 +30,21 @@ namespace hybrid::continuum
   }
 
 
+  std::vector<double> LagrangeLine::load_shares() const
+  {
+    std::vector<double> shares;
+    double              borne = 0.; // by node i, of what lies before it
+    for (int i = 0; i < degree(); ++i)
+      {
+        const double length = points[i + 1] - points[i];
+        const double after  = m.row(i).sum() - borne;
+        shares.push_back(after / length);
+        borne = length - after;
+      }
+    return shares;
+  }
+
+
   double LagrangeLine::value(const int i, const double x) const
   {
     double product = 1.;

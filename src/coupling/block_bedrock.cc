@@ -185,7 +185,7 @@ namespace hybrid::coupling
   void BlockBedrock::correct(continuum::ContinuumState &state,
                              const double               dt,
                              const Eigen::VectorXd &,
-                             const Eigen::VectorXd &)
+                             const continuum::SurfaceForce &)
   {
     state.displacement = u;
     state.velocity     = v;

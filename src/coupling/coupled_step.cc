@@ -99,11 +99,14 @@ namespace hybrid::coupling
       const Stopwatch watch(elapsed.blocks);
       blocks->accept(state.blocks);
     }
-    const Stopwatch watch(elapsed.continuum);
+    const Stopwatch                watch(elapsed.continuum);
+    const dda::OpenCloseIteration &solved = blocks->solved_step();
     base->correct(state.continuum,
                   dt,
-                  blocks->solved_step().base_displacement(),
-                  blocks->solved_step().base_force_increment());
+                  solved.base_displacement(),
+                  {solved.base_force_increment(),
+                   solved.base_contact_increment(),
+                   state.blocks.base_contact_force - state.blocks.static_contact_force});
     return result;
   }
 

@@ -37,7 +37,7 @@ namespace hybrid::coupling
   void RigidBase::correct(continuum::ContinuumState &state,
                           const double               dt,
                           const Eigen::VectorXd &,
-                          const Eigen::VectorXd &)
+                          const continuum::SurfaceForce &)
   {
     state.time += dt;
   }

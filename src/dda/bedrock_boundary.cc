@@ -11,7 +11,7 @@ namespace hybrid::dda
   {
     using Edge = std::pair<int, int>;
 
-    Edge sorted(const int a, const int b)
+    Edge ordered(const int a, const int b)
     {
       return {std::min(a, b), std::max(a, b)};
     }
@@ -29,7 +29,7 @@ namespace hybrid::dda
                                      std::make_pair("right", BoundaryPart::right),
                                      std::make_pair("base", BoundaryPart::base)})
       for (const auto &edge : mesh.lines.at(name))
-        part_of[sorted(edge[0], edge[1])] = part;
+        part_of[ordered(edge[0], edge[1])] = part;
     const bool compliant = scene.bedrock == scene::BedrockModel::triangles &&
                            scene.continuum.base == scene::BaseBoundary::compliant;
     const std::string &half_space = scene.continuum.half_space_material;
@@ -40,7 +40,7 @@ namespace hybrid::dda
         {
           const auto &nodes = blocks.outlines[b];
           const int   from = nodes[k], to = nodes[(k + 1) % nodes.size()];
-          const auto  found = part_of.find(sorted(from, to));
+          const auto  found = part_of.find(ordered(from, to));
           if (found == part_of.end() || (found->second == BoundaryPart::base && !compliant))
             continue;
           const Material &m      = blocks.materials[b];

@@ -22,25 +22,18 @@ namespace hybrid::dda
     void audit_blocks(const StepAudit &step, BlockEnergy &energy)
     {
       const Newmark &nm = step.model.newmark;
-      const double   dt = step.trial.dt, term = nm.beta - 0.5 * nm.gamma, excess = nm.gamma - 0.5;
+      const double   dt = step.trial.dt, excess = nm.gamma - 0.5;
       const double   k01            = step.model.dynamic_coefficient;
-      double         kinetic_before = 0., newmark_before = 0.;
-      energy.kinetic = energy.newmark = energy.strain = 0.;
+      double         kinetic_before = 0.;
+      energy.kinetic = energy.strain = 0.;
       for (int b = 0; b < step.model.n_blocks(); ++b)
         {
           const BlockProperties &p = step.model.blocks[b];
           const BlockState      &s = step.before.blocks[b];
           const Mat6            &m = step.mass[b];
           const Vec6            &d = step.trial.increment[b], &v = step.trial.rate[b];
-          const Vec6            &a      = step.acceleration[b];
-          const Vec6             start  = s.acceleration - s.contact_acceleration;
-          const Vec6             change = a - start;
           kinetic_before += 0.5 * s.velocity.dot(m * s.velocity);
-          newmark_before += 0.5 * term * dt * dt * start.dot(m * start);
           energy.kinetic += 0.5 * v.dot(m * v);
-          energy.newmark += 0.5 * term * dt * dt * a.dot(m * a);
-          energy.integration_loss +=
-            term * dt * dt * (excess * change + step.contact_acceleration[b]).dot(m * change);
 
           const Eigen::Vector3d e = d.tail<3>(), stiff = p.elasticity * e;
           energy.strain += p.area * strain_energy_density(p.elasticity, s.stress + stiff);
@@ -50,9 +43,6 @@ namespace hybrid::dda
                                                 nm.gamma * step.damping_time[b] / dt * stiff);
         }
       energy.damping_loss += (1. - k01 * k01) * kinetic_before;
-      // The scheme's acceleration term changes with the step size, and when a joint becomes a
-      // contact.
-      energy.integration_loss += step.before.energy.newmark - newmark_before;
     }
 
 

@@ -128,28 +128,38 @@ namespace hybrid::dda
 
 
 
-    /// How far a walk goes from @p origin along the unit vector @p along [m], if not to @p enough.
-    double reach(const Geometry             &geometry,
-                 const std::vector<Contact> &contacts,
-                 const Faces                &faces,
-                 const bool                  on_surface,
-                 const Vec2                 &origin,
-                 const Vec2                 &along,
-                 const double                enough)
+    /// How far a walk goes, and the last edge that it takes.
+    struct Reach
+    {
+      double length; ///< [m]
+      Walk   last;
+    };
+
+
+
+    /// Walk from @p origin along the unit vector @p along, at most as far as @p enough [m].
+    Reach reach(const Geometry             &geometry,
+                const std::vector<Contact> &contacts,
+                const Faces                &faces,
+                const bool                  on_surface,
+                const Vec2                 &origin,
+                const Vec2                 &along,
+                const double                enough)
     {
       Walk walk = on_surface ? faces.surface : faces.block;
       for (;;)
         {
           const double far = along.dot(position(geometry, walk.body, walk.end(geometry)) - origin);
           if (far >= enough)
-            return enough;
+            return {enough, walk};
           const int place = walk.forwards ? end_place(geometry, walk.body, walk.edge) : walk.edge;
           if (on_surface && faces.stops && far > faces.same_place && place >= 0 &&
               touches(
                 geometry, contacts, body_of(geometry, walk.body, place), place, faces.block.body))
-            return far;
+            return {far, walk};
+          const Walk last = walk;
           if (!advance(geometry, walk) || !lies_along(direction(geometry, walk), along))
-            return std::max(0., far);
+            return {std::max(0., far), last};
         }
     }
 
@@ -179,6 +189,26 @@ namespace hybrid::dda
     {
       const double sine = cross(a, b) / ContactTolerances{}.entry_sine;
       return std::max(0., 1. - sine * sine);
+    }
+
+
+
+    /// What the vertex at the beginning of a piece of an overlap bears of a uniform load on it [-]:
+    /// half, or, the more of an edge of the base the piece covers, what the base says of that edge.
+    double share_of_piece(const Geometry &geometry,
+                          const Reach    &piece,
+                          const Vec2     &origin,
+                          const Vec2     &along,
+                          const double    same_place)
+    {
+      const Walk &edge = piece.last;
+      if (edge.body != base_body || geometry.base_shares.empty() ||
+          along.dot(position(geometry, base_body, edge.begin(geometry)) - origin) > same_place)
+        return 0.5;
+      const double first   = geometry.base_shares[edge.edge];
+      const double all     = edge.forwards ? first : 1. - first;
+      const double covered = std::min(1., piece.length / length(geometry, edge));
+      return 0.5 + covered * (all - 0.5);
     }
 
 
@@ -218,10 +248,11 @@ namespace hybrid::dda
         along.dot(position(geometry, other.body, other.begin(geometry)) - origin);
       if (is_place && begin > same_place)
         return part; // beside the block's edge
-      const double first   = reach(geometry, contacts, faces, false, origin, along, unlimited);
-      const double overlap = reach(geometry, contacts, faces, true, origin, along, first);
-      part.length =
-        (shares_place(geometry, contacts, contact, along, same_place) ? 0.25 : 0.5) * overlap;
+      const double first = reach(geometry, contacts, faces, false, origin, along, unlimited).length;
+      const Reach  piece = reach(geometry, contacts, faces, true, origin, along, first);
+      part.length = share_of_piece(geometry, piece, origin, along, same_place) * piece.length;
+      if (shares_place(geometry, contacts, contact, along, same_place))
+        part.length *= 0.5;
       return part;
     }
 

@@ -90,15 +90,7 @@ namespace hybrid::dda
   {
     const int    n  = model.n_blocks();
     const double dt = trial.dt;
-    state.energy    = audit_step({model,
-                                  state,
-                                  trial,
-                                  springs,
-                                  mass,
-                                  damping_time,
-                                  acceleration,
-                                  contact_acceleration,
-                                  incoming});
+    state.energy    = audit_step({model, state, trial, springs, mass, damping_time, incoming});
     if (incoming.size() > 0)
       state.boundary_force = incoming;
     const double          gamma    = model.newmark.gamma;

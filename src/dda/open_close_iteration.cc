@@ -68,18 +68,6 @@ namespace hybrid::dda
 
 
 
-  Vec6 OpenCloseIteration::end_rate(const Newmark &newmark,
-                                    const int      block,
-                                    const Vec6    &by_contacts) const
-  {
-    // Newmark's formula gives gamma / (2 beta) of the contacts' impulse: the rest is added.
-    const double dt = trial.dt, part = newmark.gamma / newmark.beta;
-    return predicted_rate[block] + part / dt * (trial.increment[block] - predicted[block]) +
-           dt * (1. - 0.5 * part) * by_contacts;
-  }
-
-
-
   double
   OpenCloseIteration::evaluate(const Model &model, const DdaState &state, const BaseResponse &base)
   {
@@ -122,18 +110,19 @@ namespace hybrid::dda
     if (model.n_bedrock > 0)
       {
         for (const BoundaryEdge &edge : model.boundary)
-          trial.rate[edge.block] =
-            end_rate(model.newmark, edge.block, acceleration_by_contacts(edge.block));
+          trial.rate[edge.block] = end_rate(edge.block);
         add_bedrock_forces({model, state, trial, incoming}, residual, absolute);
       }
 
-    force_increment = residual.tail(2 * m) + contact_force.tail(2 * m) - state.static_force;
+    contact_increment = contact_force.tail(2 * m) - state.static_contact_force;
+    residual.tail(2 * m) -= state.static_force - state.static_contact_force;
+    force_increment = residual.tail(2 * m) + contact_increment;
     if (base.prescribed)
       residual.tail(2 * m).setZero();
     else
       {
-        base_moved           = trial.base - base.displacement;
-        residual.tail(2 * m) = base_start + force_increment;
+        base_moved = trial.base - base.displacement;
+        residual.tail(2 * m) += base_start + weight * contact_increment;
         if (!base_moved.isZero(0.))
           subtract_base_product(base_moved, residual.tail(2 * m));
       }
@@ -217,8 +206,6 @@ namespace hybrid::dda
     stiffness.add_base(springs, matrix);
     if (model.n_bedrock > 0)
       add_bedrock_stiffness({model, state, trial, incoming}, matrix);
-    if (!base.prescribed && contact_weight(model.newmark) != 1. && springs.pushes_base())
-      matrix.symmetric = false;
     if (base.prescribed)
       {
         // Prescribed nodes: no coupling, unit diagonal.
@@ -258,7 +245,9 @@ namespace hybrid::dda
           trial.increment[b] += (part - done) * update.segment<6>(6 * b);
         if (!base.prescribed)
           trial.base += (part - done) * update.tail(trial.base.size());
-        done              = part;
+        done = part;
+        if (takes_whole)
+          springs.remember();
         const double norm = evaluate(model, state, base);
         const double work = residual.dot(update);
         if (takes_whole || start <= 0. || cut == maximum_cuts || !std::isfinite(norm) ||
@@ -380,7 +369,7 @@ namespace hybrid::dda
         contact_acceleration[b] = c;
         acceleration[b] =
           inertia * (trial.increment[b] - predicted[b]) - contact_weight(model.newmark) * c;
-        trial.rate[b] = end_rate(model.newmark, b, c);
+        trial.rate[b] = end_rate(b);
       }
   }
 

@@ -13,15 +13,15 @@ namespace hybrid::dda
                                    const double        dt)
   {
     const int    n = model.n_blocks(), m = model.n_base_nodes();
-    const double beta = model.newmark.beta, gamma = model.newmark.gamma;
-    trial.dt = dt;
+    const double beta = model.newmark.beta;
+    trial.dt          = dt;
     trial.increment.resize(n);
     trial.rate.resize(n);
     trial.motion.resize(n);
     trial.displacement.resize(state.geometry.vertices.size());
     mass.resize(n);
     predicted.resize(n);
-    predicted_rate.resize(n);
+    start_rate.resize(n);
     acceleration.resize(n);
     contact_acceleration.resize(n);
     scale.setOnes(6 * n + 2 * m);
@@ -34,7 +34,7 @@ namespace hybrid::dda
         const Vec6        a     = block.acceleration - block.contact_acceleration;
         mass[b]                 = mass_matrix(model.blocks[b], block.rotation);
         predicted[b]            = dt * v + dt * dt * (0.5 - beta) * a;
-        predicted_rate[b]       = v + dt * (1. - gamma) * a;
+        start_rate[b]           = v;
         scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
       }
     assert(base.displacement.size() == 2 * m);

@@ -27,7 +27,7 @@ namespace hybrid::dda
 
   void SpringStiffness::Kept::serialize(restart::Archive &archive)
   {
-    archive(block, other, joint, end, stiffness.nn, stiffness.tt, stiffness.tn, stiffness.weight);
+    archive(block, other, joint, end, stiffness.nn, stiffness.tt, stiffness.tn);
     archive(of_block, of_other);
   }
 
@@ -53,8 +53,7 @@ namespace hybrid::dda
     const double kept_shear = slides ? choice.sliding_share * spring.law->shear_stiffness() : 0.;
     return {length * std::max(floor, response.normal_by_gap),
             length * (std::max(floor, response.shear_by_slip) + kept_shear),
-            coupled ? length * response.shear_by_gap : 0.,
-            weight};
+            coupled ? length * response.shear_by_gap : 0.};
   }
 
 
@@ -182,12 +181,10 @@ namespace hybrid::dda
     const Kept              &k        = kept[s];
     Eigen::Matrix2d          d;
     d << k.stiffness.nn, 0., k.stiffness.tn, k.stiffness.tt;
-    d /= k.stiffness.weight;
     const Eigen::Matrix2d             axes  = k.of_block.leftCols<2>(); // rows: normal, tangent
     const Eigen::Matrix2d             nodal = axes.transpose() * d * axes;
-    const Eigen::Matrix<double, 6, 2> right =
-      k.stiffness.weight * k.of_block.transpose() * d * axes;
-    const Rows left = axes.transpose() * d * k.of_block;
+    const Eigen::Matrix<double, 6, 2> right = k.of_block.transpose() * d * axes;
+    const Rows                        left  = axes.transpose() * d * k.of_block;
     for (int i = 0; i < 2; ++i)
       {
         const double w = response.weight[i];

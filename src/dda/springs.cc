@@ -47,11 +47,10 @@ namespace hybrid::dda
 
 
 
-    /// A spring in two trials, one after the other: it slides in both, but not the same way.
-    bool is_reversed(const SpringState &before, const SpringState &now)
+    /// It slides, but not the way it slid in the trial that was remembered.
+    bool is_reversed(const double slid, const SpringState &now)
     {
-      return before.state == ContactState::sliding && now.state == ContactState::sliding &&
-             before.shear * now.shear < 0.;
+      return now.state == ContactState::sliding && slid * now.shear < 0.;
     }
   } // namespace
 
@@ -197,6 +196,14 @@ namespace hybrid::dda
 
 
 
+  void Springs::remember()
+  {
+    for (Response &r : responses)
+      r.slid = r.now.state == ContactState::sliding ? r.now.shear : 0.;
+  }
+
+
+
   void Springs::evaluate(const Model       &model,
                          const DdaState    &state,
                          const Trial       &trial,
@@ -250,15 +257,14 @@ namespace hybrid::dda
         : trial.displacement[v];
     // The jump is summed over the steps: differences of places would cost digits far from the
     // origin.
-    const SpringState  before = response.now;
-    const SpringState &old    = spring.old;
-    SpringState       &now    = response.now;
-    now.jump                  = old.jump + moved_q - moved_p;
-    now.gap                   = response.normal.dot(now.jump);
-    now.slip                  = response.tangent.dot(now.jump);
-    response.place            = (1. - point.position) * pa + point.position * pb + 0.5 * now.jump;
-    response.weight[0]        = 1.;
-    response.weight[1]        = 0.;
+    const SpringState &old = spring.old;
+    SpringState       &now = response.now;
+    now.jump               = old.jump + moved_q - moved_p;
+    now.gap                = response.normal.dot(now.jump);
+    now.slip               = response.tangent.dot(now.jump);
+    response.place         = (1. - point.position) * pa + point.position * pb + 0.5 * now.jump;
+    response.weight[0]     = 1.;
+    response.weight[1]     = 0.;
     const double damping_time =
       joint.within_bedrock() ? model.bedrock_damping_time : model.joint_damping_time;
     const JointDamping    damping{damping_time / trial.dt,
@@ -266,7 +272,7 @@ namespace hybrid::dda
                                old.slip - old.history.plastic_slip};
     const JointKinematics kinematics{now.gap, now.slip, spring.cohesive};
     set_response(spring.law->respond(kinematics, old.history, damping), response);
-    response.held = reversed == ReversedSlip::locks && is_reversed(before, now);
+    response.held = reversed == ReversedSlip::locks && is_reversed(response.slid, now);
     if (response.held)
       set_response(spring.law->respond_locked(kinematics, old.history, damping), response);
   }
@@ -306,13 +312,12 @@ namespace hybrid::dda
     response.weight[0]     = edge_on_base ? 1. - xi : 1.;
     response.weight[1]     = edge_on_base ? xi : 0.;
 
-    const SpringState     before  = response.now;
     const JointHistory   &history = spring.old.history;
     const JointKinematics kinematics{frame.gap - contact.rest_gap, frame.slip, spring.cohesive};
     response.now.gap  = kinematics.gap;
     response.now.slip = kinematics.slip;
     set_response(spring.law->respond(kinematics, history), response);
-    response.held = reversed == ReversedSlip::locks && is_reversed(before, response.now);
+    response.held = reversed == ReversedSlip::locks && is_reversed(response.slid, response.now);
     if (response.held)
       set_response(spring.law->respond_locked(kinematics, history), response);
   }
@@ -395,15 +400,5 @@ namespace hybrid::dda
     return std::any_of(responses.begin(), responses.end(), [](const Response &r) {
       return r.held;
     });
-  }
-
-
-
-  bool Springs::pushes_base() const
-  {
-    for (const int s : base_springs)
-      if (springs[s].unilateral && responses[s].normal_by_gap != 0.)
-        return true;
-    return false;
   }
 } // namespace hybrid::dda

@@ -89,9 +89,10 @@ namespace hybrid::dda
     bear_static_forces(model, state);
     const SpringForces springs(model, state);
     const int          first = 6 * model.n_blocks(), n = 2 * model.n_base_nodes();
-    state.base_contact_force = springs.contacts.segment(first, n);
-    state.base_force         = springs.bonds.segment(first, n) + state.base_contact_force;
-    state.static_force       = state.base_force;
+    state.base_contact_force   = springs.contacts.segment(first, n);
+    state.base_force           = springs.bonds.segment(first, n) + state.base_contact_force;
+    state.static_force         = state.base_force;
+    state.static_contact_force = state.base_contact_force;
     start_accelerations(model, state);
   }
 } // namespace hybrid::dda

@@ -55,7 +55,6 @@ namespace hybrid::dda
   void serialize(Archive &archive, BlockEnergy &energy)
   {
     auto &[kinetic,
-           newmark,
            strain,
            gravity,
            springs,
@@ -70,7 +69,7 @@ namespace hybrid::dda
            input_work,
            static_work,
            edge_load_work] = energy;
-    archive(kinetic, newmark, strain, gravity, springs, friction_loss, fracture_loss, damping_loss);
+    archive(kinetic, strain, gravity, springs, friction_loss, fracture_loss, damping_loss);
     archive(integration_loss, switch_loss, base_work, boundary_loss, input_work, static_work);
     archive(edge_load_work, bedding_loss);
   }
@@ -79,9 +78,9 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, Geometry &geometry)
   {
-    auto &[offset, block_of, vertices, base_nodes, bedrock] = geometry;
-    auto &[first_block, next, previous]                     = bedrock;
-    archive(offset, block_of, vertices, base_nodes, first_block, next, previous);
+    auto &[offset, block_of, vertices, base_nodes, bedrock, base_shares] = geometry;
+    auto &[first_block, next, previous]                                  = bedrock;
+    archive(offset, block_of, vertices, base_nodes, first_block, next, previous, base_shares);
   }
 
 
@@ -107,10 +106,16 @@ namespace hybrid::dda
            base_force,
            base_contact_force,
            static_force,
+           static_contact_force,
            bedrock_static_force,
            boundary_force,
            energy] = state;
     archive(time, geometry, blocks, joints, contacts, awake, rest, base_displacement, base_force);
-    archive(base_contact_force, static_force, bedrock_static_force, boundary_force, energy);
+    archive(base_contact_force,
+            static_force,
+            static_contact_force,
+            bedrock_static_force,
+            boundary_force,
+            energy);
   }
 } // namespace hybrid::dda

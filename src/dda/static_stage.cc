@@ -40,9 +40,10 @@ namespace hybrid::dda
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
       result.largest_displacement = std::max(result.largest_displacement,
                                              (state.blocks[b].centroid - start[b].centroid).norm());
-    state.time         = start_time;
-    state.static_force = state.base_force;
-    state.energy       = held_energy(model, state);
+    state.time                 = start_time;
+    state.static_force         = state.base_force;
+    state.static_contact_force = state.base_contact_force;
+    state.energy               = held_energy(model, state);
     return result;
   }
 } // namespace hybrid::dda

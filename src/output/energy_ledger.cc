@@ -55,7 +55,7 @@ namespace hybrid::output
                                        {"friction_loss", b.friction_loss},
                                        {"fracture_loss", b.fracture_loss},
                                        {"blocks_damping_loss", b.damping_loss},
-                                       {"blocks_integration_loss", b.integration_loss + b.newmark},
+                                       {"blocks_integration_loss", b.integration_loss},
                                        {"contact_switch_loss", b.switch_loss}};
       if (effects.edge_loads)
         terms.push_back({"edge_load_work", -b.edge_load_work});
@@ -81,7 +81,7 @@ namespace hybrid::output
                     {"bedrock_static_stress", prestress},
                     {"boundary_loss", c.boundary_loss},
                     {"bedrock_damping_loss", c.damping_loss},
-                    {"bedrock_integration_loss", c.integration_loss + c.newmark},
+                    {"bedrock_integration_loss", c.integration_loss},
                     {"input_work", -c.input_work}});
       if (effects.boundary_springs)
         terms.push_back({"boundary_springs", c.boundary_springs});

@@ -114,15 +114,22 @@ namespace hybrid::output
   {
     const dda::Geometry &g = state.blocks.geometry;
     writer.clear();
-    std::vector<double> failure, time, opening, slip, normal, shear;
+    std::vector<double> displacement, failure, time, opening, slip, normal, shear;
     for (std::size_t j = 0; j < model->joints.size(); ++j)
       {
         const dda::Joint      &joint = model->joints[j];
         const dda::JointState &s     = state.blocks.joints[j];
-        const Vec2            &a = g.vertices[joint.edge], &b = g.vertices[g.next(joint.edge)];
-        int                    nodes[2];
+        const auto             end   = [&](const dda::Geometry &at, const int k) -> Vec2 {
+          const Vec2 &a = at.vertices[joint.edge], &b = at.vertices[g.next(joint.edge)];
+          return a + joint.points[k].position * (b - a);
+        };
+        int nodes[2];
         for (int k = 0; k < 2; ++k)
-          nodes[k] = writer.add_point(a + joint.points[k].position * (b - a));
+          {
+            nodes[k]     = writer.add_point(end(g, k));
+            const Vec2 u = end(g, k) - end(reference, k);
+            displacement.insert(displacement.end(), {u.x(), u.y()});
+          }
         writer.add_cell(CellShape::line, nodes, 2);
         const auto mean = [&](double dda::SpringState::*value) {
           return 0.5 * (s.points[0].*value + s.points[1].*value);
@@ -134,6 +141,7 @@ namespace hybrid::output
         normal.push_back(mean(&dda::SpringState::normal));
         shear.push_back(mean(&dda::SpringState::shear));
       }
+    writer.add_point_field("displacement [m]", 2, std::move(displacement));
     writer.add_cell_field("failure (1 tensile, 2 shear)", 1, std::move(failure));
     writer.add_cell_field("failure time [s]", 1, std::move(time));
     writer.add_cell_field("opening [m]", 1, std::move(opening));
@@ -156,8 +164,8 @@ namespace hybrid::output
   {
     const continuum::Continuum::Picture picture = continuum->picture(state.continuum);
     writer.clear();
-    for (const Vec2 &p : picture.points)
-      writer.add_point(p);
+    for (std::size_t k = 0; k < picture.points.size(); ++k)
+      writer.add_point(picture.points[k] + picture.displacement[k]);
     for (const auto &cell : picture.cells)
       writer.add_cell(CellShape::quad, cell.data(), 4);
     const auto pairs = [](const std::vector<Vec2> &values) {

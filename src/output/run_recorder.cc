@@ -2,6 +2,7 @@
 #include <hybrid/output/input_tables.h>
 #include <hybrid/output/monitor_summary.h>
 #include <hybrid/output/run_recorder.h>
+#include <hybrid/output/section_tables.h>
 #include <hybrid/scene/downhill.h>
 #include <hybrid/scene/input_error.h>
 
@@ -32,6 +33,7 @@ namespace hybrid::output
     file.set_attribute("/", "downhill_sign", std::vector<double>{downhill});
     add_series();
     write_spectrum(file, parts.fit, parts.scene.motion.outcrop);
+    write_section_materials(file, parts.scene, parts.mesh, parts.blocks);
     if (parts.blocks != nullptr)
       {
         write_heterogeneity(file, parts.scene.heterogeneity, *parts.blocks);
@@ -210,12 +212,11 @@ namespace hybrid::output
 
   void RunRecorder::record_energy(const coupling::CoupledState &state)
   {
-    const continuum::ContinuumEnergy bedrock =
-      parts.continuum != nullptr
-        ? parts.continuum->audit_energy(state.continuum, parts.scene.time.time_step)
-        : continuum::ContinuumEnergy();
-    const std::vector<double> &terms    = ledger.update(state, bedrock);
-    const double               residual = ledger.residual(), now = state.time();
+    const continuum::ContinuumEnergy bedrock  = parts.continuum != nullptr
+                                                  ? parts.continuum->audit_energy(state.continuum)
+                                                  : continuum::ContinuumEnergy();
+    const std::vector<double>       &terms    = ledger.update(state, bedrock);
+    const double                     residual = ledger.residual(), now = state.time();
     file.append(energy_time, &now);
     file.append(energy_residual, &residual);
     for (std::size_t k = 0; k < terms.size(); ++k)

@@ -184,6 +184,8 @@ namespace hybrid::scene
           wet->second.density >= 0.9 * dry->second.density)
         return;
       const double total = wet->second.density + scene.environment.water_density;
+      if (total < 0.9 * dry->second.density)
+        return; // something else
       warnings.push_back("Materials/" + wet->first + "/Density = " + number(wet->second.density) +
                          " kg/m3 of the saturated body is below that of " + dry->first + ", " +
                          number(dry->second.density) +

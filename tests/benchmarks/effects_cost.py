@@ -42,7 +42,7 @@ ROWS = [
     ("point load", SITE, ["Point loads/Forces=a: 700, 0, 0, 1e6"]),
     ("gravity", SITE, ["Gravity/Acceleration=9.81"]),
     ("**bedrock and blocks**, gravity", None, BARE),
-    ("water, `paper`", BARE, ["Water/Level=175"]),
+    ("water, `paper`", BARE, ["Water/Level=175", "Water/Method=paper", "Materials/body_saturated/Density=1320"]),
     ("water, `submerged`", BARE, WATER + ["Water/Method=submerged"]),
     ("water, `pressures`", BARE, WATER + ["Water/Method=pressures"]),
     ("heterogeneity", BARE, ["Heterogeneity/Modulus shape=8", "Heterogeneity/Strength shape=8"]),

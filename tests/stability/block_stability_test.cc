@@ -43,7 +43,7 @@ namespace hybrid::test
     /// Energy held now [J/m].
     double held(const dda::BlockEnergy &e)
     {
-      return e.kinetic + e.newmark + e.strain + e.gravity + e.springs;
+      return e.kinetic + e.strain + e.gravity + e.springs;
     }
 
 

@@ -98,5 +98,5 @@ def bedrock_surface(run, time):
     """Nodes of the contact surface, displaced as in a picture of the bedrock."""
     picture, _ = picture_at(run.directory, "continuum", time)
     surface = run.get("interface/position")
-    _, nearest = cKDTree(picture.points[:, :2]).query(surface)
-    return surface + picture.point_fields["displacement [m]"][nearest][:, :2]
+    _, nearest = cKDTree(picture.initial()).query(surface)
+    return picture.points[nearest][:, :2]

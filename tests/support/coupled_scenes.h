@@ -82,13 +82,18 @@ namespace hybrid::test
       return response;
     }
 
-    void correct(continuum::ContinuumState &state,
-                 const double               dt,
-                 const Eigen::VectorXd     &displacement,
-                 const Eigen::VectorXd     &force) override
+    void correct(continuum::ContinuumState     &state,
+                 const double                   dt,
+                 const Eigen::VectorXd         &displacement,
+                 const continuum::SurfaceForce &force) override
     {
       const Eigen::Index o = 2 * n_wall, n = size - 2 * o;
-      condensed.correct(state, dt, displacement.segment(o, n), force.segment(o, n));
+      condensed.correct(state,
+                        dt,
+                        displacement.segment(o, n),
+                        {force.all.segment(o, n),
+                         force.contacts.segment(o, n),
+                         force.ended.segment(o, n)});
     }
 
     /// Joints of the edges at x = 0 and x = width: stiff where the wall holds, free along it.
@@ -175,7 +180,7 @@ namespace hybrid::test
     /// Largest relative energy residual so far, this state included [-].
     double audit(const double dt)
     {
-      state.continuum.energy = rock.audit_energy(state.continuum, dt);
+      state.continuum.energy = rock.audit_energy(state.continuum);
       ledger.update(state);
       return ledger.largest_residual();
     }

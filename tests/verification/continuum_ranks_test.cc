@@ -38,7 +38,7 @@ namespace
                           continuum.surface_stiffness(1e-3).ldlt().solve(g + lambda),
                           lambda);
       }
-    state.energy = continuum.audit_energy(state, 1e-3);
+    state.energy = continuum.audit_energy(state);
     return state;
   }
 

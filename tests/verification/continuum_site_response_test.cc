@@ -32,9 +32,10 @@ namespace
   {
     const double        dt     = 1e-3;
     const auto          motion = test::ricker(speed / (4. * thickness) * 1.5, dt);
+    const auto          scene  = layer_scene(angle);
     Continuum           continuum(test::rectangle_mesh(test::equal_spacing(0., 20., 2),
                                              test::equal_spacing(0., thickness, 10)),
-                        layer_scene(angle),
+                        scene,
                         {motion, scene.motion},
                         MPI_COMM_WORLD);
     const auto          top   = continuum.point({10., thickness});

@@ -28,8 +28,8 @@ SECTION = os.path.join(HERE, "../../meshes/majiagou_section.csv")
 class Belt:
     """Would a column slip by itself? An infinite slope of the ground above it, inclined as the sliding surface there.
 
-    Stresses on the belt [Pa]: static = W sin(b) cos(b), strength = c + W cos(b)^2 tan(phi), W the weight of the column
-    over its area; dynamic = largest shear stress of the elastic column. reserve = strength - static: a column with
+    Stresses on the belt [Pa]: static = W sin(b) cos(b), strength = c + W cos(b)^2 tan(phi), W the effective weight of the
+    column over its area; dynamic = largest shear stress of the elastic column. reserve = strength - static: a column with
     dynamic < reserve does not slip; one with reserve < 0 does not stand without its neighbours.
     """
 
@@ -38,7 +38,7 @@ class Belt:
         half = 10.0  # [m]
         incline = np.arctan((scene.slip_elevation(x + half) - scene.slip_elevation(x - half)) / (2 * half))
         gravity = float(scene.parameters["Gravity/Acceleration"])
-        weight = sum(l.soil.density * gravity * (l.top - l.bottom) for l in column.layers[:-1])
+        weight = sum(l.soil.weight_density * gravity * (l.top - l.bottom) for l in column.layers[:-1])
         section = "Materials/%s/" % scene.parameters[
             "Blocks/" + ("Saturated belt material" if slip < scene.water else "Belt material")]
         friction = np.radians(float(scene.parameters[section + "Friction angle"]))
@@ -62,11 +62,15 @@ class Belt:
 
 
 class Soil:
-    """Density [kg/m3] and shear modulus [Pa] of a material of the scene."""
+    """Density and effective density that gravity acts on [kg/m3], shear modulus [Pa] of a material of the scene."""
 
-    def __init__(self, parameters, name):
+    def __init__(self, parameters, name, is_below_water=False):
         section = "Materials/" + name + "/"
         self.density = float(parameters[section + "Density"])
+        given = parameters[section + "Weight density"]
+        self.weight_density = self.density if given == "same" else float(given)
+        if is_below_water and parameters["Water/Method"] != "paper":
+            self.weight_density -= float(parameters["Water/Density"])
         young, poisson = (float(parameters[section + key]) for key in ("Young modulus", "Poisson ratio"))
         self.shear_modulus = young / (2 * (1 + poisson))
 
@@ -172,7 +176,8 @@ class Scene:
         self.run = RunData(directory)
         self.parameters = scene_numbers.read(os.path.join(directory, "params.used.prm"))
         p = self.parameters
-        self.soils = {key: Soil(p, p["Blocks/" + key]) for key in ("Material", "Saturated material")}
+        self.soils = {key: Soil(p, p["Blocks/" + key], key == "Saturated material")
+                      for key in ("Material", "Saturated material")}
         self.rock = Soil(p, p["Continuum/Materials"])
         level = p["Water/Level"]
         self.water = -np.inf if level == "none" else float(level)

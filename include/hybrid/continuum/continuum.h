@@ -19,9 +19,8 @@ namespace hybrid::continuum
   /// Energy of the continuum, each term computed on its own [J/m]; work and losses since the start.
   struct ContinuumEnergy
   {
-    double kinetic = 0.; ///< 1/2 v M v, now
-    double newmark = 0.; ///< 1/2 (beta - gamma/2) dt^2 a M a, now: the scheme's acceleration term
-    double strain  = 0.; ///< 1/2 u K u, bedding planes included, now
+    double kinetic          = 0.; ///< 1/2 v M v, now
+    double strain           = 0.; ///< 1/2 u K u, bedding planes included, now
     double boundary_springs = 0.; ///< in the springs of visco-elastic boundaries, now
     double input_work       = 0.; ///< done by the incident wave's tractions or the prescribed base
     double surface_work     = 0.; ///< done by the interface forces
@@ -36,20 +35,53 @@ namespace hybrid::continuum
   /// All mutable state of the continuum: copied for roll-back, written for restart.
   struct ContinuumState
   {
-    double              time = 0.;      ///< [s]
-    std::vector<double> displacement;   ///< u [m], all unknowns, free-field columns last; increment
-                                        ///< since the static state
-    std::vector<double> velocity;       ///< v [m/s]
-    std::vector<double> acceleration;   ///< a [m/s2]
-    std::vector<double> surface_force;  ///< lambda of the last step [N/m]; empty: zero
-    double              time_step = 0.; ///< of the last step [s]; 0: none yet
-    SlipState           slip;           ///< of bedding planes
+    double              time = 0.;    ///< [s]
+    std::vector<double> displacement; ///< u [m], all unknowns, free-field columns last; increment
+                                      ///< since the static state
+    std::vector<double> velocity;     ///< v [m/s]
+    std::vector<double> acceleration; ///< a [m/s2]
+    std::vector<double> contact_acceleration; ///< part of a that ends with the step, see
+                                              ///< SurfaceForce [m/s2]; empty: none
+    std::vector<double> surface_force;        ///< lambda of the last step [N/m]; empty: zero
+    std::vector<double> surface_contact; ///< its part that ended with the step [N/m]; empty: zero
+    SlipState           slip;            ///< of bedding planes
     ContinuumEnergy     energy;
   };
 
   // All members, for the checkpoint (restart/archive.h).
   void serialize(restart::Archive &archive, ContinuumEnergy &energy);
   void serialize(restart::Archive &archive, ContinuumState &state);
+
+  /**
+   * Forces lambda of the blocks on the surface at the end of a step, less those at rest [N/m].
+   *
+   * Contacts act fully implicitly, on the rock as on the blocks (dda::Springs): with the force C =
+   * M c at the end of the step, u1 = ... + dt^2/2 c, v1 = ... + dt c, and the next step finds
+   * nothing of it.
+   */
+  struct SurfaceForce
+  {
+    SurfaceForce() = default;
+
+    /// Forces that act with Newmark's weights.
+    template <typename Derived>
+    SurfaceForce(const Eigen::MatrixBase<Derived> &newmark)
+      : all(newmark)
+    {}
+
+    SurfaceForce(const Eigen::VectorXd &at_end,
+                 const Eigen::VectorXd &of_contacts,
+                 const Eigen::VectorXd &not_handed_on)
+      : all(at_end)
+      , contacts(of_contacts)
+      , ended(not_handed_on)
+    {}
+
+    Eigen::VectorXd all;
+    Eigen::VectorXd contacts; ///< part of it that acted fully implicitly; empty: none
+    Eigen::VectorXd ended;    ///< part of it that the next step must not find: contacts, and joints
+                              ///< that tore in this step; empty: none
+  };
 
   /**
    * The bedrock: linear elastodynamics in plane strain on deal.II finite elements,
@@ -60,13 +92,14 @@ namespace hybrid::continuum
    * so that blocks see the whole bedrock as one more block. A step is
    *   1. predict(state, dt): forward substitution; returns g;
    *   2. the caller solves for u_G (with blocks: S u_G = g + lambda);
+   *      contacts' part of lambda counts 1/(2 beta) there, see SurfaceForce;
    *   3. correct(state, dt, u_G, lambda): backward substitution; the state is that of t + dt.
    * Without blocks step(state, dt) does all three with lambda = 0.
    *
    * A rigid base takes the outcrop's acceleration; its velocity and displacement are those of the
    * Newmark scheme (the discrete integral of the record), so that no step excites high frequencies.
    * In the energy balance
-   *   kinetic + newmark + strain + boundary_springs = input_work + surface_work - boundary_loss -
+   *   kinetic + strain + boundary_springs = input_work + surface_work - boundary_loss -
    * damping_loss - integration_loss the free-field columns stand outside: what they send in is
    * input work.
    */
@@ -106,6 +139,10 @@ namespace hybrid::continuum
     /// Empty if the scene has no blocks.
     const std::vector<Vec2> &surface_nodes() const;
 
+    /// Of a uniform load between two nodes of the surface, the part that the first one bears [-],
+    /// by the shape functions of the elements; one fewer than the nodes.
+    const std::vector<double> &surface_shares() const;
+
     /// Condensed dynamic stiffness S for the step dt [N/m per m], symmetric, 2 |nodes| square,
     /// unknowns (x0, y0, x1, y1, ...). Factored on first use; the last three step sizes are kept,
     /// and so long stays the reference valid. A supported unknown has a diagonal that is a million
@@ -122,11 +159,11 @@ namespace hybrid::continuum
 
     /// Backward substitution of the step that predict() began.
     /// @param surface_displacement u_G at the end of the step [m].
-    /// @param surface_force lambda at the end of the step [N/m] (used for the energy only).
+    /// @param surface_force lambda at the end of the step.
     void correct(ContinuumState        &state,
                  double                 dt,
                  const Eigen::VectorXd &surface_displacement,
-                 const Eigen::VectorXd &surface_force);
+                 const SurfaceForce    &surface_force);
 
     /// Slip of the bedding planes for u_G found with the load of predict(), or of this function
     /// before; nothing to do where planes do not slip. If it changed, surface_load() is new and u_G
@@ -147,8 +184,8 @@ namespace hybrid::continuum
     /// What the points of @p plane do now.
     BeddingValues bedding_values(const ContinuumState &state, const BeddingPlane &plane) const;
 
-    /// The sums of @p state with its energies of now (kinetic, newmark, strain).
-    [[nodiscard]] ContinuumEnergy audit_energy(const ContinuumState &state, double dt) const;
+    /// The sums of @p state with its energies of now (kinetic, strain).
+    [[nodiscard]] ContinuumEnergy audit_energy(const ContinuumState &state) const;
 
     /// What a point of the bedrock does: displacement, velocity, acceleration.
     struct Sample

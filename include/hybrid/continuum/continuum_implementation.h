@@ -38,7 +38,9 @@ namespace hybrid::continuum
 
     std::vector<Vec2> surface_positions;
     std::vector<int>  surface; ///< nodes of the contact surface from left to right
-    std::vector<int>  left_nodes, right_nodes, base_nodes;
+    std::vector<double>
+      surface_shares; ///< per two of them: what the first bears of a uniform load between them [-]
+    std::vector<int> left_nodes, right_nodes, base_nodes;
     std::vector<double>
       static_displacement; ///< of the restrained model [m], empty before solve_static_state()
 
@@ -65,6 +67,8 @@ namespace hybrid::continuum
       std::vector<BaseCoupling>                       base;
     };
     std::list<StepMatrix> step_matrices; ///< most recently used first, at most 3
+    std::shared_ptr<CondensedFactorisation::Factor>
+      inertia_factor; ///< of M without supported unknowns; null before it is asked for
 
     // work vectors of a step, allocated once
     std::vector<double>      predicted, rate, load, product, product2, mean, rhs, solution;
@@ -72,7 +76,7 @@ namespace hybrid::continuum
     BoundaryForces::Incoming incoming0, incoming1;
     std::vector<double>      edge0, edge1, edge_force0, edge_force1, edge_du, edge_du_ff, edge_v_ff;
     std::vector<double>      edge_u0, edge_u1, edge_u_ff; ///< with boundary springs only
-    std::vector<double>      du, da, u1, v1, a1;
+    std::vector<double>      du, da, u1, v1, a0, a1, c1;
     std::vector<double>      slip_work, excess0, excess1; ///< with slipping planes only
     Eigen::VectorXd          surface_load, surface_motion;
 
@@ -107,9 +111,13 @@ namespace hybrid::continuum
     StepMatrix               &step_matrix(double dt);
     std::vector<BaseCoupling> base_coupling(const std::vector<double> &blocks) const;
     void                      predict(const ContinuumState &state, double dt);
-    void                      take_displacement(const ContinuumState &state, double dt);
-    void                      expand(double dt, const Eigen::VectorXd &surface_displacement);
-    void finish(ContinuumState &state, double dt, const Eigen::VectorXd *force);
+    void                      newmark_acceleration(const ContinuumState &state);
+    void solve_inertia(const std::vector<double> &force, std::vector<double> &a);
+    void accelerate_by(const Eigen::VectorXd &surface_force, std::vector<double> &a);
+    void add_contacts(ContinuumState &state, const SurfaceForce &force);
+    void take_displacement(const ContinuumState &state, double dt);
+    void expand(double dt, const Eigen::VectorXd &surface_displacement);
+    void finish(ContinuumState &state, double dt, const SurfaceForce &force);
 
     // slip of bedding planes (continuum_slip.cc); called only where planes slip
     void             prepare_slip(const scene::BeddingParameters &bedding);
@@ -130,17 +138,20 @@ namespace hybrid::continuum
     void   add_spring_forces(const ContinuumState &state);
     void   add_spring_energy(ContinuumState &state);
     double add_base_energy(ContinuumState &state);
-    double add_surface_energy(ContinuumState &state, const Eigen::VectorXd *force);
+    double add_surface_energy(ContinuumState &state, const SurfaceForce &force);
     double add_point_load_energy(ContinuumState &state, double dt);
 
     // energy of a step (continuum_energy.cc)
     void gather_boundary(const std::vector<double> &x, std::vector<double> &on_boundary) const;
     void add_boundary(const std::vector<double> &on_boundary, std::vector<double> &x) const;
-    void add_energy(ContinuumState &state, double dt, const Eigen::VectorXd *force);
+    void add_energy(ContinuumState &state, double dt, const SurfaceForce &force);
     Vec2 base_reaction(const double              *u,
                        const double              *v,
                        const double              *a,
                        const std::vector<double> &edge_force) const;
+
+    /// Force that the moving base takes for the acceleration @p a of the rock's nodes; empty: none.
+    Vec2 base_inertia(const std::vector<double> &a) const;
     /// y = C x without dashpots, C = alpha_M M + beta_K K (K without joints that may slip); @p work
     /// is overwritten.
     void multiply_rayleigh(const double *x, std::vector<double> &y, std::vector<double> &work);

@@ -59,6 +59,13 @@ namespace hybrid::continuum
       return b;
     }
 
+    /**
+     * Of a uniform load between nodes i and i + 1, the part that node i bears [-], so
+     * that all nodes together bear their int N_i dx. Half for degree 1, a third at the ends of
+     * degree 2.
+     */
+    std::vector<double> load_shares() const;
+
   private:
     std::vector<double> points;
     Eigen::MatrixXd     m, k, b;

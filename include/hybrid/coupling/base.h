@@ -39,6 +39,12 @@ namespace hybrid::coupling
     /// Nodes of the contact surface [m], left to right.
     virtual const std::vector<Vec2> &surface_nodes() const = 0;
 
+    /// Per two nodes: what the first bears of a uniform load between them [-]; empty: half.
+    virtual std::vector<double> surface_shares() const
+    {
+      return {};
+    }
+
     virtual const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) = 0;
 
     /// Slip inside the base for this displacement of its surface [m]; a base without it is settled.
@@ -56,10 +62,10 @@ namespace hybrid::coupling
     }
 
     /// @param displacement of the surface nodes at the end of the step [m].
-    /// @param force increments of the blocks' forces on them at the end of the step [N/m].
-    virtual void correct(continuum::ContinuumState &state,
-                         double                     dt,
-                         const Eigen::VectorXd     &displacement,
-                         const Eigen::VectorXd     &force) = 0;
+    /// @param force of the blocks on them at the end of the step.
+    virtual void correct(continuum::ContinuumState     &state,
+                         double                         dt,
+                         const Eigen::VectorXd         &displacement,
+                         const continuum::SurfaceForce &force) = 0;
   };
 } // namespace hybrid::coupling

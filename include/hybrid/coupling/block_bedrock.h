@@ -45,10 +45,10 @@ namespace hybrid::coupling
 
     const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) override;
 
-    void correct(continuum::ContinuumState &state,
-                 double                     dt,
-                 const Eigen::VectorXd     &displacement,
-                 const Eigen::VectorXd     &force) override;
+    void correct(continuum::ContinuumState     &state,
+                 double                         dt,
+                 const Eigen::VectorXd         &displacement,
+                 const continuum::SurfaceForce &force) override;
 
   private:
     /// A boundary edge beside a column: its element, and where the column's unknowns begin.

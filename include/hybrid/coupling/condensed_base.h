@@ -24,16 +24,21 @@ namespace hybrid::coupling
       return continuum.surface_nodes();
     }
 
+    std::vector<double> surface_shares() const override
+    {
+      return continuum.surface_shares();
+    }
+
     const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) override;
 
     continuum::SlipStatus solve_slip(const continuum::ContinuumState &state,
                                      double                           dt,
                                      const Eigen::VectorXd           &displacement) override;
 
-    void correct(continuum::ContinuumState &state,
-                 double                     dt,
-                 const Eigen::VectorXd     &displacement,
-                 const Eigen::VectorXd     &force) override
+    void correct(continuum::ContinuumState     &state,
+                 double                         dt,
+                 const Eigen::VectorXd         &displacement,
+                 const continuum::SurfaceForce &force) override
     {
       continuum.correct(state, dt, displacement, force);
     }

@@ -23,10 +23,10 @@ namespace hybrid::coupling
 
     PrescribedMotion prescribed_motion(double time) const override;
 
-    void correct(continuum::ContinuumState &state,
-                 double                     dt,
-                 const Eigen::VectorXd     &displacement,
-                 const Eigen::VectorXd     &force) override;
+    void correct(continuum::ContinuumState     &state,
+                 double                         dt,
+                 const Eigen::VectorXd         &displacement,
+                 const continuum::SurfaceForce &force) override;
 
   private:
     const std::vector<Vec2>   nodes;

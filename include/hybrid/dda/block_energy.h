@@ -10,10 +10,8 @@ namespace hybrid::dda
    *
    * With F = M a at both ends of a step, and the contacts' force C = M c at
    * its end, the step obeys exactly
-   *   D[1/2 v M v + (beta - gamma/2) dt^2 / 2 a M a]
-   *     + (beta - gamma/2) dt^2 ((gamma - 1/2) Da M Da + c M Da)
-   *     = d . ((1 - gamma) F_0 + gamma F_1 + C)
-   * (Krenk 2006 without C), so the work of every force is its product with the
+   *   D[1/2 v M v] = d . ((1 - gamma) F_0 + gamma F_1 + C)
+   * (Krenk 2006 without C, with 2 beta = gamma), so the work of every force is its product with the
    * increment at the weights (1 - gamma, gamma), of contacts (0, 1). A contact
    * spring then only dissipates: C . d = -D(1/2 k g^2) - 1/2 k Dg^2.
    */
@@ -24,10 +22,8 @@ namespace hybrid::dda
     const Trial               &trial;
     const Springs             &springs;
     const std::vector<Mat6>   &mass;
-    const std::vector<double> &damping_time;         ///< beta_K of each block [s]
-    const std::vector<Vec6>   &acceleration;         ///< a at the end of the step, unrotated
-    const std::vector<Vec6>   &contact_acceleration; ///< c
-    const Eigen::VectorXd     &incoming; ///< at artificial boundaries, end of the step [N/m]
+    const std::vector<double> &damping_time; ///< beta_K of each block [s]
+    const Eigen::VectorXd     &incoming;     ///< at artificial boundaries, end of the step [N/m]
   };
 
   /// Energy after the step.

@@ -24,8 +24,9 @@ namespace hybrid::dda
    * cut the overlap into pieces, and each contact has half of the pieces beside it; where
    * vertices of both are at one place, each with a contact of its own, they share. So
    * the springs integrate the pressure k_n (-gap) over the overlap by the trapezoidal rule,
-   * which is exact for a uniform pressure and a surface that is straight between its places,
-   * whatever the ratio of sizes: the patch test. An edge goes on through corners that are none
+   * which is exact for a uniform pressure, whatever the ratio of sizes: the patch test. Places of
+   * finite elements of higher degree bear what their shape functions say (Geometry::base_shares).
+   * An edge goes on through corners that are none
    * (straight or reflex) and as long as it does not turn by more than those 3 degrees, so a place
    * of a surface without a contact of its own cuts nothing. A vertex both of whose edges lie on the
    * other body has both lengths.

@@ -43,6 +43,8 @@ namespace hybrid::dda
     std::vector<Vec2> vertices;   ///< [m]
     std::vector<Vec2> base_nodes; ///< [m]; empty without a base
     BedrockSurface    bedrock;
+    /// Per base segment: what its first node bears of a uniform load on it [-]; empty: half.
+    std::vector<double> base_shares;
 
     int n_blocks() const
     {

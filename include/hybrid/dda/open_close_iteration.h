@@ -38,13 +38,13 @@ namespace hybrid::dda
    *
    *     M (a(d) - (1/(2 beta)) c) + A_0 (s + D e(d) + beta_K D e(d)/dt) = W + sum of bonds G^T f,
    *     M c = sum of contacts G^T f,
-   *     S w = g + f_base - f_static,
+   *     S w = g + bonds on the base + (1/(2 beta)) contacts on the base, less those at rest,
    *
    * where c acts through the whole step (see Springs: (d - d*) / (beta dt^2) = a + c / (2 beta)),
-   * with f(d, w), gaps and slips of the exact finite motion and contact states that agree with the
-   * forces. beta_K: block_damping_times(). Newton's method with the
-   * consistent tangent; the tangent is kept as long as it serves. Not converged is a status: the
-   * state is changed only by accept().
+   * on blocks and base alike, so that the impulse of one is that of the other, with f(d, w), gaps
+   * and slips of the exact finite motion and contact states that agree with the forces. beta_K:
+   * block_damping_times(). Newton's method with the consistent tangent; the tangent is kept as long
+   * as it serves. Not converged is a status: the state is changed only by accept().
    *
    * The first iterations take whole updates, and a joint or contact whose slip would turn round
    * sticks before it may slide back (Shi 1988). With its friction at once the other way a line
@@ -96,6 +96,12 @@ namespace hybrid::dda
       return force_increment;
     }
 
+    /// The contacts' part of it [N/m].
+    const Eigen::VectorXd &base_contact_increment() const
+    {
+      return contact_increment;
+    }
+
   private:
     Watch               watch;
     Springs             springs;
@@ -107,10 +113,10 @@ namespace hybrid::dda
     std::vector<Mat6>   mass;
     std::vector<double> damping_time; ///< beta_K of each block in this step [s]
     std::vector<Vec6>   predicted;    ///< Newmark's d*: a = (d - d*) / (beta dt^2)
-    std::vector<Vec6>   predicted_rate;
+    std::vector<Vec6>   start_rate;   ///< velocity that the step begins with, k01 v
     std::vector<Vec6> acceleration; ///< of all but contacts, end of the solved step, not yet turned
     std::vector<Vec6> contact_acceleration; ///< of contacts, likewise
-    Eigen::VectorXd   residual, absolute, scale, update, force_increment;
+    Eigen::VectorXd   residual, absolute, scale, update, force_increment, contact_increment;
     // The base's balance is taken from where the trial starts: at S w the round-off of a stiff base
     // that moves as a whole would hide the forces of soft blocks.
     Eigen::VectorXd base_start;    ///< load less S times the displacement at the start [N/m]
@@ -145,9 +151,16 @@ namespace hybrid::dda
     /// Acceleration of a block by the contacts' forces in the trial.
     Vec6 acceleration_by_contacts(int block) const;
 
-    /// Velocity of a block at the end of the trial.
-    Vec6 end_rate(const Newmark &newmark, int block, const Vec6 &by_contacts) const;
+    /// Velocity of a block at the end of the trial: with 2 beta = gamma the mean of both ends is
+    /// the increment over dt, whatever the forces.
+    Vec6 end_rate(int block) const
+    {
+      return 2. / trial.dt * trial.increment[block] - start_rate[block];
+    }
 
+    /// Forces of the trial and what is left of the balance; they depend on the trial alone (while
+    /// it takes_whole, on that of Springs::remember() as well). @return relative norm of the
+    /// residual
     double evaluate(const Model &model, const DdaState &state, const BaseResponse &base);
 
     /// Add the water's forces to the residual.

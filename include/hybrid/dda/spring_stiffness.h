@@ -25,7 +25,7 @@ namespace hybrid::dda
     {
       /// Without, falling branches count as flat: less exact, but never indefinite.
       bool follow_softening = true;
-      /// Weight of unilateral springs in the rows of blocks; base nodes feel the force itself [-].
+      /// Weight of unilateral springs [-].
       double contact_weight = 1.;
       /// Of the shear stiffness of contacts that slide, see SlidingShare [-].
       double sliding_share = 0.;
@@ -64,7 +64,6 @@ namespace hybrid::dda
     struct Coefficients
     {
       double nn = 0., tt = 0., tn = 0.; ///< normal, shear, shear by gap [N/m]
-      double weight = 1.;               ///< in the rows of blocks [-]
 
       bool none() const
       {
@@ -73,7 +72,7 @@ namespace hybrid::dda
 
       bool operator==(const Coefficients &o) const
       {
-        return nn == o.nn && tt == o.tt && tn == o.tn && weight == o.weight;
+        return nn == o.nn && tt == o.tt && tn == o.tn;
       }
 
       /// D G of gradients G.

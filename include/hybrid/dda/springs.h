@@ -37,8 +37,7 @@ namespace hybrid::dda
    * and is gone when the step is over. In Newmark's own weights the force that
    * a contact had when the step began would go on pushing while it opens, and
    * give back more than the spring stored (after Kane, Repetto, Ortiz and
-   * Marsden 1999; with their weight beta / gamma instead of 1/2 a block at rest
-   * would keep a velocity unless beta = gamma / 2).
+   * Marsden 1999).
    */
   class Springs
   {
@@ -68,12 +67,13 @@ namespace hybrid::dda
       double      weight[2]     = {1., 0.}; ///< of the base nodes
       double      edge_position = 0.;       ///< projection on the contact's edge [-]
       SpringState now;                      ///< if the step is accepted
-      bool        held = false;             ///< locked beyond its strength, see ReversedSlip::locks
-      Vec6        on_block, on_other;       ///< generalised forces; without sense if both are zero
+      double      slid = 0.;    ///< shear traction in the trial of remember() if it slid there [Pa]
+      bool        held = false; ///< locked beyond its strength, see ReversedSlip::locks
+      Vec6        on_block, on_other; ///< generalised forces; without sense if both are zero
       double      normal_by_gap = 0., shear_by_slip = 0., shear_by_gap = 0.; ///< tangents [Pa/m]
     };
 
-    /// What becomes of a joint or contact that slid one way in the trial before and slides the
+    /// What becomes of a joint or contact that slid one way in the trial remembered and slides the
     /// other way now.
     enum class ReversedSlip
     {
@@ -88,7 +88,12 @@ namespace hybrid::dda
     /// slots.
     void connect(const Model &model, BlockMatrix &matrix);
 
-    /// Forces of the springs in a trial. Same bits for any number of threads.
+    /// Keep which way every spring slides in the trial that was evaluated last, for
+    /// ReversedSlip::locks.
+    void remember();
+
+    /// Forces of the springs in a trial: of that trial alone, and with ReversedSlip::locks of the
+    /// one that remember() kept. Same bits for any number of threads.
     void evaluate(const Model       &model,
                   const DdaState    &state,
                   const Trial       &trial,
@@ -104,9 +109,6 @@ namespace hybrid::dda
 
     /// Add the force of one spring on its blocks or base nodes.
     void add_force(std::size_t number, Eigen::VectorXd &forces) const;
-
-    /// True if a unilateral spring presses on the base.
-    bool pushes_base() const;
 
     int n_blocks() const
     {

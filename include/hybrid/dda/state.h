@@ -55,7 +55,6 @@ namespace hybrid::dda
   struct BlockEnergy
   {
     double kinetic          = 0.; ///< 1/2 v M v, now
-    double newmark          = 0.; ///< the scheme's acceleration term, now
     double strain           = 0.; ///< of the blocks, now
     double gravity          = 0.; ///< potential of weight and water relative to the start, now
     double springs          = 0.; ///< stored in joints and contacts, now
@@ -75,9 +74,9 @@ namespace hybrid::dda
     /// [J/m].
     double balance() const
     {
-      return kinetic + newmark + strain + gravity + springs + friction_loss + bedding_loss +
-             fracture_loss + damping_loss + integration_loss + switch_loss - base_work +
-             boundary_loss - input_work + static_work - edge_load_work;
+      return kinetic + strain + gravity + springs + friction_loss + bedding_loss + fracture_loss +
+             damping_loss + integration_loss + switch_loss - base_work + boundary_loss -
+             input_work + static_work - edge_load_work;
     }
   };
 
@@ -96,6 +95,7 @@ namespace hybrid::dda
     Eigen::VectorXd         base_force;         ///< on the base nodes [N/m], now
     Eigen::VectorXd         base_contact_force; ///< contacts' part of it [N/m], see Springs
     Eigen::VectorXd static_force; ///< on the base nodes at the end of the static stage [N/m]
+    Eigen::VectorXd static_contact_force; ///< contacts' part of it [N/m]
     Eigen::VectorXd bedrock_static_force; ///< on the bedrock's blocks then, six each; empty: none
     Eigen::VectorXd boundary_force;       ///< incoming, see ViscousBoundary [N/m], now
     BlockEnergy     energy;

@@ -11,7 +11,11 @@
 
 namespace hybrid::output
 {
-  /// The VTU series of a run for ParaView: continuum.pvd, blocks.pvd, joints.pvd.
+  /**
+   * The VTU series of a run for ParaView: continuum.pvd, blocks.pvd, joints.pvd. In all three the
+   * points are where they have moved to, and "displacement [m]" says how far from the state at
+   * rest: points + (s - 1) displacement draws motions s times as large.
+   */
   class Pictures
   {
   public:

@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import style
 from matplotlib.collections import LineCollection, PolyCollection
-from run_data import MissingData
+from run_data import NotInScene
 from section_view import Section, draw_rock, margin_of, set_view
 
 
@@ -52,7 +52,7 @@ def draw(run, directory):
             marks = LineCollection(ends, array=values, cmap="viridis", lw=1.2, zorder=5)
         rows.append((values, shape, label, marks))
     if not rows:
-        raise MissingData("the scene is not heterogeneous")
+        raise NotInScene("the scene is not heterogeneous")
     figure, axes = plt.subplots(len(rows), 2, figsize=(12, 3.4 * len(rows) + 0.4), squeeze=False,
                                 gridspec_kw={"width_ratios": [2.2, 1]}, constrained_layout=True)
     for (left, right), (values, shape, label, marks) in zip(axes, rows):

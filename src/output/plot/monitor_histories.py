@@ -6,13 +6,12 @@ import numpy as np
 import style
 from run_data import MissingData
 
-GROUP_TITLES = {"S": "Monitors on the surface", "D": "Monitors at depth", "other": "Other monitors"}
+GROUP_TITLES = {"S": "Monitors on the surface", "D": "Monitors at depth", "other": "Other monitors", "base": "Base monitor"}
 
 
 def position_text(run, name):
     position = run.attribute("monitors/" + name, "position")
-    text = "" if position is None else "x = %.0f m, y = %.1f m" % tuple(position)
-    return text + (", absolute" if name == run.base else "")
+    return "" if position is None else "x = %.0f m, y = %.1f m" % tuple(position)
 
 
 def displacement(run, name):
@@ -42,7 +41,7 @@ def draw_group(run, group, names, directory):
         axes[row, 0].set_ylabel(name, rotation=0, ha="right", va="center", fontweight="bold", fontsize=11, labelpad=10)
         axes[row, 0].text(0.01, 0.97, position_text(run, name), transform=axes[row, 0].transAxes, fontsize=7,
                           va="top", color="#555555", bbox={"fc": "white", "ec": "none", "alpha": 0.75, "pad": 0.8})
-    against = " relative to " + run.base if run.base else ""
+    against = "" if not run.base else ", absolute" if group == "base" else " relative to " + run.base
     axes[0, 0].set_title("displacement%s [%s]" % (against, unit))
     low_pass = " below %g Hz" % run.corner if run.corner > 0 else ""
     axes[0, 1].set_title("velocity%s [m/s]" % low_pass)

@@ -49,9 +49,9 @@ def draw_motion(run, axes):
 
 def draw_displacements(run, axes):
     groups = run.monitor_groups()
-    if not groups or run.n < 2:
+    names = groups.get("S") or groups.get("D") or groups.get("other")
+    if not names or run.n < 2:
         raise MissingData("no monitors in run.h5")
-    names = groups.get("S") or groups.get("D") or groups["other"]
     monitor_histories.draw_overlay(run, axes, names)
     shrink_legend(axes)
     axes.set_title("monitors" + (" relative to " + run.base if run.base else ""))

@@ -4,11 +4,18 @@
 A figure whose data the run did not record is left out, with a word on why. Exit code 1 if a figure failed.
 """
 
+import importlib.util
 import os
 import sys
 import traceback
 
-import style
+MODULES = {"h5py": "python3-h5py", "matplotlib": "python3-matplotlib", "numpy": "python3-numpy"}  # Debian's packages
+missing = [name for name in MODULES if importlib.util.find_spec(name) is None]
+if missing:
+    sys.exit("error: pictures need the Python %s %s, which %s does not have; on Debian: apt-get install %s" % (
+        "module" if len(missing) == 1 else "modules", ", ".join(missing), sys.executable, " ".join(MODULES[m] for m in missing)))
+
+import style  # isort: skip
 
 import boreholes  # isort: skip
 import energy_balance  # isort: skip
@@ -19,7 +26,7 @@ import overview  # isort: skip
 import section_view  # isort: skip
 import slip  # isort: skip
 import step_costs  # isort: skip
-from run_data import MissingData, RunData  # isort: skip
+from run_data import MissingData, NotInScene, RunData  # isort: skip
 
 FIGURES = (input_motion, monitor_histories, boreholes, section_view, slip, heterogeneity, energy_balance, step_costs, overview)
 
@@ -49,6 +56,8 @@ def main(directory):
     for figure in FIGURES:
         try:
             draw_growing(figure, run, figures)
+        except NotInScene:
+            pass
         except MissingData as reason:
             print("%s: left out, %s" % (figure.__name__, reason))
         except Exception:

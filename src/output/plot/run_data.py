@@ -12,6 +12,10 @@ class MissingData(Exception):
     """A figure cannot be drawn because the run did not record what it shows."""
 
 
+class NotInScene(MissingData):
+    """A figure shows an effect that the scene does not have: nothing is missing."""
+
+
 def low_pass(series, dt, corner):
     """Zero-phase low-pass along axis 0, gain 1 / (1 + w^4) as in the program's filter.
 
@@ -134,10 +138,10 @@ class RunData:
         return displacement
 
     def monitor_groups(self):
-        """{"S": [...], "D": [...], "other": [...]}; the base monitor belongs to the others."""
-        groups = {"S": [], "D": [], "other": []}
+        """{"S": [...], "D": [...], "other": [...], "base": [...]}; the base monitor moves far more than others relative to it."""
+        groups = {"S": [], "D": [], "other": [], "base": []}
         for name in self.names("monitors"):
-            groups[name[0] if name[0] in "SD" else "other"].append(name)
+            groups["base" if name == self.base else name[0] if name[0] in "SD" else "other"].append(name)
         return {key: names for key, names in groups.items() if names}
 
 

@@ -7,6 +7,8 @@ import numpy as np
 import style
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 
 OUTLINE = [effects.withStroke(linewidth=2.6, foreground="#ffffffb0")]
 HALO = [effects.withStroke(linewidth=2.2, foreground="white")]
@@ -29,6 +31,7 @@ class Section:
         self.water = run.attribute("section", "water_level")
         if self.water is not None:
             self.water = float(np.ravel(self.water)[0])
+        self.read_materials(run)
         self.low, self.high = points.min(axis=0), points.max(axis=0)
         self.monitors = [(n, run.attribute("monitors/" + n, "position")) for n in run.names("monitors")]
         self.monitors = [(n, p) for n, p in self.monitors if p is not None]
@@ -38,6 +41,19 @@ class Section:
         if run.has("joints/position") and run.file["joints/position"].shape[0] > 0:
             ends = run.get("joints/ends") if run.has("joints/ends") else None
             self.joints = run.get("joints/position"), run.get("joints/failure_time"), run.get("joints/failure_kind"), ends
+
+    def read_materials(self, run):
+        """What the section is made of; empty where an older run does not say."""
+        def numbers(path):
+            return run.get(path).astype(int) if run.has(path) else np.zeros(0, int)
+
+        self.materials = run.text(run.attribute("section", "materials", "")).split(", ")
+        self.block_material = numbers("section/blocks_material")
+        self.cell_material = numbers("section/cells_material")
+        self.belt_material = numbers("section/belt_material")
+        self.cells = run.get("section/cells").reshape(-1, 4, 2) if len(self.cell_material) else np.zeros((0, 4, 2))
+        self.belt = run.get("section/belt").reshape(-1, 2, 2) if len(self.belt_material) else np.zeros((0, 2, 2))
+        self.bedding = {n: run.get("section/bedding/" + n).reshape(-1, 2, 2) for n in run.names("section/bedding")}
 
     @staticmethod
     def magnitude(run, path):
@@ -50,8 +66,31 @@ class Section:
 def draw_rock(section, axes):
     if section.outline is not None:
         axes.add_collection(LineCollection(section.outline.reshape(-1, 2, 2), colors=style.ROCK_EDGE, lw=1.1, zorder=2))
+    for segments in section.bedding.values():
+        axes.add_collection(LineCollection(segments, colors=style.BEDDING, lw=0.9, linestyles="--", zorder=2))
     if section.surface is not None:
         axes.plot(section.surface[:, 0], section.surface[:, 1], color=style.SLIP, lw=1.8, zorder=4)
+
+
+def draw_materials(section, axes):
+    """Areas and lines in the colour of their material, and what the colours mean."""
+    entries = []
+    used = np.unique(np.concatenate([section.block_material, section.cell_material]))
+    for k, number in enumerate(used):
+        colour = style.MATERIALS[k % len(style.MATERIALS)]
+        for areas, material in ((section.cells, section.cell_material), (section.blocks, section.block_material)):
+            chosen = [area for area, m in zip(areas, material) if m == number]
+            axes.add_collection(PolyCollection(chosen, facecolors=colour, edgecolors=colour, lw=0.3, zorder=1))
+        entries.append(Patch(facecolor=colour, edgecolor="#8a8a8a", lw=0.4, label=section.materials[number]))
+    for k, number in enumerate(np.unique(section.belt_material)):
+        colour = style.BELTS[k % len(style.BELTS)]
+        axes.add_collection(LineCollection(section.belt[section.belt_material == number], colors=colour, lw=2.4, zorder=5))
+        entries.append(Line2D([], [], color=colour, lw=2.4, label="belt: " + section.materials[number]))
+    if section.bedding:
+        entries.append(Line2D([], [], color=style.BEDDING, lw=0.9, ls="--", label="bedding planes"))
+    if not len(section.belt) and section.surface is not None:
+        entries.append(Line2D([], [], color=style.SLIP, lw=1.8, label="sliding surface"))
+    axes.legend(handles=entries, loc="center left", bbox_to_anchor=(1.0, 0.5), borderaxespad=0.5)
 
 
 def draw_water(section, axes):
@@ -81,6 +120,15 @@ def draw_blocks(axes, blocks, values, title, scale):
     axes.set_title(title)
 
 
+def free_corner(section):
+    """The lower corner that the mass leaves free: under its upper end."""
+    middles = np.array([block.mean(axis=0) for block in section.blocks])
+    left = middles[:, 0] < 0.5 * (section.low[0] + section.high[0])
+    if not 0 < left.sum() < len(left):
+        return "upper right"
+    return "lower right" if middles[left, 1].mean() < middles[~left, 1].mean() else "lower left"
+
+
 def draw_joints(section, axes):
     if section.joints is None:
         return
@@ -96,7 +144,7 @@ def draw_joints(section, axes):
             axes.add_collection(LineCollection(ends[chosen].reshape(-1, 2, 2), colors=colour, lw=1.7, zorder=5, label=label, capstyle="round", path_effects=OUTLINE))
         else:
             axes.plot(position[chosen, 0], position[chosen, 1], ".", color=colour, ms=3.5, zorder=5, label=label, mew=0)
-    legend = axes.legend(loc="lower right", title="failed joints", markerscale=2.0, frameon=True, framealpha=0.9,
+    legend = axes.legend(loc=free_corner(section), title="failed joints", markerscale=2.0, frameon=True, framealpha=0.9,
                          edgecolor="#cccccc", fontsize=8)
     legend.set_zorder(9)
     legend.get_title().set_fontsize(8)
@@ -129,6 +177,15 @@ def set_view(axes, low, high, margin):
     axes.set_ylabel("elevation [m]")
 
 
+def make_room_for_names(section, axes):
+    """Names of boreholes stand below the title: about 45 points above their heads."""
+    width = 0.8 * 72 * axes.figure.get_size_inches()[0] if hasattr(axes.figure, "get_size_inches") else 700
+    room = 45 * np.ptp(axes.get_xlim()) / width
+    heads = [head[1] for _, (head, foot) in section.boreholes]
+    bottom, top = axes.get_ylim()
+    axes.set_ylim(bottom, max([top] + [head + room for head in heads if head < top]))
+
+
 def margin_of(section):
     """Few blocks are shown with what they stand on."""
     return 0.05 if len(section.blocks) > 20 else 0.4
@@ -137,9 +194,12 @@ def margin_of(section):
 def draw_whole(section, axes):
     """The whole model, small: where the sliding mass lies in it."""
     draw_rock(section, axes)
-    axes.add_collection(PolyCollection(section.blocks, facecolors="#e9b872", edgecolors="none", zorder=3))
-    ends = section.outline.reshape(-1, 2)
-    set_view(axes, np.minimum(ends.min(axis=0), section.low), np.maximum(ends.max(axis=0), section.high), 0.02)
+    if len(section.block_material):
+        draw_materials(section, axes)
+    else:
+        axes.add_collection(PolyCollection(section.blocks, facecolors="#e9b872", edgecolors="none", zorder=1))
+    ends = np.vstack([section.low, section.high] if section.outline is None else [section.outline.reshape(-1, 2), section.low, section.high])
+    set_view(axes, ends.min(axis=0), ends.max(axis=0), 0.02)
     draw_water(section, axes)
     for name, p in section.monitors:
         if not name.startswith(("S", "D")):
@@ -161,6 +221,7 @@ def draw_main(section, axes):
         place += "(blocks at their initial place)"
         draw_blocks(axes, section.blocks, values, label + " relative to the base" + place, scale_of(values))
     set_view(axes, section.low, section.high, margin_of(section))
+    make_room_for_names(section, axes)
     draw_water(section, axes)
     draw_joints(section, axes)
     draw_labels(section, axes)
@@ -189,7 +250,8 @@ def draw(run, directory):
     section = Section(run)
     size = section.high - section.low
     panels = []
-    if section.outline is not None and np.ptp(section.outline[:, 0::2]) > 1.4 * size[0]:
+    is_wide = section.outline is not None and np.ptp(section.outline[:, 0::2]) > 1.4 * size[0]
+    if is_wide or len(section.block_material):
         panels.append((draw_whole, 0.45))
     panels.append((draw_main, 1.0))
     if section.final_blocks is not None and section.final is not None and section.final.max() > 0.01 * size.max():

@@ -18,6 +18,9 @@ ROCK_EDGE = "#6f6a60"
 WATER = "#3a8fc7"
 SLIP = "#7a3b10"
 TEXT = "#262626"
+BEDDING = "#8a5fa8"
+MATERIALS = ("#f3dfb5", "#dfe6cf", "#cfdcea", "#ead3cf", "#ddd6ea", "#e4e0da", "#cfe6e3", "#f0e6c2")  # areas
+BELTS = (SLIP, "#c07a2c", "#4d6b1f", "#8c2f5f")  # lines
 
 # Ends before brown, so that red and blue marks of joints stand out on it.
 DISPLACEMENT_MAP = ListedColormap(plt.get_cmap("YlOrBr")(np.linspace(0.02, 0.66, 256)))
@@ -83,5 +86,6 @@ def title(figure, text, lines=1):
 
 
 def save(figure, directory, name):
-    figure.savefig("%s/%s.png" % (directory, name), facecolor="white")
+    # tight: a long label never ends at the edge of the paper
+    figure.savefig("%s/%s.png" % (directory, name), facecolor="white", bbox_inches="tight", pad_inches=0.1)
     plt.close(figure)

@@ -10,7 +10,7 @@ namespace
 
   void expect_same(const coupling::CoupledState &one, const coupling::CoupledState &other)
   {
-    EXPECT_EQ(one.time, other.time);
+    EXPECT_EQ(one.time(), other.time());
     EXPECT_EQ(one.continuum.time, other.continuum.time);
     EXPECT_EQ(one.continuum.displacement, other.continuum.displacement);
     EXPECT_EQ(one.continuum.velocity, other.continuum.velocity);
@@ -38,7 +38,7 @@ namespace
   /// Equal to the tolerance of the open-close iteration: kept tangents may differ.
   void expect_close(const coupling::CoupledState &one, const coupling::CoupledState &other)
   {
-    EXPECT_EQ(one.time, other.time);
+    EXPECT_EQ(one.time(), other.time());
     double scale = 0., difference = 0.;
     for (std::size_t i = 0; i < one.continuum.velocity.size(); ++i)
       {

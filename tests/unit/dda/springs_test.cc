@@ -153,10 +153,12 @@ namespace
     scene.move(there, Reversed::locks);
     EXPECT_EQ(now.state, ContactState::sliding);
     EXPECT_FALSE(scene.springs.responses[0].held);
+    scene.springs.remember();
     scene.move(back, Reversed::locks);
     EXPECT_EQ(now.state, ContactState::locked);
     EXPECT_TRUE(scene.springs.any_held());
     const double held = now.shear;
+    scene.springs.remember();
     scene.move(back, Reversed::locks); // from sticking it may slide either way
     EXPECT_EQ(now.state, ContactState::sliding);
     EXPECT_FALSE(scene.springs.responses[0].held);
@@ -195,4 +197,34 @@ TEST(Springs, a_joint_that_slides_back_sticks_first)
   up[7]   = 1e-4;
   down[7] = -1e-4;
   slide_there_and_back(scene, up, down);
+}
+
+
+
+// Contacts that slid one way in the trial that was kept stay where they are when they would slide
+// back, however often that trial is evaluated.
+TEST(Springs, equal_trials_have_equal_forces)
+{
+  SpringScene scene(false);
+  Material    slippery;
+  slippery.friction_angle = 5.;
+  for (ContactLaw &contact : scene.model.base_contact)
+    contact.law = JointLaw(JointStrength::broken(slippery), 1e9, 1e9);
+  scene.springs.collect(scene.model, scene.state);
+  Eigen::VectorXd there = pressing(1e-6), back = there;
+  there[0] = 1e-4;
+  back[0]  = -1e-4;
+  scene.move(there);
+  scene.springs.remember();
+  Eigen::VectorXd forces[3];
+  for (Eigen::VectorXd &f : forces)
+    {
+      scene.move(back, Springs::ReversedSlip::locks);
+      EXPECT_TRUE(scene.springs.any_held());
+      f                        = Eigen::VectorXd::Zero(20);
+      Eigen::VectorXd absolute = Eigen::VectorXd::Zero(2);
+      scene.springs.add_forces(f, f, absolute);
+    }
+  EXPECT_EQ(forces[0], forces[1]);
+  EXPECT_EQ(forces[0], forces[2]);
 }

@@ -147,6 +147,7 @@ namespace hybrid::dda
       state.base_force           = Eigen::VectorXd::Constant(2, 4.);
       state.base_contact_force   = Eigen::VectorXd::Constant(2, 5.);
       state.static_force         = Eigen::VectorXd::Constant(2, 6.);
+      state.static_contact_force = Eigen::VectorXd::Constant(2, 6.5);
       state.bedrock_static_force = Eigen::VectorXd::Constant(6, 7.);
       state.boundary_force       = Eigen::VectorXd::Constant(4, 8.);
       state.energy.gravity       = 9.;
@@ -168,6 +169,7 @@ namespace hybrid::dda
       EXPECT_EQ(copy.base_force, state.base_force);
       EXPECT_EQ(copy.base_contact_force, state.base_contact_force);
       EXPECT_EQ(copy.static_force, state.static_force);
+      EXPECT_EQ(copy.static_contact_force, state.static_contact_force);
       EXPECT_EQ(copy.bedrock_static_force, state.bedrock_static_force);
       EXPECT_EQ(copy.boundary_force, state.boundary_force);
       EXPECT_EQ(copy.energy.gravity, 9.);

@@ -27,7 +27,7 @@ namespace hybrid::output
       EXPECT_EQ(plot(directory), 0);
       EXPECT_TRUE(python_passes(directory, R"(
 import os
-names = ['overview', 'input_motion', 'monitors_S', 'monitors_D', 'monitors_other', 'boreholes', 'section', 'slip', 'energy', 'steps']
+names = ['overview', 'input_motion', 'monitors_S', 'monitors_D', 'monitors_base', 'boreholes', 'section', 'slip', 'energy', 'steps']
 assert sorted(os.listdir('figures')) == sorted(n + '.png' for n in names), os.listdir('figures')
 for n in names:
     with open('figures/' + n + '.png', 'rb') as f:
@@ -56,6 +56,24 @@ assert sorted(os.listdir('figures')) == ['monitors_other.png', 'overview.png'], 
       EXPECT_TRUE(python_passes(directory, R"(
 import os
 assert 'section.png' in os.listdir('figures'), os.listdir('figures')
+)"));
+    }
+
+
+    TEST(PlotCommand, MissingModulesAreASentenceAndEffectsThatAreOffAreNoWords)
+    {
+      const std::string directory = make_directory("plot_words");
+      ASSERT_TRUE(make_run(directory, "complete"));
+      EXPECT_TRUE(python_passes(directory, R"(
+import subprocess, sys
+script = ')" OUTPUT_TEST_DIR R"(/../../../src/output/plot/plot_run.py'
+def say(*options):
+    end = subprocess.run([sys.executable, *options, script, '.'], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return end.returncode, end.stdout
+code, words = say('-S') # without the modules that Debian installs
+assert code == 1 and 'python3-h5py' in words and 'Traceback' not in words and words.count('\n') == 1, words
+code, words = say()
+assert code == 0 and words == 'figures: ./figures\n', words
 )"));
     }
 

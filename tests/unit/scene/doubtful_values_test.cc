@@ -163,6 +163,8 @@ namespace hybrid::scene
         "Materials/wet/Density = 1250 kg/m3 of the saturated body is below that of clay, 2000 "
         "kg/m3: as a buoyant density it makes inertia too small and S waves 34.16 % too fast; "
         "give the total density, 2250, and set Water/Method = submerged or pressures");
+      scene.materials["wet"].density = 600.;
+      EXPECT_TRUE(doubtful_values(scene).empty()); // not even with water
       scene.materials["wet"].density = 2100.;
       EXPECT_TRUE(doubtful_values(scene).empty());
     }

@@ -255,12 +255,12 @@ TEST_F(SceneErrors, MonitorFileMustHoldTheNamedRows)
 TEST_F(SceneErrors, PathsThatAShellWouldUnderstandAreExplained)
 {
   write("quake.txt", "0 0\n1 0\n");
-  const std::string file   = write_scene();
-  const auto        record = [](const std::string &value) {
+  const auto record = [](const std::string &value) {
     return std::vector<std::string>{"Motion/File=" + value};
   };
   expect_error(write_scene("subsection Motion\n  set File = \"quake.txt\"\nend\n"),
                {"there is no file", "; leave the quotation marks away: quake.txt"});
+  const std::string file = write_scene();
   expect_error(file, {"leave the quotation marks away: quake.txt"}, record("'quake.txt'"));
   expect_error(file,
                {"'~' is not replaced here, write the whole path: ", "/quake.txt"},

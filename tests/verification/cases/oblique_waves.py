@@ -78,8 +78,8 @@ def pressure_energy(run, rock):
     picture, _ = picture_at(run.directory, "continuum", run.time[-1])
     stress = picture.cell_fields["stress increment xx, yy, xy [Pa]"]
     div = (stress[:, 0] + stress[:, 1]) / (2 * (rock.oedometer - rock.shear_modulus))
-    corners = picture.points[np.array(picture.cells)]
-    area = np.abs(np.prod((corners[:, 2] - corners[:, 0])[:, :2], axis=1))
+    corners = picture.initial()[np.array(picture.cells)]
+    area = np.abs(np.prod(corners[:, 2] - corners[:, 0], axis=1))
     return rock.oedometer * np.sum(area * div**2)
 
 

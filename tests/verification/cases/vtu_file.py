@@ -21,6 +21,10 @@ class Picture:
         self.cell_fields = {a.get("Name"): _array(a) for a in piece.find("CellData")}
         self.point_fields = {a.get("Name"): _array(a) for a in piece.find("PointData")}
 
+    def initial(self):
+        """Points before they moved, n x 2 [m]."""
+        return self.points[:, :2] - self.point_fields["displacement [m]"][:, :2]
+
     def centroids(self):
         """Mean of each cell's points, n x 2: the centroid of a triangle."""
         return np.array([self.points[c, :2].mean(axis=0) for c in self.cells])

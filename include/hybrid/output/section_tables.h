@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/model.h>
+#include <hybrid/output/history_file.h>
+#include <hybrid/scene/scene_parameters.h>
+#include <hybrid/scene/section_mesh.h>
+
+namespace hybrid::output
+{
+  /**
+   * What the section is made of, for pictures (run_file.md): section/bedding/<name>,
+   * section/cells and cells_material of a continuum, section/blocks_material, and section/belt and
+   * belt_material if the mass is bonded to its base. Materials are indices into the attribute
+   * "materials" of the group.
+   * @param model nullptr: no blocks
+   */
+  void write_section_materials(HistoryFile                  &file,
+                               const scene::SceneParameters &scene,
+                               const scene::SectionMesh     &mesh,
+                               const dda::Model             *model);
+} // namespace hybrid::output

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/section_tables.h>
+
+#include <iterator>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    class SectionTables
+    {
+    public:
+      SectionTables(HistoryFile                  &run_file,
+                    const scene::SceneParameters &parameters,
+                    const scene::SectionMesh     &section)
+        : file(run_file)
+        , scene(parameters)
+        , mesh(section)
+      {}
+
+      void write_names()
+      {
+        std::string names;
+        for (const auto &entry : scene.materials)
+          names += (names.empty() ? "" : ", ") + entry.first;
+        file.set_attribute("section", "materials", names);
+      }
+
+      void write_bedding()
+      {
+        for (const std::string &name : scene.bedding.names)
+          {
+            const auto line = mesh.lines.find(name);
+            if (line == mesh.lines.end() || line->second.empty())
+              continue;
+            const std::vector<double> ends = coordinates(line->second);
+            file.write_table("section/bedding/" + name,
+                             "m",
+                             ends.data(),
+                             ends.size() / 4,
+                             4,
+                             "edges of the bedding plane, initial");
+          }
+      }
+
+      void write_cells()
+      {
+        std::vector<double> material;
+        for (const int region : mesh.bedrock_region)
+          material.push_back(number(scene.bedrock_material(mesh.bedrock_region_names[region])));
+        const std::vector<double> corners = coordinates(mesh.bedrock_cells);
+        file.write_table("section/cells",
+                         "m",
+                         corners.data(),
+                         material.size(),
+                         8,
+                         "corners of the bedrock's cells, initial");
+        file.write_table("section/cells_material",
+                         "1",
+                         material.data(),
+                         material.size(),
+                         1,
+                         "index into the materials of the section");
+      }
+
+      void write_blocks(const dda::Model &model)
+      {
+        std::vector<double> material;
+        for (const dda::BlockProperties &block : model.blocks)
+          {
+            const int  rock       = block.region - static_cast<int>(mesh.block_region_names.size());
+            const bool is_bedrock = static_cast<int>(material.size()) >= model.n_mass();
+            material.push_back(number(is_bedrock
+                                        ? scene.bedrock_material(mesh.bedrock_region_names[rock])
+                                        : of_mass(false, block.saturated)));
+          }
+        file.write_table("section/blocks_material",
+                         "1",
+                         material.data(),
+                         material.size(),
+                         1,
+                         "index into the materials of the section");
+      }
+
+      void write_belt()
+      {
+        const auto line = mesh.lines.find("sliding_surface");
+        if (!scene.blocks.bonded || scene.blocks.belt_material.empty() || line == mesh.lines.end())
+          return;
+        std::vector<double> material;
+        for (const auto &edge : line->second)
+          {
+            const double y = 0.5 * (mesh.nodes[edge[0]].y() + mesh.nodes[edge[1]].y());
+            material.push_back(number(of_mass(true, y < scene.environment.water_level)));
+          }
+        const std::vector<double> ends = coordinates(line->second);
+        file.write_table(
+          "section/belt", "m", ends.data(), material.size(), 4, "edges of the belt, initial");
+        file.write_table("section/belt_material",
+                         "1",
+                         material.data(),
+                         material.size(),
+                         1,
+                         "index into the materials of the section");
+      }
+
+    private:
+      HistoryFile                  &file;
+      const scene::SceneParameters &scene;
+      const scene::SectionMesh     &mesh;
+
+      template <typename Lists>
+      std::vector<double> coordinates(const Lists &lists) const
+      {
+        std::vector<double> values;
+        for (const auto &nodes : lists)
+          for (const int node : nodes)
+            values.insert(values.end(), {mesh.nodes[node].x(), mesh.nodes[node].y()});
+        return values;
+      }
+
+      const Material &of_mass(const bool belt, const bool saturated) const
+      {
+        const scene::BlockParameters &b   = scene.blocks;
+        const std::string            &dry = belt ? b.belt_material : b.material;
+        const std::string            &wet = belt ? b.saturated_belt_material : b.saturated_material;
+        return scene.material(saturated && !wet.empty() ? wet : dry, "Blocks");
+      }
+
+      double number(const Material &material) const
+      {
+        auto entry = scene.materials.begin();
+        while (&entry->second != &material)
+          ++entry;
+        return static_cast<double>(std::distance(scene.materials.begin(), entry));
+      }
+    };
+  } // namespace
+
+
+
+  void write_section_materials(HistoryFile                  &file,
+                               const scene::SceneParameters &scene,
+                               const scene::SectionMesh     &mesh,
+                               const dda::Model             *model)
+  {
+    SectionTables tables(file, scene, mesh);
+    tables.write_names();
+    tables.write_bedding();
+    if (scene.bedrock == scene::BedrockModel::continuum)
+      tables.write_cells();
+    if (model == nullptr)
+      return;
+    tables.write_blocks(*model);
+    tables.write_belt();
+  }
+} // namespace hybrid::output

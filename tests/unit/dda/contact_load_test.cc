@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_scenes.h"
+
+#include <hybrid/dda/contact_load.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace hybrid;
+  using namespace hybrid::dda;
+
+  /// A square whose lower left corner, vertex 0, is 0.1 m below two segments of a base.
+  Geometry square_in_the_ground()
+  {
+    Geometry g;
+    g.offset     = {0, 4};
+    g.block_of   = {0, 0, 0, 0};
+    g.vertices   = {{0.5, -0.1}, {1.5, -0.1}, {1.5, 0.9}, {0.5, 0.9}};
+    g.base_nodes = {{0., 0.}, {1., 0.}, {2., 0.}};
+    return g;
+  }
+} // namespace
+
+
+
+TEST(ContactLoad, what_is_new_in_overlap_presses_nothing)
+{
+  std::vector<Contact> now = {{0, 0, base_body, 0, 0.5}};
+  carry_loads({}, square_in_the_ground(), now);
+  EXPECT_DOUBLE_EQ(now[0].rest_gap, -0.1);
+}
+
+
+
+TEST(ContactLoad, what_was_there_stays_as_it_is)
+{
+  std::vector<Contact> now = {{0, 0, base_body, 0, 0.5}};
+  carry_loads(now, square_in_the_ground(), now);
+  EXPECT_EQ(now[0].rest_gap, 0.);
+}
+
+
+
+TEST(ContactLoad, the_nearest_that_ended_gives_its_load_once)
+{
+  std::vector<Contact> before = {{0, 0, base_body, 1, -0.5}};
+  before[0].rest_gap          = -0.07; // pressed by 0.03 m
+  std::vector<Contact> now    = {{0, 0, base_body, 0, 0.5}, {0, 1, base_body, 1, 0.5}};
+  carry_loads(before, square_in_the_ground(), now);
+  EXPECT_NEAR(now[0].rest_gap, -0.07, 1e-15);
+  EXPECT_NEAR(now[1].rest_gap, -0.1, 1e-15);
+}
+
+
+
+TEST(ContactLoad, no_deeper_than_it_is)
+{
+  std::vector<Contact> before = {{0, 0, base_body, 1, -0.5}};
+  Geometry             g      = square_in_the_ground();
+  g.base_nodes[0].y()         = -0.05; // the new edge lies lower
+  std::vector<Contact> now    = {{0, 0, base_body, 0, 0.5}};
+  carry_loads(before, g, now);
+  EXPECT_EQ(now[0].rest_gap, 0.);
+}
