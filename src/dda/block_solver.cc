@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block_solver.h>
+#include <hybrid/dda/bonded_area.h>
 #include <hybrid/dda/joint_release.h>
 #include <hybrid/restart/archive.h>
 
@@ -162,6 +163,7 @@ namespace hybrid::dda
     detection.update(state.geometry, state.contacts, state.rest);
     if (joints_changed)
       hand_over_released_joints(model, state);
+    part_opened_belts(model, state);
     state.awake.assign(awake.begin(), awake.end());
     ++search_summary.steps;
     search_summary.searches += detection.report().searches - before.searches;

@@ -79,22 +79,45 @@ namespace hybrid::dda
 
 
 
-    /// How far the walk goes from @p origin along the unit vector @p along [m], if not to @p
-    /// enough.
-    double reach(const Geometry &geometry,
-                 Walk            walk,
-                 const Vec2     &origin,
-                 const Vec2     &along,
-                 const double    enough)
+    /// Where a walk ends [m], and whether the edge goes on there but not what is bonded of it.
+    struct Reach
+    {
+      double length;
+      bool   is_border;
+    };
+
+    /// How far the walk goes from @p origin along the unit vector @p along, if not to @p enough.
+    Reach reach(const Geometry   &geometry,
+                Walk              walk,
+                const Vec2       &origin,
+                const Vec2       &along,
+                const double      enough,
+                const BondedArea *area)
     {
       for (;;)
         {
           const double far = along.dot(position(geometry, walk.body, walk.end(geometry)) - origin);
           if (far >= enough)
-            return enough;
+            return {enough, false};
           if (!advance(geometry, walk) || !lies_along(direction(geometry, walk), along))
-            return std::max(0., far);
+            return {std::max(0., far), false};
+          if (area != nullptr && area->of(walk.body, walk.edge) == 0)
+            return {std::max(0., far), true};
         }
+    }
+
+
+
+    /// Both edges are bonded still, that of the vertex at the vertex.
+    bool is_bonded(const BondedArea *area, const Walk &mine, const Walk &other)
+    {
+      if (area == nullptr)
+        return true;
+      const char at_vertex = mine.body == base_body ? BondedArea::both
+                             : mine.forwards        ? BondedArea::first
+                                                    : BondedArea::second;
+      return (area->of(mine.body, mine.edge) & at_vertex) != 0 &&
+             area->of(other.body, other.edge) != 0;
     }
 
 
@@ -123,7 +146,8 @@ namespace hybrid::dda
     double part_of_overlap(const Geometry             &geometry,
                            const std::vector<Contact> &contacts,
                            const Contact              &contact,
-                           const Walk                 &mine)
+                           const Walk                 &mine,
+                           const BondedArea           *area)
     {
       if (mine.edge < 0)
         return 0.;
@@ -131,17 +155,21 @@ namespace hybrid::dda
       Walk       other{contact.edge_body, contact.edge, true};
       other.forwards = direction(geometry, other).dot(along) > 0.;
       if (!lies_along(direction(geometry, other), along) ||
-          outward(geometry, mine).dot(outward(geometry, other)) > 0.)
+          outward(geometry, mine).dot(outward(geometry, other)) > 0. ||
+          !is_bonded(area, mine, other))
         return 0.;
       // The base may go on for long: a block does not.
       const Vec2  &origin    = position(geometry, contact.vertex_body, contact.vertex);
       const double unlimited = std::numeric_limits<double>::infinity();
       const bool   is_base   = mine.body == base_body;
-      const double first     = reach(geometry, is_base ? other : mine, origin, along, unlimited);
-      const double overlap   = reach(geometry, is_base ? mine : other, origin, along, first);
-      const bool   is_shared =
+      const Reach  first = reach(geometry, is_base ? other : mine, origin, along, unlimited, area);
+      const Reach  overlap =
+        reach(geometry, is_base ? mine : other, origin, along, first.length, area);
+      const bool ends_in_border =
+        overlap.length < first.length ? overlap.is_border : first.is_border;
+      const bool is_shared =
         is_contact(contacts, other.body, other.begin(geometry), mine.body, mine.edge);
-      return (is_shared ? 0.25 : 0.5) * overlap;
+      return (is_shared ? 0.5 : 1.) * (ends_in_border ? 1. : 0.5) * overlap.length;
     }
   } // namespace
 
@@ -149,12 +177,13 @@ namespace hybrid::dda
 
   double cohesive_length(const Geometry             &geometry,
                          const std::vector<Contact> &contacts,
-                         const Contact              &contact)
+                         const Contact              &contact,
+                         const BondedArea           *area)
   {
     const int  body = contact.vertex_body, vertex = contact.vertex;
     const Walk after{body, edge_after(geometry, body, vertex), true};
     const Walk before{body, edge_before(geometry, body, vertex), false};
-    return part_of_overlap(geometry, contacts, contact, after) +
-           part_of_overlap(geometry, contacts, contact, before);
+    return part_of_overlap(geometry, contacts, contact, after, area) +
+           part_of_overlap(geometry, contacts, contact, before, area);
   }
 } // namespace hybrid::dda

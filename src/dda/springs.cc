@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/bonded_area.h>
 #include <hybrid/dda/cohesive_length.h>
 #include <hybrid/dda/contact_frame.h>
 #include <hybrid/dda/springs.h>
@@ -17,15 +18,21 @@ namespace hybrid::dda
 
 
 
-    /// The mass's law of a base where it meets base or bedrock, else that of the vertex's block.
-    const ContactLaw &law_of(const Model &model, const Contact &contact)
+    /// Length on which the contact's residual cohesion acts [m]: blocks that were bonded to each
+    /// other, or what a belt bonds still.
+    double bonded_length(const Model      &model,
+                         const DdaState   &state,
+                         const BondedArea &belts,
+                         const Contact    &c)
     {
-      const int vertex = contact.vertex_body, edge = contact.edge_body;
-      if (vertex == base_body || edge == base_body)
-        return model.base_contact[std::max(vertex, edge)];
-      if (model.is_bedrock(vertex) != model.is_bedrock(edge))
-        return model.base_contact[std::min(vertex, edge)];
-      return model.block_contact[vertex];
+      const auto is_mass = [&](const int body) {
+        return body != base_body && !model.is_bedrock(body);
+      };
+      if (!is_mass(c.vertex_body) || !is_mass(c.edge_body))
+        return cohesive_length(state.geometry, state.contacts, c, &belts);
+      return model.contacts.were_bonded(c.vertex_body, c.edge_body)
+               ? cohesive_length(state.geometry, state.contacts, c)
+               : 0.;
     }
 
 
@@ -128,14 +135,15 @@ namespace hybrid::dda
 
   void Springs::collect_contacts(const Model &model, const DdaState &state)
   {
-    const Geometry &geometry = state.geometry;
+    const Geometry  &geometry = state.geometry;
+    const BondedArea belts(model, state);
     for (std::size_t c = 0; c < state.contacts.size(); ++c)
       {
         const Contact    &contact       = state.contacts[c];
         const bool        node_on_block = contact.vertex_body == base_body;
         const bool        on_base       = node_on_block || contact.edge_body == base_body;
         const int         owner         = node_on_block ? contact.edge_body : contact.vertex_body;
-        const ContactLaw &law           = law_of(model, contact);
+        const ContactLaw &law = model.contacts.law(model.initial, contact, model.n_mass());
         Spring            s;
         s.block      = owner;
         s.other      = on_base ? base_body : contact.edge_body;
@@ -144,7 +152,7 @@ namespace hybrid::dda
         s.law        = &law.law;
         s.length     = law.length;
         if (law.law.has_residual_cohesion())
-          s.cohesive = cohesive_length(geometry, state.contacts, contact) / law.length;
+          s.cohesive = bonded_length(model, state, belts, contact) / law.length;
         if (on_base)
           {
             s.node[0] = node_on_block ? contact.vertex : contact.edge;

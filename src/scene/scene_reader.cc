@@ -77,6 +77,8 @@ namespace hybrid::scene
       for (const ParameterLine &line : lines)
         table.set(line);
       table.assign();
+      for (auto &[name, material] : scene.materials)
+        material.friction_is_given = table.is_set("Materials/" + name + "/Friction angle");
       resolve_bedrock(scene, table);
       resolve_scheme(scene, table);
       check(scene, table);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/bonded_area.h>
 #include <hybrid/dda/contact.h>
 #include <hybrid/dda/geometry.h>
 
@@ -20,8 +21,11 @@ namespace hybrid::dda
    * A corner whose two edges both lie on the other body (a gentle ridge) has both lengths.
    *
    * @param contacts all of them, in the order of ContactDetection
+   * @param area where cohesion is left, or nullptr: everywhere. An overlap ends where it ends, and
+   * no corner is there to bear the other half: that of the contact bears all.
    */
   double cohesive_length(const Geometry             &geometry,
                          const std::vector<Contact> &contacts,
-                         const Contact              &contact);
+                         const Contact              &contact,
+                         const BondedArea           *area = nullptr);
 } // namespace hybrid::dda
