@@ -84,6 +84,7 @@ namespace
         case RunStatus::finished:
           return 0;
         case RunStatus::no_convergence:
+        case RunStatus::no_equilibrium:
           return 1;
         case RunStatus::interrupted:
           return 130;
