@@ -124,7 +124,7 @@ namespace hybrid
       base = std::make_unique<coupling::RigidBase>(surface_of(mesh), motion);
     blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, base->surface_nodes()));
     blocks->initial.base_shares = base->surface_shares();
-    state.blocks = dda::initial_state(*blocks);
+    state.blocks                = dda::initial_state(*blocks);
   }
 
 
@@ -221,13 +221,15 @@ namespace hybrid
         return true;
       }
     output::StaticProgressLine line(std::cout, output::standard_output_is_terminal());
-    settled = dda::settle(*blocks,
-                          state.blocks,
-                          scene.environment.static_stage == scene::StaticStage::held,
-                          [&](const dda::StaticProgress &progress) {
-                            line.update(progress);
-                            return !interruption.is_requested();
-                          });
+    settled = dda::settle(
+      *blocks,
+      state.blocks,
+      scene.environment.static_stage == scene::StaticStage::held,
+      [&](const dda::StaticProgress &progress) {
+        line.update(progress);
+        return !interruption.is_requested();
+      },
+      scene.environment.reset_softening);
     if (settled.stopped)
       return false;
     report_static_stage();
@@ -282,9 +284,12 @@ namespace hybrid
 
   void Simulation::report_static_stage() const
   {
-    int tensile = 0, shear = 0;
+    int    tensile = 0, shear = 0;
+    double slip = 0.;
     for (const dda::JointState &joint : state.blocks.joints)
       {
+        for (const dda::SpringState &point : joint.points)
+          slip = std::max(slip, std::abs(point.slip));
         tensile += joint.failure == dda::FailureKind::tensile ? 1 : 0;
         shear += joint.failure == dda::FailureKind::shear ? 1 : 0;
       }
@@ -293,13 +298,14 @@ namespace hybrid
       text,
       sizeof(text),
       "Static stage: relative residual %.1e after %d steps (%d iterations), largest settlement %.3g m; "
-      "joints failed: %d tensile, %d shear",
+      "joints failed: %d tensile, %d shear; largest slip of a joint %.3g m",
       settled.residual,
       settled.steps,
       settled.iterations,
       settled.largest_displacement,
       tensile,
-      shear);
+      shear,
+      slip);
     log.info(text);
     if (settled.equilibrium)
       return;
@@ -315,8 +321,21 @@ namespace hybrid
                       c.y());
         where = text;
       }
-    log.warning("no static equilibrium was found: the mass moves under its own weight" + where +
-                "; the dynamic stage starts from rest there");
+    log.warning(
+      "no static equilibrium was found: the mass moves under its own weight" + where +
+      (has_failed_to_stand()
+         ? "; the run ends here: give it more strength (Blocks/Material, Blocks/Belt material), or "
+           "set Gravity/Static stage to held (settles with unlimited strengths), none (starts "
+           "unloaded) or equilibrium or move (starts from where it has got to)"
+         : "; the dynamic stage starts from rest there"));
+  }
+
+
+
+  bool Simulation::has_failed_to_stand() const
+  {
+    return scene.environment.static_stage == scene::StaticStage::equilibrium &&
+           settled.steps + settled.cuts > 0 && !settled.equilibrium;
   }
 
 
@@ -342,8 +361,14 @@ namespace hybrid
                  resume_command(scene.output.directory));
         return RunStatus::interrupted;
       }
-    set_in_motion();
     run.summary.timings["static_stage"] = seconds_since(start);
+    if (has_failed_to_stand())
+      {
+        run.recorder.start(state);
+        finish(run, RunStatus::no_equilibrium);
+        return RunStatus::no_equilibrium;
+      }
+    set_in_motion();
     run.recorder.start(state);
     if (scene.checkpoint.is_on())
       save(run);

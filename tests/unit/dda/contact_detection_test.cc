@@ -399,28 +399,6 @@ namespace
     EXPECT_EQ(contacts.size(), 5u) << "three places and two corners";
   }
 
-  TEST(ContactDetection, PlaceThatEntersASoleTakesTheStretchOfTheCornerThatPassesIt)
-  {
-    Geometry g   = blocks({square(0.15, -0.001)});
-    g.base_nodes = {{-1., 0.}, {0., 0.}, {1.2, 0.}, {4., 0.}};
-    ContactDetection detection(parameters);
-    Contacts         contacts;
-    detection.update(g, contacts);
-    ASSERT_EQ(contacts.size(), 2u);
-    for (Contact &c : contacts)
-      {
-        c.slip         = 0.5;
-        c.plastic_slip = 0.498; // stretched by 2 mm to the right
-      }
-    for (Vec2 &v : g.vertices)
-      v.x() += 0.06;
-    detection.update(g, contacts);
-    const Contact *place = find_place(contacts, 2, 0);
-    ASSERT_NE(place, nullptr);
-    EXPECT_NEAR(place->slip - place->plastic_slip, -0.002, 1e-12)
-      << "the base lies to the left of the block by as much";
-  }
-
   /// A square of the mass on bedrock of two triangles, whose upper sides make one straight surface
   /// from x = -1 to 3 with a place at x = 1.
   Geometry square_on_triangles(const double x, const double y)
