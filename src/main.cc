@@ -87,6 +87,7 @@ namespace
           return 0;
         case RunStatus::no_convergence:
         case RunStatus::energy_limit:
+        case RunStatus::no_equilibrium:
           return 1;
         case RunStatus::interrupted:
           return 130;

@@ -2,9 +2,7 @@
 #include <hybrid/coupling/block_bedrock.h>
 #include <hybrid/coupling/condensed_base.h>
 #include <hybrid/coupling/rigid_base.h>
-#include <hybrid/dda/bedding_rest.h>
 #include <hybrid/dda/bedrock_blocks.h>
-#include <hybrid/dda/block_energy.h>
 #include <hybrid/dda/initial_velocities.h>
 #include <hybrid/dda/model_builder.h>
 #include <hybrid/output/line_card.h>
@@ -13,7 +11,6 @@
 #include <hybrid/output/probes.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/scene_card.h>
-#include <hybrid/output/static_progress.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/doubtful_values.h>
 #include <hybrid/scene/edge_chain.h>
@@ -124,7 +121,7 @@ namespace hybrid
       base = std::make_unique<coupling::RigidBase>(surface_of(mesh), motion);
     blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, base->surface_nodes()));
     blocks->initial.base_shares = base->surface_shares();
-    state.blocks = dda::initial_state(*blocks);
+    state.blocks                = dda::initial_state(*blocks);
   }
 
 
@@ -202,125 +199,6 @@ namespace hybrid
 
 
 
-  bool Simulation::settle(const Interruption &interruption)
-  {
-    if (blocks == nullptr)
-      {
-        if (continuum != nullptr && scene.environment.gravity > 0.)
-          report_planes(continuum->solve_static_state(
-            Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(continuum->surface_nodes().size())),
-            scene.environment.gravity));
-        return true;
-      }
-    // The bedrock has no weight of its own to settle under.
-    if (scene.environment.static_stage == scene::StaticStage::none ||
-        scene.environment.gravity == 0. || !scene.blocks.enabled)
-      {
-        state.blocks.energy = dda::held_energy(*blocks, state.blocks);
-        stress_planes();
-        return true;
-      }
-    output::StaticProgressLine line(std::cout, output::standard_output_is_terminal());
-    settled = dda::settle(*blocks,
-                          state.blocks,
-                          scene.environment.static_stage == scene::StaticStage::held,
-                          [&](const dda::StaticProgress &progress) {
-                            line.update(progress);
-                            return !interruption.is_requested();
-                          });
-    if (settled.stopped)
-      return false;
-    report_static_stage();
-    if (continuum != nullptr)
-      report_planes(continuum->solve_static_state(
-        state.blocks.static_force +
-          dda::water_on_surface(blocks->water, blocks->initial.base_nodes),
-        scene.environment.gravity));
-    stress_planes();
-    return true;
-  }
-
-
-
-  void Simulation::stress_planes()
-  {
-    if (!scene.has_bedrock_blocks() || !scene.bedding.slips)
-      return;
-    const bool settles =
-      !scene.blocks.enabled || scene.environment.static_stage != scene::StaticStage::none;
-    const auto rest = dda::stress_bedding_planes(
-      mesh, scene, *blocks, settles && scene.environment.gravity > 0., state.blocks);
-    report_planes({rest.equilibrium, rest.slipping, rest.open, rest.largest, rest.where});
-  }
-
-
-
-  void Simulation::report_planes(const continuum::StaticSlip &planes) const
-  {
-    if (!scene.bedding.slips || scene.bedding.names.empty())
-      return;
-    char text[200];
-    std::snprintf(text,
-                  sizeof(text),
-                  "Bedding planes at rest: %d points slip, %d are open, largest slip %.3g m",
-                  planes.slipping,
-                  planes.open,
-                  planes.largest);
-    log.info(text);
-    if (planes.equilibrium)
-      return;
-    std::snprintf(
-      text,
-      sizeof(text),
-      "the bedding planes cannot carry their load at rest, most of all near (%.2f, %.2f)",
-      planes.where.x(),
-      planes.where.y());
-    log.warning(text);
-  }
-
-
-
-  void Simulation::report_static_stage() const
-  {
-    int tensile = 0, shear = 0;
-    for (const dda::JointState &joint : state.blocks.joints)
-      {
-        tensile += joint.failure == dda::FailureKind::tensile ? 1 : 0;
-        shear += joint.failure == dda::FailureKind::shear ? 1 : 0;
-      }
-    char text[300];
-    std::snprintf(
-      text,
-      sizeof(text),
-      "Static stage: relative residual %.1e after %d steps (%d iterations), largest settlement %.3g m; "
-      "joints failed: %d tensile, %d shear",
-      settled.residual,
-      settled.steps,
-      settled.iterations,
-      settled.largest_displacement,
-      tensile,
-      shear);
-    log.info(text);
-    if (settled.equilibrium)
-      return;
-    std::string where;
-    if (settled.moving_block >= 0)
-      {
-        const Vec2 &c = state.blocks.blocks[settled.moving_block].centroid;
-        std::snprintf(text,
-                      sizeof(text),
-                      ", most of all block %d at (%.2f, %.2f)",
-                      settled.moving_block,
-                      c.x(),
-                      c.y());
-        where = text;
-      }
-    log.warning("no static equilibrium was found: the mass moves under its own weight" + where +
-                "; the dynamic stage starts from rest there");
-  }
-
-
-
   void Simulation::set_in_motion()
   {
     if (continuum != nullptr)
@@ -342,8 +220,14 @@ namespace hybrid
                  resume_command(scene.output.directory));
         return RunStatus::interrupted;
       }
-    set_in_motion();
     run.summary.timings["static_stage"] = seconds_since(start);
+    if (has_failed_to_stand())
+      {
+        run.recorder.start(state);
+        finish(run, RunStatus::no_equilibrium);
+        return RunStatus::no_equilibrium;
+      }
+    set_in_motion();
     run.recorder.start(state);
     if (scene.checkpoint.is_on())
       save(run);

@@ -25,6 +25,7 @@ namespace hybrid
     finished,
     no_convergence, ///< a step failed at the smallest allowed size
     energy_limit,   ///< the energy audit does not close, with a checkpoint
+    no_equilibrium, ///< the slope cannot stand, and the scene asks for one that does
     interrupted     ///< by the user, with a checkpoint if the static stage was over
   };
 
@@ -81,6 +82,9 @@ namespace hybrid
 
     /// The static stage. @return false if the user has ended it.
     bool settle(const Interruption &interruption);
+
+    /// The static stage found no equilibrium, and the scene does not let it go on.
+    bool has_failed_to_stand() const;
 
     /// The initial wave and the initial velocities of blocks, after the static stage.
     void set_in_motion();

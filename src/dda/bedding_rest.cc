@@ -151,7 +151,7 @@ namespace hybrid::dda
     /// Lets an edge slide along the side of the model.
     void RestModel::add_roller(const BoundaryEdge &edge)
     {
-      const double k    = model.block_contact[edge.block].law.normal_stiffness();
+      const double k    = model.contacts.of.front()[edge.block].law.normal_stiffness();
       const int    node = model.n_base_nodes();
       model.joints.push_back({edge.block,
                               edge.vertex,

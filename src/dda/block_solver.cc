@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block_solver.h>
+#include <hybrid/dda/bonded_area.h>
 #include <hybrid/dda/contact_load.h>
 #include <hybrid/dda/contact_tolerances.h>
 #include <hybrid/dda/joint_release.h>
@@ -202,11 +203,12 @@ namespace hybrid::dda
     const ContactDetection::Report before         = detection.report();
     const bool                     joints_changed = update_skipped_pairs(state);
     detection.set_was_awake(state.awake);
-    const std::vector<Contact> contacts_before = state.contacts;
+    contacts_before.assign(state.contacts.begin(), state.contacts.end());
     detection.update(state.geometry, state.contacts, state.rest);
     carry_loads(contacts_before, state.geometry, state.contacts);
     if (joints_changed)
       hand_over_released_joints(model, state);
+    part_opened_belts(model, state);
     state.awake.assign(awake.begin(), awake.end());
     ++search_summary.steps;
     search_summary.searches += detection.report().searches - before.searches;

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace hybrid::dda
@@ -97,8 +95,6 @@ namespace hybrid::dda
           else if (trials[i].history == ContactTrial::History::none &&
                    candidates.is_first_look(contact.vertex_body, contact.edge_body))
             contact.rest_gap = std::min(0., trials[i].gap - tolerances.extension());
-          else if (trials[i].history == ContactTrial::History::none && trials[i].gap < 0.)
-            take_stretch_beside(geometry, contact);
           contacts.push_back(contact);
         }
     settle(contacts, rest);
@@ -320,44 +316,6 @@ namespace hybrid::dda
     for (std::size_t i = 0; i < trials.size(); ++i)
       if (is_above_seam(geometry, i) || (trials[i].gap < 0. && loses_corner(geometry, i)))
         dropped[i] = 1;
-  }
-
-
-
-  void ContactDetection::take_stretch_beside(const Geometry &geometry, Contact &contact) const
-  {
-    const bool by_place = is_surface(geometry, contact.vertex_body);
-    if (by_place == is_surface(geometry, contact.edge_body))
-      return; // two blocks of the mass
-    const Vec2 &place   = position(geometry, contact.vertex_body, contact.vertex);
-    const int   block   = by_place ? contact.edge_body : contact.vertex_body;
-    const Vec2 &along   = frames.edge(contact.edge_body, contact.edge).direction;
-    double      nearest = std::numeric_limits<double>::infinity();
-    const auto  look    = [&](const int body, const int vertex) {
-      const Range beside = trials_of(body, vertex);
-      for (auto t = beside.first; t != beside.second; ++t)
-        {
-          const Contact &c         = t->contact;
-          const double   distance  = (position(geometry, body, vertex) - place).norm();
-          const Vec2    &direction = frames.edge(c.edge_body, c.edge).direction;
-          if (t->history != ContactTrial::History::same_edge || !(distance < nearest) ||
-              !(c.vertex_body == block || c.edge_body == block) ||
-              std::abs(along.dot(direction)) < tolerances.continuing_cosine)
-            continue;
-          nearest           = distance;
-          const double role = (c.vertex_body == block) == (contact.vertex_body == block) ? 1. : -1.;
-          contact.plastic_slip =
-            role * std::copysign(1., along.dot(direction)) * (c.plastic_slip - c.slip);
-        }
-    };
-    for (int v = geometry.offset[block]; v < geometry.offset[block + 1]; ++v)
-      look(block, v);
-    const int body = by_place ? contact.vertex_body : contact.edge_body;
-    const int edge = by_place ? contact.vertex : contact.edge;
-    for (const int place_beside :
-         {by_place ? edge_before(geometry, body, edge) : edge, end_place(geometry, body, edge)})
-      if (place_beside >= 0)
-        look(body_of(geometry, body, place_beside), place_beside);
   }
 
 

@@ -137,6 +137,26 @@ namespace hybrid::dda
 
 
 
+    /// How far what is bonded of a block's edge goes [m]; infinite where the edge itself ends
+    /// first.
+    double bonded_reach(const Geometry   &geometry,
+                        Walk              walk,
+                        const Vec2       &origin,
+                        const Vec2       &along,
+                        const BondedArea &area)
+    {
+      for (;;)
+        {
+          const Vec2 end = position(geometry, walk.body, walk.end(geometry));
+          if (!advance(geometry, walk) || !lies_along(direction(geometry, walk), along))
+            return std::numeric_limits<double>::infinity();
+          if (area.of(walk.body, walk.edge) == 0)
+            return std::max(0., along.dot(end - origin));
+        }
+    }
+
+
+
     /// Walk from @p origin along the unit vector @p along, at most as far as @p enough [m].
     Reach reach(const Geometry             &geometry,
                 const std::vector<Contact> &contacts,
@@ -217,15 +237,41 @@ namespace hybrid::dda
     struct Part
     {
       double length    = 0.; ///< of an overlap [m]
+      double bonded    = 0.; ///< of it [m]
       double closeness = 0.; ///< [-]
     };
+
+
+
+    /// What is bonded of a piece of an overlap [m].
+    double bonded_part(const Geometry   &geometry,
+                       const BondedArea &area,
+                       const Contact    &contact,
+                       const Walk       &mine,
+                       const Reach      &piece,
+                       const double      share)
+    {
+      const bool is_place = is_surface(geometry, mine.body);
+      const Walk block    = is_place ? Walk{contact.edge_body, contact.edge, false} : mine;
+      const char at_vertex =
+        is_place ? BondedArea::both : (mine.forwards ? BondedArea::first : BondedArea::second);
+      if ((area.of(block.body, block.edge) & at_vertex) == 0 ||
+          area.of(piece.last.body, piece.last.edge) == 0)
+        return 0.;
+      if (is_place)
+        return share * piece.length;
+      const Vec2  &origin = position(geometry, contact.vertex_body, contact.vertex);
+      const double bonded = bonded_reach(geometry, mine, origin, direction(geometry, mine), area);
+      return bonded < piece.length ? bonded : share * piece.length;
+    }
 
 
 
     Part part_of_overlap(const Geometry             &geometry,
                          const std::vector<Contact> &contacts,
                          const Contact              &contact,
-                         const Walk                 &mine)
+                         const Walk                 &mine,
+                         const BondedArea           *area)
     {
       if (mine.edge < 0)
         return {};
@@ -243,16 +289,19 @@ namespace hybrid::dda
       const double same_place =
         same_place_part * std::min(length(geometry, mine), length(geometry, other));
       const Faces  faces{is_place ? mine : other, is_place ? other : mine, on_surface, same_place};
-      Part         part{0., closeness(along, direction(geometry, other))};
+      Part         part{0., 0., closeness(along, direction(geometry, other))};
       const double begin =
         along.dot(position(geometry, other.body, other.begin(geometry)) - origin);
       if (is_place && begin > same_place)
         return part; // beside the block's edge
       const double first = reach(geometry, contacts, faces, false, origin, along, unlimited).length;
       const Reach  piece = reach(geometry, contacts, faces, true, origin, along, first);
-      part.length = share_of_piece(geometry, piece, origin, along, same_place) * piece.length;
+      double       share = share_of_piece(geometry, piece, origin, along, same_place);
       if (shares_place(geometry, contacts, contact, along, same_place))
-        part.length *= 0.5;
+        share *= 0.5;
+      part.length = share * piece.length;
+      if (area != nullptr && on_surface)
+        part.bonded = bonded_part(geometry, *area, contact, mine, piece, share);
       return part;
     }
 
@@ -279,7 +328,8 @@ namespace hybrid::dda
   ContactLength contact_length(const Geometry             &geometry,
                                const std::vector<Contact> &contacts,
                                const Contact              &contact,
-                               const double                corner)
+                               const double                corner,
+                               const BondedArea           *area)
   {
     const int  body = contact.vertex_body, vertex = contact.vertex;
     const int  edge_behind = edge_before(geometry, body, vertex);
@@ -287,11 +337,12 @@ namespace hybrid::dda
     const Walk behind{edge_behind < 0 ? body : body_of(geometry, body, edge_behind),
                       edge_behind,
                       false};
-    const Part a = part_of_overlap(geometry, contacts, contact, ahead);
-    const Part b = part_of_overlap(geometry, contacts, contact, behind);
+    const Part a = part_of_overlap(geometry, contacts, contact, ahead, area);
+    const Part b = part_of_overlap(geometry, contacts, contact, behind, area);
 
     ContactLength result;
     result.overlap = a.length + b.length;
+    result.bonded  = a.bonded + b.bonded;
     result.spring  = corner;
     if (is_surface(geometry, contact.vertex_body) != is_surface(geometry, contact.edge_body))
       {

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/contact_frame.h>
 #include <hybrid/dda/contact_load.h>
+#include <hybrid/dda/contact_tolerances.h>
+#include <hybrid/dda/outline_frames.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace hybrid::dda
@@ -16,11 +20,83 @@ namespace hybrid::dda
     }
 
 
-    double geometric_gap(const Contact &contact, const Geometry &geometry)
+    /// Where a contact is now.
+    struct Place
     {
-      const ContactPlaces place = places(contact, geometry);
-      return ContactFrame(contact, place.from_q(contact), place.second - place.first).gap;
+      Vec2   vertex; ///< [m]
+      Vec2   along;  ///< unit vector of the edge [-]
+      double length; ///< of the edge [m]
+      double gap;    ///< [m]
+
+      Place(const Contact &contact, const Geometry &geometry)
+      {
+        const ContactPlaces place = places(contact, geometry);
+        const Vec2          edge  = place.second - place.first;
+        const ContactFrame  frame(contact, place.from_q(contact), edge);
+        vertex = place.vertex;
+        along  = frame.along;
+        length = edge.norm();
+        gap    = frame.gap;
+      }
+    };
+
+
+
+    bool is_on_surface(const Contact &contact, const Geometry &geometry)
+    {
+      return is_surface(geometry, contact.vertex_body) != is_surface(geometry, contact.edge_body);
     }
+
+
+
+    /// The block of the mass in a contact with a surface.
+    int mass_block(const Contact &contact, const Geometry &geometry)
+    {
+      return is_surface(geometry, contact.vertex_body) ? contact.edge_body : contact.vertex_body;
+    }
+
+
+
+    /// A new contact of a block with a surface is a piece of an overlap that was there: it begins
+    /// with the overlap and the elastic slip of the nearest contact before, whose length it takes
+    /// over.
+    /// @return false if there was none on these edges.
+    bool begin_as_piece(const std::vector<Contact> &before,
+                        const Geometry             &geometry,
+                        const Place                &place,
+                        Contact                    &contact)
+    {
+      if (!is_on_surface(contact, geometry))
+        return false;
+      const int      block   = mass_block(contact, geometry);
+      const Contact *nearest = nullptr;
+      double         least = std::numeric_limits<double>::infinity(), turn = 0., depth = 0.;
+      for (const Contact &old : before)
+        {
+          if (!is_on_surface(old, geometry) || mass_block(old, geometry) != block)
+            continue;
+          const Place  then(old, geometry);
+          const double distance = (then.vertex - place.vertex).norm();
+          const double cosine   = then.along.dot(place.along);
+          if (distance >= least || distance > 0.5 * std::max(then.length, place.length) ||
+              std::abs(cosine) < ContactTolerances{}.continuing_cosine || then.gap >= old.rest_gap)
+            continue;
+          nearest = &old;
+          least   = distance;
+          turn    = std::copysign(1., cosine);
+          depth   = old.rest_gap - then.gap;
+        }
+      if (nearest == nullptr)
+        return false;
+      // Slip is that of the vertex along the edge: the other way round where they change roles.
+      const bool same_role =
+        is_surface(geometry, nearest->vertex_body) == is_surface(geometry, contact.vertex_body);
+      const double role    = same_role ? 1. : -1.;
+      contact.rest_gap     = std::min(0., place.gap + depth);
+      contact.plastic_slip = contact.slip - role * turn * (nearest->slip - nearest->plastic_slip);
+      return true;
+    }
+
 
 
     /// A contact that has ended while it pressed.
@@ -40,11 +116,11 @@ namespace hybrid::dda
       for (const Contact &contact : before)
         if (!std::binary_search(now.begin(), now.end(), contact, comes_before))
           {
-            const double gap = geometric_gap(contact, geometry) - contact.rest_gap;
+            const Place  place(contact, geometry);
+            const double gap = place.gap - contact.rest_gap;
             if (gap < 0.)
-              ended.push_back({std::minmax(contact.vertex_body, contact.edge_body),
-                               places(contact, geometry).vertex,
-                               -gap});
+              ended.push_back(
+                {std::minmax(contact.vertex_body, contact.edge_body), place.vertex, -gap});
           }
       return ended;
     }
@@ -79,16 +155,15 @@ namespace hybrid::dda
       {
         if (std::binary_search(before.begin(), before.end(), contact, comes_before))
           continue;
-        const double gap = geometric_gap(contact, geometry);
-        if (gap - contact.rest_gap >= 0.)
+        const Place place(contact, geometry);
+        if (place.gap >= contact.rest_gap || begin_as_piece(before, geometry, place, contact))
           continue;
         if (!has_looked)
           ended = find_ended(before, now, geometry);
-        has_looked         = true;
-        const double depth = take_depth(std::minmax(contact.vertex_body, contact.edge_body),
-                                        places(contact, geometry).vertex,
-                                        ended);
-        contact.rest_gap   = std::min(0., gap + depth);
+        has_looked = true;
+        const double depth =
+          take_depth(std::minmax(contact.vertex_body, contact.edge_body), place.vertex, ended);
+        contact.rest_gap = std::min(0., place.gap + depth);
       }
   }
 } // namespace hybrid::dda

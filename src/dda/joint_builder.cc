@@ -94,10 +94,12 @@ namespace hybrid::dda
     m.cohesion *= joint.strength_factor;
     m.residual_cohesion *= joint.strength_factor;
     m.tensile_strength *= joint.strength_factor;
-    joint.law = JointLaw(
-      JointStrength::bond(m, scene.blocks.fracture_energy, scene.blocks.softening_slip, belt),
-      k_n,
-      scene.blocks.shear_ratio * k_n);
+    const double fracture_energy = scene.blocks.fracture_energy;
+    const double softening_slip  = scene.blocks.softening_slip;
+    joint.law = JointLaw(belt ? JointStrength::belt(m, fracture_energy, softening_slip)
+                              : JointStrength::bond(m, fracture_energy, softening_slip),
+                         k_n,
+                         scene.blocks.shear_ratio * k_n);
     model.joints.push_back(joint);
     model.bonded[joint.block] = true;
     if (joint.other != base_body)

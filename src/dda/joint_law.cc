@@ -20,19 +20,30 @@ namespace hybrid::dda
 
   JointStrength JointStrength::bond(const Material &material,
                                     const double    fracture_energy,
-                                    const double    softening_slip,
-                                    const bool      residual_is_peak)
+                                    const double    softening_slip)
   {
     JointStrength s;
     s.tensile           = material.tensile_strength;
     s.cohesion          = material.cohesion;
     s.tan_phi           = tan_deg(material.friction_angle);
-    s.residual_cohesion = residual_is_peak ? s.cohesion : material.residual_cohesion;
-    s.residual_tan_phi  = residual_is_peak || material.residual_friction_angle < 0.
-                            ? s.tan_phi
-                            : tan_deg(material.residual_friction_angle);
-    s.fracture_energy   = fracture_energy;
-    s.softening_slip    = softening_slip;
+    s.residual_cohesion = std::max(0., material.residual_cohesion);
+    s.residual_tan_phi =
+      material.residual_friction_angle < 0. ? s.tan_phi : tan_deg(material.residual_friction_angle);
+    s.fracture_energy = fracture_energy;
+    s.softening_slip  = softening_slip;
+    return s;
+  }
+
+
+
+  JointStrength JointStrength::belt(const Material &material,
+                                    const double    fracture_energy,
+                                    const double    softening_slip)
+  {
+    JointStrength s = bond(material, fracture_energy, softening_slip);
+    if (material.residual_cohesion < 0.)
+      s.residual_cohesion = s.cohesion;
+    s.opening_ends_cohesion = true;
     return s;
   }
 
@@ -80,10 +91,30 @@ namespace hybrid::dda
 
   JointStrength JointStrength::broken(const Material &material)
   {
-    JointStrength s = bond(material, 0., 0., false);
+    JointStrength s = bond(material, 0., 0.);
     s.tensile       = 0.;
     s.cohesion      = s.residual_cohesion;
     s.tan_phi       = s.residual_tan_phi;
+    return s;
+  }
+
+
+
+  JointStrength JointStrength::weaker_of(const JointStrength &other) const
+  {
+    JointStrength s = *this;
+    s.tan_phi = s.residual_tan_phi = std::min(residual_tan_phi, other.residual_tan_phi);
+    s.cohesion = s.residual_cohesion = std::min(residual_cohesion, other.residual_cohesion);
+    return s;
+  }
+
+
+
+  JointStrength JointStrength::broken_belt(const Material &material)
+  {
+    JointStrength s     = broken(material);
+    s.residual_cohesion = belt(material, 0., 0.).residual_cohesion;
+    s.cohesion          = s.residual_cohesion;
     return s;
   }
 
@@ -167,6 +198,22 @@ namespace hybrid::dda
 
 
 
+  double JointLaw::parting_opening() const
+  {
+    return fading(0., strength.residual_cohesion).end;
+  }
+
+
+
+  double JointLaw::widest_opening(const double gap, const JointHistory &history) const
+  {
+    if (!strength.opening_ends_cohesion || history.damage <= 0.)
+      return gap;
+    return std::max(gap, largest_opening(history.damage));
+  }
+
+
+
   double JointLaw::bond_cohesion(const double softening) const
   {
     if (strength.cohesion == strength.residual_cohesion) // infinite, perhaps
@@ -210,8 +257,10 @@ namespace hybrid::dda
     JointResponse r;
     r.history = history;
     normal_response(kinematics.gap, r);
-    const double residual_cohesion = kinematics.cohesive * strength.residual_cohesion;
-    const Fading fade              = fading(r.history.damage, residual_cohesion);
+    const double left_by_opening = strength.opening_ends_cohesion && history.damage >= 1. ? 0. : 1.;
+    const double residual_cohesion =
+      left_by_opening * kinematics.cohesive * strength.residual_cohesion;
+    const Fading fade = fading(r.history.damage, residual_cohesion);
     if (kinematics.gap > 0. && kinematics.gap >= fade.end && r.history.damage >= 1.)
       {
         // Open for good: no shear; the friction spring starts anew on closing.
@@ -227,11 +276,13 @@ namespace hybrid::dda
     Strain       at{r.elastic_normal, r.history.damage, residual_cohesion, 0., 0.};
     if (r.history.damage > history.damage)
       at.damage_by_gap = damage_by_gap(kinematics.gap);
-    if (kinematics.gap > fade.begin && fade.end > 0.)
+    const double widest = widest_opening(kinematics.gap, history);
+    if (widest > fade.begin && fade.end > 0.)
       {
-        const double left = std::max(0., (fade.end - kinematics.gap) / (fade.end - fade.begin));
+        const double left = std::max(0., (fade.end - widest) / (fade.end - fade.begin));
         at.residual_cohesion *= left;
-        at.cohesion_by_gap = left > 0. ? residual_cohesion / (fade.end - fade.begin) : 0.;
+        if (left > 0. && widest == kinematics.gap)
+          at.cohesion_by_gap = residual_cohesion / (fade.end - fade.begin);
       }
     if (!sticks && std::abs(trial) > shear_strength(at, history.softening))
       {

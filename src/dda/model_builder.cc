@@ -2,6 +2,7 @@
 #include <hybrid/dda/bedrock_blocks.h>
 #include <hybrid/dda/bedrock_boundary.h>
 #include <hybrid/dda/block_damping.h>
+#include <hybrid/dda/contact_laws.h>
 #include <hybrid/dda/joint_builder.h>
 #include <hybrid/dda/model_builder.h>
 #include <hybrid/dda/polygon.h>
@@ -44,7 +45,7 @@ namespace hybrid::dda
         add_joints();
         correct_stiffness();
         set_loose_damping();
-        add_contact_laws();
+        set_contact_laws(mesh, scene, materials, model);
         add_neighbours();
         add_slices();
         if (model.n_bedrock > 0)
@@ -83,7 +84,6 @@ namespace hybrid::dda
       void add_joints();
       void correct_stiffness();
       void set_loose_damping();
-      void add_contact_laws();
       void add_slices();
       void add_neighbours();
       void set_water();
@@ -290,30 +290,6 @@ namespace hybrid::dda
       for (int b = 0; b < n_mass; ++b)
         model.blocks[b].loose_damping_time =
           scene.blocks.loose_damping * critical_damping_time(model.blocks[b]);
-    }
-
-
-
-    void Builder::add_contact_laws()
-    {
-      for (std::size_t b = 0; b < model.blocks.size(); ++b)
-        {
-          const BlockProperties &p       = model.blocks[b];
-          const bool             bedrock = model.is_bedrock(static_cast<int>(b));
-          const Material         m       = bedrock ? materials[b] : material(false, p.saturated);
-          const double           k_n =
-            scene.blocks.penalty_ratio * m.young_modulus * p.modulus_factor / p.size;
-          const double k_s = scene.blocks.shear_ratio * k_n;
-          model.block_contact.push_back(
-            {JointLaw(JointStrength::broken(m), k_n, k_s), 0.5 * p.size});
-          JointStrength base = JointStrength::broken(m);
-          if (!scene.blocks.belt_material.empty())
-            {
-              base         = JointStrength::bond(material(true, p.saturated), 0., 0., true);
-              base.tensile = 0.;
-            }
-          model.base_contact.push_back({JointLaw(base, k_n, k_s), 0.5 * p.size});
-        }
     }
 
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/bonded_area.h>
 #include <hybrid/dda/contact_frame.h>
 #include <hybrid/dda/contact_length.h>
+#include <hybrid/dda/outline_frames.h>
 #include <hybrid/dda/springs.h>
 
 #include <algorithm>
@@ -17,15 +19,16 @@ namespace hybrid::dda
 
 
 
-    /// The mass's law of a base where it meets base or bedrock, else that of the vertex's block.
-    const ContactLaw &law_of(const Model &model, const Contact &contact)
+    /// Part of a contact's springs on which its residual cohesion acts [-]: blocks that were bonded
+    /// to each other, or what a belt bonds still.
+    double cohesive_part(const Model &model, const Contact &c, const ContactLength &length)
     {
-      const int vertex = contact.vertex_body, edge = contact.edge_body;
-      if (vertex == base_body || edge == base_body)
-        return model.base_contact[std::max(vertex, edge)];
-      if (model.is_bedrock(vertex) != model.is_bedrock(edge))
-        return model.base_contact[std::min(vertex, edge)];
-      return model.block_contact[vertex];
+      if (length.spring <= 0.)
+        return 0.;
+      if (is_surface(model.initial, c.vertex_body) || is_surface(model.initial, c.edge_body))
+        return length.bonded / length.spring;
+      return model.contacts.were_bonded(c.vertex_body, c.edge_body) ? length.overlap / length.spring
+                                                                    : 0.;
     }
 
 
@@ -127,24 +130,26 @@ namespace hybrid::dda
 
   void Springs::collect_contacts(const Model &model, const DdaState &state)
   {
-    const Geometry &geometry = state.geometry;
+    const Geometry  &geometry = state.geometry;
+    const BondedArea belts(model, state);
     for (std::size_t c = 0; c < state.contacts.size(); ++c)
       {
         const Contact    &contact       = state.contacts[c];
         const bool        node_on_block = contact.vertex_body == base_body;
         const bool        on_base       = node_on_block || contact.edge_body == base_body;
         const int         owner         = node_on_block ? contact.edge_body : contact.vertex_body;
-        const ContactLaw &law           = law_of(model, contact);
+        const ContactLaw &law = model.contacts.law(model.initial, contact, model.n_mass());
         Spring            s;
-        s.block                    = owner;
-        s.other                    = on_base ? base_body : contact.edge_body;
-        s.contact                  = static_cast<int>(c);
-        s.unilateral               = true;
-        s.law                      = &law.law;
-        const ContactLength length = contact_length(geometry, state.contacts, contact, law.length);
-        s.length                   = length.spring;
+        s.block      = owner;
+        s.other      = on_base ? base_body : contact.edge_body;
+        s.contact    = static_cast<int>(c);
+        s.unilateral = true;
+        s.law        = &law.law;
+        const ContactLength length =
+          contact_length(geometry, state.contacts, contact, law.length, &belts);
+        s.length = length.spring;
         if (law.law.has_residual_cohesion())
-          s.cohesive = length.spring > 0. ? length.overlap / length.spring : 0.;
+          s.cohesive = cohesive_part(model, contact, length);
         if (on_base)
           {
             s.node[0] = node_on_block ? contact.vertex : contact.edge;

@@ -24,8 +24,10 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, JointState &joint)
   {
-    auto &[points, failure, failure_time, loosened, released, handed_over] = joint;
-    archive(points, failure, failure_time, loosened, released, handed_over);
+    auto &[points, failure, failure_time, loosened, released, handed_over, parted, rest_slip] =
+      joint;
+    archive(points, failure, failure_time, loosened, released, handed_over, parted[0], parted[1]);
+    archive(rest_slip[0], rest_slip[1]);
   }
 
 

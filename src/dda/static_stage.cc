@@ -9,8 +9,9 @@ namespace hybrid::dda
 {
   namespace
   {
-    /// The mass on a bedrock that does not move, with unlimited strengths if it is @p held.
-    Model stage_problem(const Model &model, const bool held)
+    /// The mass on a bedrock that does not move, with unlimited strengths if it is @p held, or with
+    /// strengths that slip does not lower.
+    Model stage_problem(const Model &model, const bool held, const bool keeps_strengths)
     {
       Model problem        = static_problem(model);
       problem.hold_bedrock = true;
@@ -20,20 +21,43 @@ namespace hybrid::dda
           for (Joint &joint : problem.joints)
             joint.law = joint.law.with(JointStrength::unlimited_bond());
         }
+      else if (keeps_strengths)
+        for (Joint &joint : problem.joints)
+          joint.law = joint.law.without_softening();
       return problem;
+    }
+
+
+
+    /// Slip and softening of joints that hold count from now on.
+    void reset_softening(DdaState &state)
+    {
+      for (JointState &joint : state.joints)
+        for (const int end : {0, 1})
+          {
+            joint.rest_slip[end] = joint.points[end].slip;
+            if (joint.failure == FailureKind::none)
+              joint.points[end].history.softening = 0.;
+          }
     }
   } // namespace
 
 
 
-  StaticResult
-  settle(const Model &model, DdaState &state, const bool held, const StaticWatch &watch)
+  StaticResult settle(const Model       &model,
+                      DdaState          &state,
+                      const bool         held,
+                      const StaticWatch &watch,
+                      const bool         resets_softening)
   {
     const double start_time = state.time;
     const auto   start      = state.blocks;
-    StaticResult result     = take_static_steps(stage_problem(model, held), state, {}, watch);
+    StaticResult result =
+      take_static_steps(stage_problem(model, held, resets_softening), state, {}, watch);
     if (result.stopped)
       return result;
+    if (resets_softening)
+      reset_softening(state);
 
     bear_static_forces(model, state);
     start_accelerations(model, state);

@@ -81,10 +81,9 @@ namespace hybrid::dda
 
   Model with_unlimited_friction(Model model)
   {
-    for (ContactLaw &contact : model.block_contact)
-      contact.law = contact.law.with(JointStrength::unlimited_friction());
-    for (ContactLaw &contact : model.base_contact)
-      contact.law = contact.law.with(JointStrength::unlimited_friction());
+    for (std::vector<ContactLaw> &laws : model.contacts.of)
+      for (ContactLaw &contact : laws)
+        contact.law = contact.law.with(JointStrength::unlimited_friction());
     return model;
   }
 

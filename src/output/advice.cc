@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace hybrid::output
@@ -122,6 +123,59 @@ namespace hybrid::output
               ? " makes contacts and joints so soft that they take part in every deformation"
               : " makes contacts and joints so stiff that they cost iterations and cut steps") +
            "; " + number(smallest) + " to " + number(largest) + " would do";
+  }
+
+
+  std::string fracture_warning(const scene::SceneParameters &scene, const dda::Model &model)
+  {
+    const scene::BlockParameters &blocks = scene.blocks;
+    if (!blocks.enabled || !blocks.bonded || !(blocks.fracture_energy > 0.))
+      return "";
+    double largest = 0.; // [m]
+    for (int b = 0; b < model.n_mass(); ++b)
+      largest = std::max(largest, model.blocks[b].size);
+    std::string     worst;
+    double          resolved = std::numeric_limits<double>::infinity(), energy = 0.;
+    const Material &mass = scene.material(blocks.material, "Blocks/Material");
+    for (const std::string &name : {blocks.material,
+                                    blocks.saturated_material,
+                                    blocks.belt_material,
+                                    blocks.saturated_belt_material})
+      {
+        if (name.empty())
+          continue;
+        const bool   is_belt  = name != blocks.material && name != blocks.saturated_material;
+        const double strength = scene.material(name, "Blocks/Material").tensile_strength;
+        const double e =
+          is_belt ? mass.young_modulus : scene.material(name, "Blocks/Material").young_modulus;
+        const double size = e * blocks.fracture_energy / (strength * strength);
+        if (!(strength > 0.) || strength > 0.05 * e || size >= resolved)
+          continue;
+        worst    = name;
+        resolved = size;
+        energy   = strength * strength * largest / e;
+      }
+    if (!(largest > (1. + round_off) * resolved))
+      return "";
+    return "tensile fracture of '" + worst + "' is not resolved: blocks of " + number(largest) +
+           " m store " + number(0.5 * energy) +
+           " J/m2 when a joint breaks, Blocks/Fracture energy is " +
+           number(blocks.fracture_energy) +
+           " J/m2, so that it is effectively brittle; blocks of at most " +
+           number(rounded_down(resolved)) + " m (E G_f / F_t^2) would resolve it";
+  }
+
+
+  std::string drag_warning(const scene::SceneParameters &scene)
+  {
+    const double k01 = scene.time.dynamic_coefficient;
+    if (!(k01 < 1.) || scene.motion.type == "none" || !scene.has_blocks())
+      return "";
+    return "Time/Dynamic coefficient = " + number(k01) +
+           " brakes absolute velocities while the ground moves: a drag of " +
+           number((1. - k01) / scene.time.time_step) +
+           " 1/s against the frame at rest, which makes peaks and amplifications of the mass wrong; "
+           "set it to 1 and use Blocks/Damping ratio";
   }
 
 

@@ -137,7 +137,7 @@ namespace hybrid::output
         failure.push_back(static_cast<double>(s.failure));
         time.push_back(s.failure_time);
         opening.push_back(mean(&dda::SpringState::gap));
-        slip.push_back(mean(&dda::SpringState::slip));
+        slip.push_back(mean(&dda::SpringState::slip) - 0.5 * (s.rest_slip[0] + s.rest_slip[1]));
         normal.push_back(mean(&dda::SpringState::normal));
         shear.push_back(mean(&dda::SpringState::shear));
       }

@@ -81,12 +81,48 @@ namespace hybrid::output
 
 
 
+    /// "phi 8 deg, c 0 Pa" that a belt has after slip.
+    std::string residual(const Material &belt)
+    {
+      char         text[80];
+      const double phi = belt.residual_friction_angle, c = belt.residual_cohesion;
+      std::snprintf(text,
+                    sizeof(text),
+                    "phi %g deg, c %g Pa",
+                    phi < 0. ? belt.friction_angle : phi,
+                    c < 0. ? belt.cohesion : c);
+      return text;
+    }
+
+
+
+    /// Strengths of the belts, and whether slip lowers them.
+    void describe_belt(const scene::SceneParameters &scene, std::string &text)
+    {
+      const scene::BlockParameters &blocks = scene.blocks;
+      for (const std::string &name : {blocks.belt_material, blocks.saturated_belt_material})
+        {
+          if (name.empty())
+            continue;
+          const Material &belt = scene.material(name, "Blocks/Belt material");
+          const bool as_peak   = belt.residual_cohesion < 0. && belt.residual_friction_angle < 0.;
+          text += line("  belt               on   %s: phi %g deg, c %g Pa, residual %s",
+                       name.c_str(),
+                       belt.friction_angle,
+                       belt.cohesion,
+                       as_peak ? "= peak" : residual(belt).c_str());
+        }
+    }
+
+
+
     void describe_mass(const scene::SceneParameters &scene, std::string &text)
     {
       text += line("  blocks             %s", state(scene.blocks.enabled).c_str());
       if (!scene.blocks.enabled)
         return;
       text += line("  fracture           %s", state(scene.blocks.bonded).c_str());
+      describe_belt(scene, text);
       text += line("  block damping      %s  ratio %g at %g Hz",
                    state(scene.blocks.damping_ratio > 0.).c_str(),
                    scene.blocks.damping_ratio,
@@ -392,7 +428,11 @@ namespace hybrid::output
         warn(wave_warning(reach.part, reach.where), card);
       }
     if (blocks != nullptr)
-      warn(speed_warning(*blocks, scene.time.time_step), card);
+      {
+        warn(speed_warning(*blocks, scene.time.time_step), card);
+        warn(fracture_warning(scene, *blocks), card);
+      }
+    warn(drag_warning(scene), card);
     warn(penalty_warning(scene), card);
     warn(pictures_warning(scene.output, scene.time), card);
     warn(threads_warning(scene.threads, std::thread::hardware_concurrency()), card);

@@ -22,7 +22,10 @@ namespace hybrid::scene
         "Belt material",
         blocks.belt_material,
         allowed,
-        "Bonded joints on the sliding surface; empty: unbonded frictional contact of Material.");
+        "Bonded joints on the sliding surface; empty: unbonded frictional contact of Material. Its "
+        "residual strength is the peak unless it is set; its cohesion belongs to the area that was "
+        "bonded and is gone where that has opened. Elsewhere contacts with the ground have friction "
+        "only, the smaller one of Material and the ground's material (if it has a Friction angle).");
       section.text("Saturated belt material",
                    blocks.saturated_belt_material,
                    allowed,

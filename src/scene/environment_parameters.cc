@@ -15,11 +15,17 @@ namespace hybrid::scene
       "Static stage",
       environment.static_stage,
       {{"equilibrium", StaticStage::equilibrium},
+       {"equilibrium or move", StaticStage::move},
        {"held", StaticStage::held},
        {"none", StaticStage::none}},
-      "Before the dynamic stage: equilibrium lets the blocks settle with their strengths active, "
-      "held with unlimited friction and bonds (for masses that cannot stand), none starts "
-      "unloaded.");
+      "Before the dynamic stage: equilibrium lets the blocks settle with their strengths active, and "
+      "the run ends if they cannot stand; equilibrium or move goes on where they are then; held has "
+      "unlimited friction and bonds (for masses that cannot stand), none starts unloaded.");
+    gravity.toggle("Reset softening",
+                   environment.reset_softening,
+                   "Strengths are those of today's slope: slip while it settles takes nothing of "
+                   "them, and slip and softening count from the state at rest; what has opened "
+                   "then stays failed.");
     ParameterSection water(table, {"Water"});
     water.number_or(
       "Level",

@@ -239,7 +239,8 @@ namespace hybrid::scene
     if (!scene.blocks.enabled)
       return warnings;
     if (scene.environment.gravity > 0. &&
-        scene.environment.static_stage == StaticStage::equilibrium)
+        (scene.environment.static_stage == StaticStage::equilibrium ||
+         scene.environment.static_stage == StaticStage::move))
       look_at_support(mesh, warnings);
     look_at_slivers(mesh, warnings);
     look_at_water(mesh, scene, warnings);

@@ -49,12 +49,13 @@ namespace hybrid::scene
                       "deg",
                       {0., 90., true, false},
                       "Friction angle of a joint that has failed; same: as Friction angle.");
-    section.number(
+    section.number_or(
       "Residual cohesion",
-      material.residual_cohesion,
+      {"automatic", material.residual_cohesion},
       "Pa",
       ParameterRange::at_least(0.),
-      "Cohesion of a joint that has failed in shear (an old sliding belt keeps its peak).");
+      "Cohesion of a joint that has failed in shear; automatic: none between blocks, and as Cohesion "
+      "on a belt, which is an old sliding surface.");
   }
 
   void check(const Material &material, const ParameterTable &table)

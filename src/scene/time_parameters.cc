@@ -44,7 +44,8 @@ namespace hybrid::scene
       "",
       {0., 1., false, true},
       "Factor k01 on the velocity of the blocks at the start of each step; 1 is dynamic, a "
-      "smaller one damps with the rate (1 - k01) / dt.");
+      "smaller one damps with the rate (1 - k01) / dt. It brakes absolute velocities: on ground that "
+      "moves it drags the mass behind, so use it for masses that come to rest and 1 in earthquakes.");
   }
 
   void resolve_scheme(SceneParameters &scene, const ParameterTable &table)

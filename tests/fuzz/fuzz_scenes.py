@@ -5,7 +5,7 @@
     fuzz_scenes.py PROGRAM SOURCE WORK [--count 40] [--seed 1] [--long] [--seconds 15]
 
 A scene is refused with exit code 2 and one line "error: ..." and leaves nothing behind, or it is accepted (0) and runs
-to exit code 0, 1 (no convergence) or 2 without a number in run.h5 that is not finite. Nonsense (NONSENSE below) must be refused.
+to exit code 0, 1 (no convergence or no static equilibrium) or 2 without a number in run.h5 that is not finite. Nonsense (NONSENSE below) must be refused.
 Each mutation depends on its number alone: `--seed N --count 1` repeats what is reported as N; its folder is kept.
 """
 import argparse

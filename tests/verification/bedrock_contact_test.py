@@ -149,7 +149,7 @@ def check_slab(binary, work):
     middle = (cosine * 5.0 - sine * 1.0, sine * 5.0 + cosine * 1.0)
     scene.write_text(SCENE % dict(end=END, mesh="slab.geo", density=2200, sides="viscous", stage="held",
                                   points="middle: %r, %r" % middle))
-    one = "Mesh/Polygons file=one.csv"
+    one = "Mesh/Polygons file=%s" % (work / "one.csv")
     masses = {
         "bonded": ["Model/Blocks=bonded"],
         "one_block_on_2_cells": [one, "Mesh/Numbers=Cells = 2"],
@@ -180,7 +180,7 @@ def check_patch(binary, work):
         for cells in (1, 3, 10, 30):
             name = "patch_%d_%d" % (degree, cells)
             monitors = run(binary, work, name, scene,
-                           ["Mesh/Polygons file=press.csv", "Mesh/Numbers=Cells = %d" % cells,
+                           ["Mesh/Polygons file=%s" % (work / "press.csv"), "Mesh/Numbers=Cells = %d" % cells,
                             "Continuum/Degree=%d" % degree])
             block, middle, edge = (monitors[m]["peak_displacement_m"][1] for m in ("block", "middle", "edge"))
             first = block if cells == 1 else first

@@ -211,12 +211,32 @@ def check_progress_line():
             require(len(line) < columns, f"{len(line)} characters are drawn on {columns} columns: {line}")
 
 
+def check_slope_that_cannot_stand():
+    """A slope that cannot stand ends the run, unless the scene says that it may move."""
+    text = (SOURCE / "parameters/verification/friction.prm").read_text(encoding="utf-8")
+    scene = WORK / "slides.prm"
+    scene.write_text(text.replace("../../meshes", str(SOURCE / "meshes")), encoding="utf-8")
+    settings = ["-s", "Materials/rock/Friction angle=29", "-s", "Time/End time=0.01"]
+    result = run(scene, *settings, "-s", "Output/Directory=slides")
+    require(result.returncode == 1, "a slope that cannot stand: exit code 1", result)
+    for word in ("no static equilibrium", "block 0 at (", "the run ends here", "Blocks/Material", "held", "none",
+                 "equilibrium or move"):
+        require(word in result.stdout, f"a slope that cannot stand: '{word}' is said", result)
+    require("Stopped: 0 steps" in result.stdout, "a slope that cannot stand is not shaken", result)
+    require((WORK / "slides/summary.json").is_file(), "a slope that cannot stand has a summary")
+    for stage in ("equilibrium or move", "held", "none"):
+        result = run(scene, *settings, "-s", f"Gravity/Static stage={stage}", "-s",
+                     f"Output/Directory=slides_{stage.replace(' ', '_')}")
+        require(result.returncode == 0, f"a slope that cannot stand with Static stage = {stage}: exit code 0", result)
+
+
 def main():
     shutil.rmtree(WORK, ignore_errors=True)
     WORK.mkdir(parents=True)
     check_mistakes()
     check_good_ways()
     check_progress_line()
+    check_slope_that_cannot_stand()
     print(f"{len(complaints)} complaints")
     return 1 if complaints else 0
 

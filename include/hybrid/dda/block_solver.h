@@ -65,11 +65,12 @@ namespace hybrid::dda
     }
 
   private:
-    const Model       &model;
-    ContactDetection   detection;
-    OpenCloseIteration iteration;
-    std::vector<char>  is_on_belt; ///< per block
-    std::vector<char>  held_off;   ///< per block, see SkippedPairs
+    const Model         &model;
+    ContactDetection     detection;
+    OpenCloseIteration   iteration;
+    std::vector<Contact> contacts_before; ///< of the last step, for carry_loads()
+    std::vector<char>    is_on_belt;      ///< per block
+    std::vector<char>    held_off;        ///< per block, see SkippedPairs
     int changes = -1; ///< loosened, failed and released joints when the skip lists were made
     std::vector<Awake> awake; ///< per block, now
 

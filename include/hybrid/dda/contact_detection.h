@@ -176,10 +176,6 @@ namespace hybrid::dda
 
     Range trials_of(int body, int vertex) const;
 
-    /// A new contact of a block and a surface begins with the elastic slip of the nearest one
-    /// between them, as part of whose length is its own from now on.
-    void take_stretch_beside(const Geometry &geometry, Contact &contact) const;
-
     bool is_above_seam(const Geometry &geometry, std::size_t trial) const;
 
     bool loses_corner(const Geometry &geometry, std::size_t trial) const;

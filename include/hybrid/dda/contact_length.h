@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/bonded_area.h>
 #include <hybrid/dda/contact.h>
 #include <hybrid/dda/geometry.h>
 
@@ -11,7 +12,8 @@ namespace hybrid::dda
   /// Lengths of one contact [m].
   struct ContactLength
   {
-    double overlap = 0.; ///< of edges that lie on each other: on it acts the residual cohesion
+    double overlap = 0.; ///< of edges that lie on each other
+    double bonded  = 0.; ///< the part of it that a belt bonds still
     double spring  = 0.; ///< on it act the springs, whose stiffness is per area
   };
 
@@ -38,9 +40,12 @@ namespace hybrid::dda
    *
    * @param contacts all of them, in the order of ContactDetection
    * @param corner length that a corner alone stands for [m]
+   * @param area what belts bond still, or nullptr. Where only the bonded part of a block's edge
+   * ends no corner bears the other half: the contact bears all.
    */
   ContactLength contact_length(const Geometry             &geometry,
                                const std::vector<Contact> &contacts,
                                const Contact              &contact,
-                               double                      corner);
+                               double                      corner,
+                               const BondedArea           *area = nullptr);
 } // namespace hybrid::dda

@@ -14,8 +14,10 @@ namespace hybrid::dda
    * A contact @p now that was not there @p before and would begin in overlap is given a rest_gap
    * with which it presses as the nearest contact between the same two bodies that has ended, each
    * of them once, or not at all where none has: a spring that is loaded when it is made is
-   * energy from nowhere. Both lists are those of the same geometry, sorted by vertex_body, vertex,
-   * edge_body, edge.
+   * energy from nowhere. Between a block and a surface it is a piece of their overlap
+   * (contact_length.h) if there was a contact beside it: then it begins with the overlap and the
+   * elastic slip of the nearest one, part of whose length is its own from now on. Both lists are
+   * those of the same geometry, sorted by vertex_body, vertex, edge_body, edge.
    */
   void carry_loads(const std::vector<Contact> &before,
                    const Geometry             &geometry,

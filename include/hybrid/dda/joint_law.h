@@ -4,6 +4,8 @@
 #include <hybrid/dda/contact.h>
 #include <hybrid/scene/material.h>
 
+#include <limits>
+
 namespace hybrid::scene
 {
   struct BeddingParameters;
@@ -67,21 +69,25 @@ namespace hybrid::dda
   /// Strength of a joint; angles as tangents.
   struct JointStrength
   {
-    double tensile           = 0.; ///< F_t [Pa]
-    double cohesion          = 0.; ///< c [Pa]
-    double tan_phi           = 0.; ///< tan of the friction angle [-]
-    double residual_cohesion = 0.; ///< c_res [Pa]
-    double residual_tan_phi  = 0.; ///< tan of the residual friction angle [-]
-    double fracture_energy   = 0.; ///< G_f [J/m2]; 0: brittle
-    double softening_slip    = 0.; ///< slip from peak to residual strength [m]; 0: brittle;
-                                   ///< infinity: slip takes nothing
+    double tensile           = 0.;      ///< F_t [Pa]
+    double cohesion          = 0.;      ///< c [Pa]
+    double tan_phi           = 0.;      ///< tan of the friction angle [-]
+    double residual_cohesion = 0.;      ///< c_res [Pa]
+    double residual_tan_phi  = 0.;      ///< tan of the residual friction angle [-]
+    double fracture_energy   = 0.;      ///< G_f [J/m2]; 0: brittle
+    double softening_slip    = 0.;      ///< slip from peak to residual strength [m]; 0: brittle;
+                                        ///< infinity: slip takes nothing
+    bool opening_ends_cohesion = false; ///< opening takes the residual cohesion, too, for good
 
-    /// Bond of a material: peak strength, residual as the material says (an ancient shear zone:
-    /// residual = peak).
-    static JointStrength bond(const Material &material,
-                              double          fracture_energy,
-                              double          softening_slip,
-                              bool            residual_is_peak);
+    /// Bond between blocks of a material: peak strength, residual as the material says, else
+    /// friction only.
+    static JointStrength
+    bond(const Material &material, double fracture_energy, double softening_slip);
+
+    /// Bond of a sliding belt, an old shear zone: residual as the material says, else as the peak.
+    /// Opening takes all cohesion for good, as on bedding planes.
+    static JointStrength
+    belt(const Material &material, double fracture_energy, double softening_slip);
 
     /// Bond that neither breaks nor slips.
     static JointStrength unlimited_bond();
@@ -96,8 +102,14 @@ namespace hybrid::dda
     /// Two sides that may slide on each other but not part.
     static JointStrength roller();
 
+    /// Of this and another contact the smaller residual friction, and the smaller cohesion.
+    JointStrength weaker_of(const JointStrength &other) const;
+
     /// Contact without any bond: residual strength only.
     static JointStrength broken(const Material &material);
+
+    /// Contact on a belt: its residual strength, the cohesion on the area that is bonded still.
+    static JointStrength broken_belt(const Material &material);
   };
 
 
@@ -116,7 +128,7 @@ namespace hybrid::dda
    * its residual. The residual cohesion of a contact, taken per length of its
    * springs, fades while it opens, over c_res / k_n; that of a bond from
    * F_t / k_n on, to g_c if that is later: if it vanished at once, a joint that
-   * is about to open might have no equilibrium.
+   * is about to open might have no equilibrium. What has faded from a belt never comes back.
    *
    * A law is a pure function: history is an argument and a result, so the
    * open-close iteration may ask as often as it likes. The tangent is
@@ -141,6 +153,17 @@ namespace hybrid::dda
     JointResponse respond_locked(const JointKinematics &kinematics,
                                  const JointHistory    &history,
                                  const JointDamping    &damping = {}) const;
+
+    /// Opening from which an intact bond bears nothing any more [m].
+    double parting_opening() const;
+
+    /// The same without loss of strength by slip.
+    JointLaw without_softening() const
+    {
+      JointLaw law                = *this;
+      law.strength.softening_slip = std::numeric_limits<double>::infinity();
+      return law;
+    }
 
     /// The same springs with another strength.
     JointLaw with(const JointStrength &other) const
@@ -213,6 +236,10 @@ namespace hybrid::dda
     };
 
     Fading fading(double damage, double residual_cohesion) const;
+
+    /// The opening that the residual cohesion has faded by: the present one, or the largest so far
+    /// where opening takes it for good [m].
+    double widest_opening(double gap, const JointHistory &history) const;
 
     /// What the shear strength of a joint depends on beside its plastic slip.
     struct Strain

@@ -69,6 +69,28 @@ namespace hybrid::dda
   };
 
 
+  /**
+   * Laws of contacts. What a block touches is a surface with a number: the mass's own materials,
+   * the bedrock's, the belts. See set_contact_laws().
+   */
+  struct ContactLaws
+  {
+    std::vector<std::vector<ContactLaw>> of;      ///< [surface][block]
+    std::vector<int>                     block;   ///< surface of each block of the mass
+    std::vector<int>                     segment; ///< of each segment of the base
+    std::vector<int> edge; ///< per vertex: of the bedrock block's edge that begins there
+
+    std::vector<std::pair<int, int>>
+      bonded; ///< blocks of the mass that a joint bonded, the lower first; sorted
+
+    /// Law of a contact; its vertex is @p vertex_body's, its edge @p edge_body's.
+    const ContactLaw &law(const Geometry &initial, const Contact &contact, int n_mass) const;
+
+    /// True if a joint bonded the two blocks of the mass.
+    bool were_bonded(int block, int other) const;
+  };
+
+
   /// How the open-close iteration works.
   struct IterationParameters
   {
@@ -86,11 +108,10 @@ namespace hybrid::dda
     std::vector<BlockProperties>  blocks;
     Geometry                      initial; ///< outlines and base before the first step
     std::vector<Joint>            joints;
-    std::vector<ContactLaw>       block_contact; ///< per block: its vertices on other blocks
-    std::vector<ContactLaw>       base_contact;  ///< per block: against the base
-    std::vector<std::vector<int>> neighbours;    ///< per block: blocks that share a mesh vertex
-    std::vector<bool>             bonded;        ///< per block: has at least one joint
-    std::vector<int>              slice;         ///< per block: for sweeps by several threads
+    ContactLaws                   contacts;
+    std::vector<std::vector<int>> neighbours; ///< per block: blocks that share a mesh vertex
+    std::vector<bool>             bonded;     ///< per block: has at least one joint
+    std::vector<int>              slice;      ///< per block: for sweeps by several threads
     Newmark                       newmark;
     double                        gravity             = 9.81; ///< [m/s2]
     double                        dynamic_coefficient = 1.;   ///< k01 [-]

@@ -11,7 +11,12 @@ namespace hybrid::dda
    *
    * @param held friction and bonds are unlimited while the blocks settle.
    * @param watch may be empty.
+   * @param resets_softening strengths are those of the slope as it stands: slip takes nothing of
+   *   them while it settles, and slip and softening of joints count from the state at rest.
    */
-  StaticResult
-  settle(const Model &model, DdaState &state, bool held = false, const StaticWatch &watch = {});
+  StaticResult settle(const Model       &model,
+                      DdaState          &state,
+                      bool               held             = false,
+                      const StaticWatch &watch            = {},
+                      bool               resets_softening = false);
 } // namespace hybrid::dda

@@ -47,6 +47,18 @@ namespace hybrid::output
    */
   std::string penalty_warning(const scene::SceneParameters &scene);
 
+  /**
+   * Blocks larger than E G_f / F_t^2 of a material whose joints can break: what a block stores when
+   * its joint breaks, F_t^2 h / (2 E), is more than half of the fracture energy, so that it breaks
+   * as if brittle; "" if the fracture is resolved, brittle by intent (no fracture energy) or out of
+   * reach (F_t above E / 20).
+   */
+  std::string fracture_warning(const scene::SceneParameters &scene, const dda::Model &model);
+
+  /// The dynamic coefficient k01 brakes blocks against a frame at rest while their ground moves; ""
+  /// if it is 1 or nothing moves.
+  std::string drag_warning(const scene::SceneParameters &scene);
+
   /// More threads than processors, or "".
   std::string threads_warning(int threads, int processors);
 

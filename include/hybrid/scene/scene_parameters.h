@@ -141,7 +141,8 @@ namespace hybrid::scene
   /// What happens before the dynamic stage.
   enum class StaticStage
   {
-    equilibrium, ///< blocks settle with their strengths active
+    equilibrium, ///< blocks settle with their strengths active, and the run ends if they cannot
+    move,        ///< the same, but what cannot stand starts from where it has got to
     held,        ///< blocks settle with unlimited friction and bonds, which become active at t = 0
     none         ///< the dynamic stage starts unloaded
   };
@@ -166,8 +167,9 @@ namespace hybrid::scene
   /// Section "Water" and section "Gravity".
   struct EnvironmentParameters
   {
-    double      gravity      = 9.81; ///< downward acceleration [m/s2], >= 0
-    StaticStage static_stage = StaticStage::equilibrium;
+    double      gravity         = 9.81; ///< downward acceleration [m/s2], >= 0
+    StaticStage static_stage    = StaticStage::equilibrium;
+    bool        reset_softening = true; ///< slip at rest takes nothing of strengths
     double water_level = -1e300; ///< elevation [m]; below it the saturated materials hold (initial
                                  ///< position of the block)
     WaterMethod water_method  = WaterMethod::paper;

@@ -63,3 +63,19 @@ TEST(ContactLoad, no_deeper_than_it_is)
   carry_loads(before, g, now);
   EXPECT_EQ(now[0].rest_gap, 0.);
 }
+
+
+
+TEST(ContactLoad, place_that_enters_a_sole_takes_that_of_the_corner_which_passes_it)
+{
+  Geometry             g      = square_in_the_ground();
+  std::vector<Contact> before = {{0, 0, base_body, 0, 0.5}, {0, 1, base_body, 1, 0.45}};
+  before[1].rest_gap          = -0.07; // pressed by 0.03 m
+  before[1].slip              = 0.5;
+  before[1].plastic_slip      = 0.498; // stretched by 2 mm to the right
+  g.base_nodes.insert(g.base_nodes.begin() + 2, Vec2(1.45, 0.));
+  std::vector<Contact> now = {{base_body, 2, 0, 0, 0.95}, before[0], before[1]};
+  carry_loads(before, g, now);
+  EXPECT_NEAR(now[0].rest_gap, -0.07, 1e-12);
+  EXPECT_NEAR(now[0].slip - now[0].plastic_slip, -0.002, 1e-12) << "of the base, to the left";
+}

@@ -18,7 +18,7 @@ namespace
     material.tensile_strength = 1e5;
     material.cohesion         = 1e5;
     material.friction_angle   = 30.;
-    return {0, 0, 1, length, {}, JointLaw(JointStrength::bond(material, 0., 0.1, false), 1e9, 1e9)};
+    return {0, 0, 1, length, {}, JointLaw(JointStrength::bond(material, 0., 0.1), 1e9, 1e9)};
   }
 
 

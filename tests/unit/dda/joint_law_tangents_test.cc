@@ -21,7 +21,7 @@ TEST(JointLawTangents, are_the_derivatives_of_the_tractions)
   m.residual_cohesion       = 5e3;
   m.friction_angle          = 20.; // in tension the strength stays above zero
   m.residual_friction_angle = 15.;
-  const JointLaw law(JointStrength::bond(m, 10., 1e-3, false), k_n, k_s);
+  const JointLaw law(JointStrength::bond(m, 10., 1e-3), k_n, k_s);
   const double   elastic = 1e4 / k_n, h = 1e-5 * elastic;
   JointHistory   softened;
   softened.softening          = 2e-4;

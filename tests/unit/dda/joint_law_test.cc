@@ -28,12 +28,21 @@ namespace
   /// G_f = 10 N/m, softening slip 1 mm.
   JointLaw softening()
   {
-    return {JointStrength::bond(rock(), 10., 1e-3, false), k_n, k_s};
+    return {JointStrength::bond(rock(), 10., 1e-3), k_n, k_s};
   }
 
   JointLaw brittle()
   {
-    return {JointStrength::bond(rock(), 0., 0., false), k_n, k_s};
+    return {JointStrength::bond(rock(), 0., 0.), k_n, k_s};
+  }
+
+  /// A belt whose residual strength nobody has set.
+  Material old_belt()
+  {
+    Material m                = rock();
+    m.residual_friction_angle = Material().residual_friction_angle;
+    m.residual_cohesion       = Material().residual_cohesion;
+    return m;
   }
 
   double tan_deg(const double angle)
@@ -70,7 +79,7 @@ TEST(JointLaw, light_shear_sticks_for_both_signs)
 
 TEST(JointLaw, shear_above_the_peak_slides_for_both_signs_and_opposes_the_slip)
 {
-  const JointLaw law(JointStrength::bond(rock(), 10., 1e-3, true), k_n, k_s); // no softening
+  const JointLaw law(JointStrength::belt(old_belt(), 10., 1e-3), k_n, k_s); // no softening
   for (const double sign : {1., -1.})
     {
       const JointResponse r      = law.respond({-1e-5, sign * 1e-3}, {});

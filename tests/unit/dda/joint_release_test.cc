@@ -19,7 +19,7 @@ namespace
 
     Pair()
     {
-      const JointStrength strength = JointStrength::bond(Material(), 0., 0.1, false);
+      const JointStrength strength = JointStrength::bond(Material(), 0., 0.1);
       model.joints.push_back({1, 4, 0, 1., {}, JointLaw(strength, 1e9, 1e9)});
       state.geometry.vertices = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}};
       state.geometry.offset   = {0, 4, 8};

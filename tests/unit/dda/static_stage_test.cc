@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -229,4 +230,100 @@ TEST(StaticStage, buoyancy_and_pressures_give_the_same_effective_forces)
   };
   EXPECT_NEAR(sum_of_y(buoyancy), -12. * weight + 9810. * area, 1e-7 * 12. * weight);
   EXPECT_NEAR(sum_of_y(dry), -12. * weight, 1e-7 * 12. * weight);
+}
+
+
+
+namespace
+{
+  /// Two bonded squares on 20 degrees: the belt of the upper one slips and leans on the lower one.
+  struct LeaningBlock
+  {
+    Model        model;
+    DdaState     state;
+    StaticResult result;
+
+    LeaningBlock(const bool resets, const double tensile_strength)
+      : model(make(tensile_strength))
+      , state(initial_state(model))
+      , result(settle(model, state, false, {}, resets))
+    {}
+
+    const JointState &weak() const
+    {
+      for (std::size_t j = 0; j < model.joints.size(); ++j)
+        if (model.joints[j].kind == JointKind::belt && model.joints[j].block == 1)
+          return state.joints[j];
+      return state.joints[0];
+    }
+
+  private:
+    static Model make(const double tensile_strength)
+    {
+      const double           angle     = 20. * M_PI / 180.;
+      scene::SceneParameters p         = strong(30.);
+      Material               weak      = p.materials["rock"];
+      weak.name                        = "weak";
+      weak.friction_angle              = 5.;
+      weak.cohesion                    = 0.;
+      weak.tensile_strength            = tensile_strength;
+      p.materials["weak"]              = weak;
+      p.blocks.saturated_belt_material = "rock";
+      p.blocks.belt_material           = "weak";
+      p.environment.water_level        = 0.99 * std::sin(angle);
+      p.blocks.softening_slip          = 1e-6;
+      scene::SectionMesh mesh          = square_blocks(2, 1, 1., angle);
+      mesh.lines["sliding_surface"]    = {{0, 1}, {1, 2}};
+      return build_model(mesh, p, {mesh.nodes[0], mesh.nodes[1], mesh.nodes[2]});
+    }
+  };
+} // namespace
+
+
+
+TEST(StaticStage, slip_at_rest_takes_nothing_of_strengths_measured_today)
+{
+  const LeaningBlock then(false, 1e6), now(true, 1e6);
+  ASSERT_TRUE(then.result.equilibrium);
+  ASSERT_TRUE(now.result.equilibrium);
+  for (const LeaningBlock *run : {&then, &now}) // the same equilibrium: residual = peak
+    EXPECT_GT(std::abs(run->weak().points[0].history.plastic_slip), 1e-6);
+  EXPECT_EQ(then.weak().failure, FailureKind::shear);
+  EXPECT_GT(then.weak().points[0].history.softening, 1e-6);
+  EXPECT_EQ(then.weak().rest_slip[0], 0.);
+
+  EXPECT_EQ(now.weak().failure, FailureKind::none);
+  for (const int end : {0, 1})
+    {
+      EXPECT_EQ(now.weak().points[end].history.softening, 0.);
+      EXPECT_EQ(now.weak().rest_slip[end], now.weak().points[end].slip);
+      EXPECT_NEAR(now.weak().points[end].slip, then.weak().points[end].slip, 1e-6);
+    }
+}
+
+
+
+TEST(StaticStage, what_opened_at_rest_stays_failed)
+{
+  // The cantilever of failures_of_the_static_stage_have_negative_times: its bond is torn.
+  scene::SectionMesh mesh = square_blocks(2, 1);
+  mesh.lines["sliding_surface"].push_back({0, 1});
+  scene::SceneParameters p             = strong(30.);
+  p.materials["belt"]                  = p.materials["rock"];
+  p.materials["belt"].name             = "belt";
+  p.blocks.belt_material               = "belt";
+  p.materials["rock"].tensile_strength = 1e3;
+  const Model model = build_model(mesh, p, {{0., 0.}, {1., 0.}, {1.5, -1.2}, {4., -1.2}});
+  DdaState    state = initial_state(model);
+  settle(model, state, false, {}, true);
+  int failed = 0;
+  for (const JointState &joint : state.joints)
+    if (joint.failure != FailureKind::none)
+      {
+        ++failed;
+        EXPECT_EQ(joint.failure, FailureKind::tensile);
+        EXPECT_LT(joint.failure_time, 0.);
+        EXPECT_EQ(std::max(joint.points[0].history.damage, joint.points[1].history.damage), 1.);
+      }
+  EXPECT_EQ(failed, 1);
 }

@@ -105,4 +105,50 @@ namespace hybrid::output
     output.picture_interval = 0.;
     EXPECT_EQ(pictures_warning(output, time), "");
   }
+
+
+  TEST(Advice, NamesTheSizeThatResolvesFracture)
+  {
+    // Badong: 60 kPa, 49.92 MPa, 10 J/m2: 0.1387 m, and a block of 4 m stores 144 J/m2
+    scene::SceneParameters scene             = test::block_parameters(27., 49.92e6);
+    scene.blocks.bonded                      = true;
+    scene.blocks.fracture_energy             = 10.;
+    scene.materials["rock"].tensile_strength = 60e3;
+    const auto with                          = [&scene](const double size) {
+      return fracture_warning(scene, dda::build_model(test::square_blocks(2, 1, size), scene, {}));
+    };
+    EXPECT_EQ(
+      with(4.),
+      "tensile fracture of 'rock' is not resolved: blocks of 4 m store 144 J/m2 when a joint "
+      "breaks, Blocks/Fracture energy is 10 J/m2, so that it is effectively brittle; blocks "
+      "of at most 0.13 m (E G_f / F_t^2) would resolve it");
+    EXPECT_EQ(with(0.13), "");
+    EXPECT_NE(with(0.15), "");
+    scene.blocks.fracture_energy = 0.; // brittle is what the user wants
+    EXPECT_EQ(with(4.), "");
+    scene.blocks.fracture_energy             = 10.;
+    scene.materials["rock"].tensile_strength = 1e9; // never breaks
+    EXPECT_EQ(with(4.), "");
+    scene.materials["rock"].tensile_strength = 60e3;
+    scene.blocks.bonded                      = false;
+    EXPECT_EQ(with(4.), "");
+  }
+
+
+  TEST(Advice, ABrakeOfAbsoluteVelocitiesDragsOnGroundThatMoves)
+  {
+    scene::SceneParameters scene = test::block_parameters(30.);
+    scene.time.time_step         = 1e-3;
+    const auto with              = [&scene](const double k01, const char *motion) {
+      scene.time.dynamic_coefficient = k01;
+      scene.motion.type              = motion;
+      return drag_warning(scene);
+    };
+    EXPECT_EQ(with(1., "ricker"), "");
+    EXPECT_EQ(with(0.98, "none"), "");
+    EXPECT_NE(
+      with(0.98, "ricker").find("Time/Dynamic coefficient = 0.98 brakes absolute velocities"),
+      std::string::npos);
+    EXPECT_NE(with(0.98, "ricker").find("a drag of 20 1/s"), std::string::npos);
+  }
 } // namespace hybrid::output

@@ -30,5 +30,24 @@ namespace hybrid::output
       EXPECT_EQ(highest_frequency(wavelet(1e-6)), highest_frequency(wavelet(1e-2)));
       EXPECT_EQ(highest_frequency(scene::Motion()), 0.);
     }
+
+
+    TEST(SceneCard, SaysWhatABeltHasAfterSlip)
+    {
+      scene::SceneParameters scene;
+      Material               belt;
+      belt.name             = "clay";
+      belt.friction_angle   = 14.72;
+      belt.cohesion         = 19.76e3;
+      scene.materials       = {{"clay", belt}};
+      scene.continuum_model = scene::ContinuumModel::none;
+      scene.blocks.material = scene.blocks.belt_material = "clay";
+      const auto card = [&scene] { return make_scene_card(scene, {}, nullptr, nullptr).text; };
+      EXPECT_NE(card().find("clay: phi 14.72 deg, c 19760 Pa, residual = peak"), std::string::npos);
+      scene.materials["clay"].residual_friction_angle = 8.;
+      EXPECT_NE(card().find("residual phi 8 deg, c 19760 Pa"), std::string::npos);
+      scene.materials["clay"].residual_cohesion = 0.;
+      EXPECT_NE(card().find("residual phi 8 deg, c 0 Pa"), std::string::npos);
+    }
   } // namespace
 } // namespace hybrid::output

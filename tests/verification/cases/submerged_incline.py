@@ -37,7 +37,7 @@ def check(case):
         for factor, moves in ((1.001, False), (0.999, True)):
             friction = np.arctan(factor * np.tan(INCLINE))
             run = case.run("%s_%g" % (method, factor), "Water/Method=" + method, "Time/Time step=0.002",
-                           "Gravity/Static stage=equilibrium", "Materials/rock/Friction angle=%.12g" % np.degrees(friction))
+                           "Gravity/Static stage=equilibrium or move", "Materials/rock/Friction angle=%.12g" % np.degrees(friction))
             time, s = run_slip(run)
             log = (case.work / ("%s_%g" % (method, factor)) / "log.txt").read_text(encoding="utf-8")
             what = "%s, tan(phi) = %g tan(theta)" % (method, factor)
