@@ -11,7 +11,8 @@ root="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 
 packages=(build-essential cmake ninja-build git libdeal.ii-dev libgmsh-dev libeigen3-dev
           libsuitesparse-dev libopenblas-dev libgtest-dev libhdf5-openmpi-dev
-          python3 python3-h5py python3-matplotlib python3-scipy)
+          python3 python3-h5py python3-matplotlib python3-scipy
+          python3-allpairspy python3-hypothesis)
 
 test_packages=(python3-vtk9) # for `test` alone: reads the files for ParaView
 
@@ -61,8 +62,8 @@ name_missing_parts() {
         missing+=("<$header>")
     done
   fi
-  if ! /usr/bin/python3 -c 'import h5py, matplotlib, scipy' 2>/dev/null; then
-    missing+=("modules h5py, matplotlib and scipy of /usr/bin/python3")
+  if ! /usr/bin/python3 -c 'import h5py, matplotlib, scipy, allpairspy, hypothesis' 2>/dev/null; then
+    missing+=("modules h5py, matplotlib, scipy, allpairspy and hypothesis of /usr/bin/python3")
   fi
   if [[ ${#missing[@]} -gt 0 ]]; then
     printf 'error: this is not a Debian system, so nothing is installed. Missing:\n' >&2

@@ -77,6 +77,10 @@ namespace hybrid::output
     interface_time = file.add_series("interface/time", "s", 1, "times of the pictures");
     interface_force =
       file.add_series("interface/force", "N/m", 2 * nodes, "of the blocks on each node");
+    interface_sum = file.add_series("interface/total_force",
+                                    "N/m",
+                                    2,
+                                    "of the blocks on all nodes, end of each step");
   }
 
 
@@ -236,6 +240,19 @@ namespace hybrid::output
 
 
 
+  void RunRecorder::record_total_force(const coupling::CoupledState &state)
+  {
+    if (interface_sum < 0)
+      return;
+    const Eigen::VectorXd &force = state.blocks.base_force;
+    Vec2                   sum   = Vec2::Zero();
+    for (Eigen::Index k = 0; k + 1 < force.size(); k += 2)
+      sum += Vec2(force[k], force[k + 1]);
+    file.append(interface_sum, sum.data());
+  }
+
+
+
   void RunRecorder::update_peaks(const coupling::CoupledState &state)
   {
     const Vec2 base = base_displacement();
@@ -261,6 +278,7 @@ namespace hybrid::output
     file.append(step_series[2], &solver_iterations);
     file.append(step_series[3], &wall_time);
     record_motion(state);
+    record_total_force(state);
     update_peaks(state);
     slip.record(state.blocks, file);
 

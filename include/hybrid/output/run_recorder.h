@@ -105,6 +105,7 @@ namespace hybrid::output
     int                        base_monitor = -1; ///< index in monitors
     int time_series = -1, input_series[3] = {-1, -1, -1}, step_series[4] = {-1, -1, -1, -1};
     int energy_time = -1, energy_residual = -1, interface_time = -1, interface_force = -1;
+    int interface_sum = -1;
     std::vector<int>    energy_series;
     std::vector<double> times, input_acceleration;
     std::vector<Vec2>   reference_centroids;
@@ -120,6 +121,7 @@ namespace hybrid::output
     void record_motion(const coupling::CoupledState &state);
     void record_energy(const coupling::CoupledState &state);
     void record_picture(const coupling::CoupledState &state);
+    void record_total_force(const coupling::CoupledState &state);
     void update_peaks(const coupling::CoupledState &state);
     void read_histories();
     void flush_if_due();
