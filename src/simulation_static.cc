@@ -2,6 +2,7 @@
 #include <hybrid/dda/bedding_rest.h>
 #include <hybrid/dda/block_energy.h>
 #include <hybrid/output/static_progress.h>
+#include <hybrid/output/terminal.h>
 #include <hybrid/simulation.h>
 
 #include <cstdio>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block_materials.h>
 #include <hybrid/dda/contact_laws.h>
+#include <hybrid/dda/outline_frames.h>
 
 #include <algorithm>
 #include <limits>
@@ -221,7 +222,10 @@ namespace hybrid::dda
     // A vertex of the ground lies between two of its edges.
     const int v = contact.vertex;
     if (owner != base_body)
-      return of[std::max(edge[v], edge[initial.previous(v)])][other];
+      {
+        const int before = edge_before(initial, owner, v);
+        return of[std::max(edge[v], edge[before < 0 ? v : before])][other];
+      }
     const int n = static_cast<int>(segment.size());
     return of[std::max(segment[std::max(0, v - 1)], segment[std::min(v, n - 1)])][other];
   }

@@ -269,11 +269,22 @@ namespace hybrid::dda
         return r;
       }
 
-    // Spring and dashpot of the step together: a stiffer spring from a shifted origin.
+    const double dashpot = damping.ratio * (1. - r.history.damage) * k_n;
+    const double viscous = -dashpot * (kinematics.gap - damping.gap);
+    if (viscous < 0.)
+      resist_opening(viscous, dashpot, r.history.damage > history.damage, r);
+    else
+      {
+        r.normal += viscous;
+        r.normal_by_gap += dashpot;
+      }
+
+    // Spring and dashpot of the step together: a stiffer spring from a shifted origin. Friction
+    // counts the normal traction that acts, that of the dashpot included.
     const double spring = (1. + damping.ratio) * k_s;
     const double shift  = damping.ratio / (1. + damping.ratio) * damping.elastic_slip;
     const double trial  = -spring * (kinematics.slip - history.plastic_slip - shift);
-    Strain       at{r.elastic_normal, r.history.damage, residual_cohesion, 0., 0.};
+    Strain       at{r.normal, r.history.damage, residual_cohesion, 0., 0.};
     if (r.history.damage > history.damage)
       at.damage_by_gap = damage_by_gap(kinematics.gap);
     const double widest = widest_opening(kinematics.gap, history);
@@ -297,15 +308,6 @@ namespace hybrid::dda
       }
     r.elastic_shear = -k_s * (kinematics.slip - r.history.plastic_slip);
 
-    const double dashpot = damping.ratio * (1. - r.history.damage) * k_n;
-    const double viscous = -dashpot * (kinematics.gap - damping.gap);
-    if (viscous < 0.)
-      resist_opening(viscous, dashpot, r.history.damage > history.damage, r);
-    else
-      {
-        r.normal += viscous;
-        r.normal_by_gap += dashpot;
-      }
     return r;
   }
 

@@ -178,7 +178,7 @@ namespace hybrid::test
     }
 
     /// Largest relative energy residual so far, this state included [-].
-    double audit(const double dt)
+    double audit()
     {
       state.continuum.energy = rock.audit_energy(state.continuum);
       ledger.update(state);

@@ -58,7 +58,7 @@ namespace
       {
         if (!run.advance(1e-3, 4))
           return outcome.cuts = 1000, outcome;
-        outcome.residual = run.audit(1e-3);
+        outcome.residual = run.audit();
         const auto v = run.rock.bedding_values(run.state.continuum, run.rock.slipping_planes()[0]);
         for (std::size_t i = 0; i < v.slip.size(); ++i)
           {

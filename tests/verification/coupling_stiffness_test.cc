@@ -51,7 +51,7 @@ namespace
     for (int k = 0; k < steps; ++k)
       {
         ASSERT_TRUE(run.advance(dt)) << "step " << k;
-        residual          = run.audit(dt);
+        residual          = run.audit();
         const auto  &c    = run.state.continuum.energy;
         const auto  &b    = run.state.blocks.energy;
         const double held = c.kinetic + c.strain + b.kinetic + b.strain + b.springs;

@@ -107,7 +107,7 @@ namespace
     EXPECT_LT(std::abs(back.value), 0.02 * incident.value);
     EXPECT_NEAR(top.value / incident.value, 2., 0.02 * 2.);
     EXPECT_NEAR(top.time - incident.time, travel, 0.01 * travel);
-    EXPECT_LT(run.audit(dt), 1e-3);
+    EXPECT_LT(run.audit(), 1e-3);
   }
 } // namespace
 

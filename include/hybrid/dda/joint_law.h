@@ -244,7 +244,7 @@ namespace hybrid::dda
     /// What the shear strength of a joint depends on beside its plastic slip.
     struct Strain
     {
-      double normal;            ///< elastic normal traction [Pa]
+      double normal;            ///< normal traction that acts [Pa]
       double damage;            ///< [-]
       double residual_cohesion; ///< at this gap [Pa]
       double cohesion_by_gap;   ///< its fall with the gap [Pa/m]

@@ -92,3 +92,24 @@ TEST(BeltLaw, cohesion_that_a_belt_has_lost_by_opening_partly_does_not_come_back
       EXPECT_NEAR(r.shear_by_gap, -(ahead.shear - r.shear) / h, 1e-4 * k_n);
     }
 }
+
+
+
+TEST(BeltLaw, friction_counts_the_normal_traction_that_acts)
+{
+  Material m         = old_belt();
+  m.cohesion         = 0.;
+  m.tensile_strength = 0.;
+  const JointLaw law(JointStrength::belt(m, 0., 0.), k_n, k_s);
+  for (const double change : {-3e-6, -1e-6, 0., 1e-6, 3e-6}) // closes or opens in the step [m]
+    for (const double slip : {-1e-3, 1e-3})
+      {
+        const JointDamping  damping{0.8, -1e-5 - change, 0.};
+        const JointResponse r = law.respond({-1e-5, slip}, {}, damping);
+        EXPECT_NEAR(r.normal, k_n * (1e-5 - 0.8 * change), 1e-6);
+        EXPECT_NEAR(std::abs(r.shear), r.normal * tan_deg(30.), 1e-6) << change;
+        const double        h     = 1e-9;
+        const JointResponse after = law.respond({-1e-5 + h, slip}, {}, damping);
+        EXPECT_NEAR(r.shear_by_gap, (r.shear - after.shear) / h, 1e-4 * k_n) << change;
+      }
+}

@@ -208,8 +208,9 @@ TEST(Springs, equal_trials_have_equal_forces)
   SpringScene scene(false);
   Material    slippery;
   slippery.friction_angle = 5.;
-  for (ContactLaw &contact : scene.model.base_contact)
-    contact.law = JointLaw(JointStrength::broken(slippery), 1e9, 1e9);
+  for (std::vector<ContactLaw> &of_surface : scene.model.contacts.of)
+    for (ContactLaw &contact : of_surface)
+      contact.law = JointLaw(JointStrength::broken(slippery), 1e9, 1e9);
   scene.springs.collect(scene.model, scene.state);
   Eigen::VectorXd there = pressing(1e-6), back = there;
   there[0] = 1e-4;
