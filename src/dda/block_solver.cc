@@ -4,6 +4,7 @@
 #include <hybrid/dda/contact_load.h>
 #include <hybrid/dda/contact_tolerances.h>
 #include <hybrid/dda/joint_release.h>
+#include <hybrid/dda/outline_frames.h>
 #include <hybrid/restart/archive.h>
 
 #include <algorithm>
@@ -106,15 +107,6 @@ namespace hybrid::dda
         offset.push_back(static_cast<int>(list.size()));
       }
     detection.set_neighbours(offset, list);
-
-    is_on_belt.assign(model.blocks.size(), 0);
-    for (const Joint &joint : model.joints)
-      if (joint.kind == JointKind::belt)
-        for (const int body : {joint.block, joint.other})
-          if (body != base_body)
-            is_on_belt[body] = 1;
-
-    held_off = blocks_held_off(model, is_on_belt);
   }
 
 
@@ -153,8 +145,21 @@ namespace hybrid::dda
 
 
 
+  void BlockSolver::find_blocks_on_surface()
+  {
+    is_on_belt.assign(model.blocks.size(), 0);
+    for (const Joint &joint : model.joints)
+      if (!joint.within_bedrock() && is_surface(model.initial, joint.other))
+        is_on_belt[joint.block] = 1;
+    held_off = blocks_held_off(model, is_on_belt);
+  }
+
+
+
   bool BlockSolver::update_skipped_pairs(const DdaState &state)
   {
+    if (held_off.empty())
+      find_blocks_on_surface();
     int now = 0;
     for (const JointState &joint : state.joints)
       now += (joint.loosened ? 1 : 0) + (joint.failure != FailureKind::none ? 1 : 0) +

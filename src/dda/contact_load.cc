@@ -60,14 +60,12 @@ namespace hybrid::dda
     /// A new contact of a block with a surface is a piece of an overlap that was there: it begins
     /// with the overlap and the elastic slip of the nearest contact before, whose length it takes
     /// over.
-    /// @return false if there was none on these edges.
-    bool begin_as_piece(const std::vector<Contact> &before,
+    /// Without one on these edges it is left as it lies.
+    void begin_as_piece(const std::vector<Contact> &before,
                         const Geometry             &geometry,
                         const Place                &place,
                         Contact                    &contact)
     {
-      if (!is_on_surface(contact, geometry))
-        return false;
       const int      block   = mass_block(contact, geometry);
       const Contact *nearest = nullptr;
       double         least = std::numeric_limits<double>::infinity(), turn = 0., depth = 0.;
@@ -87,59 +85,13 @@ namespace hybrid::dda
           depth   = old.rest_gap - then.gap;
         }
       if (nearest == nullptr)
-        return false;
+        return;
       // Slip is that of the vertex along the edge: the other way round where they change roles.
       const bool same_role =
         is_surface(geometry, nearest->vertex_body) == is_surface(geometry, contact.vertex_body);
       const double role    = same_role ? 1. : -1.;
       contact.rest_gap     = std::min(0., place.gap + depth);
       contact.plastic_slip = contact.slip - role * turn * (nearest->slip - nearest->plastic_slip);
-      return true;
-    }
-
-
-
-    /// A contact that has ended while it pressed.
-    struct Ended
-    {
-      std::pair<int, int> bodies;
-      Vec2                place; ///< of the vertex [m]
-      double              depth; ///< that its spring was pressed by [m]
-    };
-
-
-    std::vector<Ended> find_ended(const std::vector<Contact> &before,
-                                  const std::vector<Contact> &now,
-                                  const Geometry             &geometry)
-    {
-      std::vector<Ended> ended;
-      for (const Contact &contact : before)
-        if (!std::binary_search(now.begin(), now.end(), contact, comes_before))
-          {
-            const Place  place(contact, geometry);
-            const double gap = place.gap - contact.rest_gap;
-            if (gap < 0.)
-              ended.push_back(
-                {std::minmax(contact.vertex_body, contact.edge_body), place.vertex, -gap});
-          }
-      return ended;
-    }
-
-
-    /// Take the depth of the nearest that ended between these bodies; 0 if there is none.
-    double
-    take_depth(const std::pair<int, int> &bodies, const Vec2 &place, std::vector<Ended> &ended)
-    {
-      auto nearest = ended.end();
-      for (auto one = ended.begin(); one != ended.end(); ++one)
-        if (one->bodies == bodies && (nearest == ended.end() || (one->place - place).norm() <
-                                                                  (nearest->place - place).norm()))
-          nearest = one;
-      if (nearest == ended.end())
-        return 0.;
-      const double depth = nearest->depth;
-      ended.erase(nearest);
-      return depth;
     }
   } // namespace
 
@@ -149,21 +101,14 @@ namespace hybrid::dda
                    const Geometry             &geometry,
                    std::vector<Contact>       &now)
   {
-    std::vector<Ended> ended;
-    bool               has_looked = false;
     for (Contact &contact : now)
       {
-        if (std::binary_search(before.begin(), before.end(), contact, comes_before))
+        if (!is_on_surface(contact, geometry) ||
+            std::binary_search(before.begin(), before.end(), contact, comes_before))
           continue;
         const Place place(contact, geometry);
-        if (place.gap >= contact.rest_gap || begin_as_piece(before, geometry, place, contact))
-          continue;
-        if (!has_looked)
-          ended = find_ended(before, now, geometry);
-        has_looked = true;
-        const double depth =
-          take_depth(std::minmax(contact.vertex_body, contact.edge_body), place.vertex, ended);
-        contact.rest_gap = std::min(0., place.gap + depth);
+        if (place.gap < contact.rest_gap)
+          begin_as_piece(before, geometry, place, contact);
       }
   }
 } // namespace hybrid::dda

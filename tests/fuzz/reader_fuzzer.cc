@@ -126,7 +126,7 @@ namespace
     check_mesh(mesh);
   }
 
-  /// Where mutated files lie: as deep as the scenes, so that they find the meshes.
+  /// Where mutated files lie: as deep as the scenes, so that they find the meshes and what they include.
   class Workplace
   {
   public:
@@ -138,10 +138,9 @@ namespace
       fs::create_directory_symlink(source / "meshes", root / "meshes", ignored);
       for (const char *name : {"verification", "hard", "majiagou"})
         for (const auto &entry : fs::directory_iterator(source / "parameters" / name))
-          if (entry.path().extension() != ".prm")
-            fs::create_symlink(entry.path(),
-                               root / "parameters/mutated" / entry.path().filename(),
-                               ignored);
+          fs::create_symlink(entry.path(),
+                             root / "parameters/mutated" / entry.path().filename(),
+                             ignored);
     }
 
     std::string write(const std::string &kind, const std::string &text) const

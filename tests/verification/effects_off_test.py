@@ -71,7 +71,7 @@ EFFECTS = {
                            ["Blocks/Initial velocities=v: -9, 9, -9, 9, 0, 0.1, 0"]),
     "fracture": (COLUMN, ["Blocks/Fracture energy=200", "Blocks/Softening slip=0.5", "Materials/rock/Residual cohesion=100",
                           "Materials/rock/Residual friction angle=5"], None,
-                 ["Materials/rock/Tensile strength=0", "Materials/rock/Cohesion=1e3"]),
+                 ["Materials/rock/Tensile strength=0", "Materials/rock/Cohesion=1e3", "Gravity/Static stage=equilibrium or move"]),
     "motion": (SLOPE, ["Motion/Type=none", "Motion/Frequency=5", "Motion/Angle=30", "Motion/Start=0.01"],
                ["Motion/Type=ricker", "Motion/Peak=0", "Motion/Angle=30"], ["Motion/Type=ricker", "Motion/Peak=2"]),
     "continuum": (SLOPE, ["Model/Bedrock=rigid", "Continuum/Materials=rock", "Continuum/Degree=3", "Continuum/Sides=fixed"], None,

@@ -69,7 +69,7 @@ namespace hybrid::dda
     ContactDetection     detection;
     OpenCloseIteration   iteration;
     std::vector<Contact> contacts_before; ///< of the last step, for carry_loads()
-    std::vector<char>    is_on_belt;      ///< per block
+    std::vector<char>    is_on_belt;      ///< per block: bonded to a surface
     std::vector<char>    held_off;        ///< per block, see SkippedPairs
     int changes = -1; ///< loosened, failed and released joints when the skip lists were made
     std::vector<Awake> awake; ///< per block, now
@@ -77,6 +77,9 @@ namespace hybrid::dda
     SearchSummary search_summary;
 
     std::vector<Awake> awake_blocks(const DdaState &state) const;
+
+    /// Sets is_on_belt and held_off.
+    void find_blocks_on_surface();
 
     /// @return whether joints have given way, failed or been released since the last call.
     bool update_skipped_pairs(const DdaState &state);

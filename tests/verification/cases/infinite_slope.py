@@ -5,7 +5,8 @@
 
 and above it the slab slides with s'' = (a - a_c) (cos b + sin b tan phi), as the seam's residual strength is its peak: also
 where its joints have been released and corners of triangles stand on the ground. Then the cohesion is that of the part of the
-slab that is on the seam still, c (1 - s / width); a joint is released when it has slid by a tenth of its length.
+slab that is on the seam still, c (1 - s / width), less the half of the last edge that the corner at the rear end stands for: friction
+turns the slab forwards, so that corner stands open and has no cohesion. A joint is released when it has slid by a tenth of its length.
 """
 
 import numpy as np
@@ -23,7 +24,8 @@ class Slope:
         self.critical = (seam.cohesion + weight * (np.cos(b) * mu - np.sin(b))) / (mass * self.rate)  # [m/s2]
         self.peak = numbers.number("Motion/Peak")
         self.width, self.cohesion = numbers.mesh("Width"), seam.cohesion / (mass * self.rate)  # of the critical one [m/s2]
-        self.release = 0.1 * numbers.mesh("Resolution/h")  # [m]
+        self.edge = numbers.mesh("Resolution/h")  # of a block on the seam [m]
+        self.release = 0.1 * self.edge  # [m]
         self.joints = int(np.ceil(numbers.mesh("Width") / numbers.mesh("Resolution/h") - 1e-9))  # of the seam
 
 
@@ -38,7 +40,8 @@ def closed_form(time, slope):
     h, v = fine[1], 0.0
     s = np.zeros(fine.size)
     for i in range(1, fine.size):
-        left = slope.cohesion * s[i - 1] / slope.width if s[i - 1] > slope.release else 0.0
+        lost = s[i - 1] + 0.5 * (slope.edge - s[i - 1])  # off the seam, and below the open corner [m]
+        left = slope.cohesion * lost / slope.width if s[i - 1] > slope.release else 0.0
         rate = (base[i] + left) * slope.rate
         v += h * (rate if v > 0 else max(rate, 0.0))
         s[i] = s[i - 1] + h * v
