@@ -2,6 +2,7 @@
 #include <hybrid/output/energy_watch.h>
 #include <hybrid/restart/archive.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace hybrid::output
@@ -40,6 +41,14 @@ namespace hybrid::output
 
 
 
+  bool EnergyWatch::matters(const EnergyLedger &ledger)
+  {
+    constexpr double least_part_of_stored = 0.005;
+    return std::abs(ledger.sum()) > least_part_of_stored * ledger.stored_at_rest();
+  }
+
+
+
   std::string EnergyWatch::look(const EnergyLedger &ledger, const double time)
   {
     if (is_over(ledger))
@@ -47,7 +56,7 @@ namespace hybrid::output
              " s, because the energy audit does not close: " + finding(ledger) +
              "; the results are wrong from about here on, allowed are " + number(100. * limit) +
              " % (Output/Energy limit), a smaller Time/Time step may do";
-    if (has_warned || !(warning > 0.) || ledger.residual() <= warning)
+    if (has_warned || !(warning > 0.) || ledger.residual() <= warning || !matters(ledger))
       return "";
     has_warned = true;
     return "the energy audit does not close at t = " + number(time) + " s: " + finding(ledger) +

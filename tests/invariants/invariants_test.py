@@ -25,14 +25,11 @@ import random_scenes  # noqa: E402
 from run_scene import judge_scene  # noqa: E402
 from scenes import Scene  # noqa: E402
 
-FIRST_STEPS = "the energy limit stops at 1 ms after Static stage = held: residual 0.07 to 0.12 of less than 1 J/m"
 BREAKING = "blocks_integration_loss creates energy in a bonded mass that breaks"
 TIES = "where corners of blocks lie on nodes of the surface, numbers and rounding decide which edge acts: 0.01 to 0.25 mm of 130 mm"
 OPEN = {
     "pairs 11": "flush sides of equal columns go through each other: no corner of one is in the other",
     "pairs 30": "contact_switch_loss creates 1.25 % under a mass that breaks on mud",
-    "pairs 33": FIRST_STEPS,
-    "pairs 86": FIRST_STEPS,
     "pairs 55": BREAKING,
     "pairs 85": BREAKING,
     "loose on rock: renumbered": TIES,
