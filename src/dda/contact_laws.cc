@@ -108,7 +108,7 @@ namespace hybrid::dda
       if (of_region.count(name) == 0 && of_region.count("*") == 0)
         return 0;
       const Material &rock = scene.bedrock_material(name);
-      return rock.friction_is_given ? number_of(Kind::bedrock, &rock) : 0;
+      return rock.friction_is_given() ? number_of(Kind::bedrock, &rock) : 0;
     }
 
 

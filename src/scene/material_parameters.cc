@@ -29,11 +29,13 @@ namespace hybrid::scene
                    "",
                    ParameterRange::open(-1., 0.5),
                    "Ratio nu (plane strain).");
-    section.number(strength_names[0],
-                   material.friction_angle,
-                   "deg",
-                   {0., 90., true, false},
-                   "Peak friction angle phi of joints and contacts.");
+    section.number_or(
+      strength_names[0],
+      {"automatic", material.given_friction_angle},
+      "deg",
+      {0., 90., true, false},
+      "Peak friction angle phi of joints and contacts; automatic: 30, and of bedrock that of what "
+      "touches it.");
     section.number(strength_names[1],
                    material.cohesion,
                    "Pa",

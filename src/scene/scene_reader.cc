@@ -80,7 +80,8 @@ namespace hybrid::scene
       table.assign();
       scene.motion.file_unit_is_set = table.is_set("Motion/Unit");
       for (auto &[name, material] : scene.materials)
-        material.friction_is_given = table.is_set("Materials/" + name + "/Friction angle");
+        if (material.friction_is_given())
+          material.friction_angle = material.given_friction_angle;
       resolve_bedrock(scene, table);
       resolve_scheme(scene, table);
       check(scene, table);

@@ -12,15 +12,20 @@ namespace hybrid
     double      density = 2500.; ///< rho [kg/m3], > 0: inertia
     double      weight_density =
       -1.; ///< mass density that gravity acts on [kg/m3]; < 0: same as density
-    double young_modulus           = 1e9;   ///< E [Pa], > 0
-    double poisson_ratio           = 0.25;  ///< nu [-], in (-1, 0.5)
-    double friction_angle          = 30.;   ///< phi [deg], in [0, 90)
-    bool   friction_is_given       = false; ///< nobody left it at its default
-    double cohesion                = 0.;    ///< c [Pa], >= 0
-    double tensile_strength        = 0.;    ///< F_t [Pa], >= 0
-    double residual_friction_angle = -1.;   ///< phi_res [deg]; < 0: same as friction_angle
+    double young_modulus           = 1e9;  ///< E [Pa], > 0
+    double poisson_ratio           = 0.25; ///< nu [-], in (-1, 0.5)
+    double friction_angle          = 30.;  ///< phi [deg], in [0, 90)
+    double given_friction_angle    = -1.;  ///< what the user says of it [deg]; < 0: nothing
+    double cohesion                = 0.;   ///< c [Pa], >= 0
+    double tensile_strength        = 0.;   ///< F_t [Pa], >= 0
+    double residual_friction_angle = -1.;  ///< phi_res [deg]; < 0: same as friction_angle
     double residual_cohesion =
       -1.; ///< c_res [Pa]; < 0: none for joints of the mass, for a belt the same as cohesion
+
+    bool friction_is_given() const
+    {
+      return given_friction_angle >= 0.;
+    }
 
     /// Density that gravity acts on [kg/m3].
     double weighing_density() const

@@ -31,7 +31,8 @@ namespace
     p.materials["mass"].cohesion          = 1e4;
     p.materials["mass"].residual_cohesion = 5e3;
     p.materials["rock"].friction_angle    = 15.;
-    p.materials["rock"].friction_is_given = rock_has_friction;
+    p.materials["rock"].given_friction_angle =
+      rock_has_friction ? p.materials["rock"].friction_angle : -1.;
     p.materials["belt"]                   = p.materials["mass"];
     p.materials["belt"].name              = "belt";
     p.materials["belt"].friction_angle    = 12.;

@@ -15,7 +15,8 @@ class Material:
     def __init__(self, section):
         self.density = float(section["Density"])
         self.young, self.poisson = float(section["Young modulus"]), float(section["Poisson ratio"])
-        self.friction = np.radians(float(section["Friction angle"]))
+        angle = section["Friction angle"]
+        self.friction = np.radians(30.0 if angle == "automatic" else float(angle))
         self.cohesion, self.tensile_strength = float(section["Cohesion"]), float(section["Tensile strength"])
         weight = section["Weight density"]
         self.weight_density = self.density if weight == "same" else float(weight)
