@@ -41,10 +41,10 @@ namespace hybrid::output
 
 
 
-  bool EnergyWatch::matters(const EnergyLedger &ledger)
+  bool EnergyWatch::passes(const EnergyLedger &ledger, const double part)
   {
-    constexpr double least_part_of_stored = 0.005;
-    return std::abs(ledger.sum()) > least_part_of_stored * ledger.stored_at_rest();
+    return part > 0. && ledger.residual() > part &&
+           std::abs(ledger.sum()) > 0.1 * part * ledger.stored_at_rest();
   }
 
 
@@ -56,7 +56,7 @@ namespace hybrid::output
              " s, because the energy audit does not close: " + finding(ledger) +
              "; the results are wrong from about here on, allowed are " + number(100. * limit) +
              " % (Output/Energy limit), a smaller Time/Time step may do";
-    if (has_warned || !(warning > 0.) || ledger.residual() <= warning || !matters(ledger))
+    if (has_warned || !passes(ledger, warning))
       return "";
     has_warned = true;
     return "the energy audit does not close at t = " + number(time) + " s: " + finding(ledger) +

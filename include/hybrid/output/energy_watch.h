@@ -9,7 +9,7 @@ namespace hybrid::output
 {
   /**
    * Says when the energy audit of a run does not close: a warning once the residual passes the one
-   * limit, the end of the run at the other. Neither comes for less than a two-hundredth of the
+   * limit, the end of the run at the other. Neither comes for less than a tenth of that part of the
    * energy that is stored at rest: when the mass is let go little is in play, and what the first
    * steps make of the stresses at rest is large beside that.
    */
@@ -28,7 +28,7 @@ namespace hybrid::output
     /// True if the run has to stop: the last audit is above the limit.
     bool is_over(const EnergyLedger &ledger) const
     {
-      return limit > 0. && ledger.residual() > limit && matters(ledger);
+      return passes(ledger, limit);
     }
 
     /// What the scheme took, where that is more than the warning's part; said once, at the end.
@@ -38,7 +38,7 @@ namespace hybrid::output
     void serialize(restart::Archive &archive);
 
   private:
-    static bool matters(const EnergyLedger &ledger);
+    static bool passes(const EnergyLedger &ledger, double part);
 
     const double warning, limit;
     bool         has_warned = false;

@@ -53,7 +53,7 @@ TEST(EnergyWatch, leaves_what_is_little_beside_the_stresses_at_rest)
 {
   EnergyWatch watch(0.01, 0.05);
   EXPECT_FALSE(watch.is_over(fallen(80., 5000.)));
-  EXPECT_EQ(watch.look(fallen(80., 5000.), 0.4), "");
+  EXPECT_EQ(watch.look(fallen(80., 25000.), 0.4), "");
   EXPECT_TRUE(watch.is_over(fallen(80., 3000.)));
 }
 

@@ -57,7 +57,8 @@ TEST_F(SceneErrors, NumbersMustLieInTheirRanges)
   expect_option_error("Time/Time step=", {"Time/Time step = ''", "must be a number > 0 [s]"});
   expect_option_error("Time/Dynamic coefficient=1.5", {"must be a number > 0 and <= 1"});
   expect_option_error("Materials/rock/Poisson ratio=0.5", {"must be a number > -1 and < 0.5"});
-  expect_option_error("Materials/rock/Friction angle=90", {"must be a number >= 0 and < 90 [deg]"});
+  expect_option_error("Materials/rock/Friction angle=90",
+                      {"must be 'automatic' or a number >= 0 and < 90 [deg]"});
   expect_option_error("Materials/rock/Weight density=-1",
                       {"'same' or a number >= 0 and <= 1e+10 [kg/m3]"});
   expect_option_error("Materials/rock/Density=1e300", {"must be a number >= 0.001 and <= 1e+10"});
