@@ -109,7 +109,7 @@ namespace hybrid::dda
     Geometry                      initial; ///< outlines and base before the first step
     std::vector<Joint>            joints;
     ContactLaws                   contacts;
-    std::vector<std::vector<int>> neighbours; ///< per block: blocks that share a mesh vertex
+    std::vector<std::vector<int>> neighbours; ///< per block of the mass, see held_neighbours()
     std::vector<bool>             bonded;     ///< per block: has at least one joint
     std::vector<int>              slice;      ///< per block: for sweeps by several threads
     Newmark                       newmark;
