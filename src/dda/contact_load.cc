@@ -54,61 +54,72 @@ namespace hybrid::dda
     {
       return is_surface(geometry, contact.vertex_body) ? contact.edge_body : contact.vertex_body;
     }
-
-
-
-    /// A new contact of a block with a surface is a piece of an overlap that was there: it begins
-    /// with the overlap and the elastic slip of the nearest contact before, whose length it takes
-    /// over.
-    /// Without one on these edges it is left as it lies.
-    void begin_as_piece(const std::vector<Contact> &before,
-                        const Geometry             &geometry,
-                        const Place                &place,
-                        Contact                    &contact)
-    {
-      const int      block   = mass_block(contact, geometry);
-      const Contact *nearest = nullptr;
-      double         least = std::numeric_limits<double>::infinity(), turn = 0., depth = 0.;
-      for (const Contact &old : before)
-        {
-          if (!is_on_surface(old, geometry) || mass_block(old, geometry) != block)
-            continue;
-          const Place  then(old, geometry);
-          const double distance = (then.vertex - place.vertex).norm();
-          const double cosine   = then.along.dot(place.along);
-          if (distance >= least || distance > 0.5 * std::max(then.length, place.length) ||
-              std::abs(cosine) < ContactTolerances{}.continuing_cosine || then.gap >= old.rest_gap)
-            continue;
-          nearest = &old;
-          least   = distance;
-          turn    = std::copysign(1., cosine);
-          depth   = old.rest_gap - then.gap;
-        }
-      if (nearest == nullptr)
-        return;
-      // Slip is that of the vertex along the edge: the other way round where they change roles.
-      const bool same_role =
-        is_surface(geometry, nearest->vertex_body) == is_surface(geometry, contact.vertex_body);
-      const double role    = same_role ? 1. : -1.;
-      contact.rest_gap     = std::min(0., place.gap + depth);
-      contact.plastic_slip = contact.slip - role * turn * (nearest->slip - nearest->plastic_slip);
-    }
   } // namespace
 
 
 
-  void carry_loads(const std::vector<Contact> &before,
-                   const Geometry             &geometry,
-                   std::vector<Contact>       &now)
+  void ContactLoads::carry(const std::vector<Contact> &before,
+                           const Geometry             &geometry,
+                           std::vector<Contact>       &now)
   {
+    bool is_sorted = false;
     for (Contact &contact : now)
       {
         if (!is_on_surface(contact, geometry) ||
-            std::binary_search(before.begin(), before.end(), contact, comes_before))
+            std::binary_search(before.begin(), before.end(), contact, comes_before) ||
+            Place(contact, geometry).gap >= contact.rest_gap)
           continue;
-        const Place place(contact, geometry);
-        if (place.gap < contact.rest_gap)
-          begin_as_piece(before, geometry, place, contact);
+        if (!is_sorted)
+          sort_by_block(before, geometry);
+        is_sorted = true;
+        begin_as_piece(before, geometry, contact);
       }
+  }
+
+
+
+  void ContactLoads::sort_by_block(const std::vector<Contact> &before, const Geometry &geometry)
+  {
+    by_block.clear();
+    for (std::size_t c = 0; c < before.size(); ++c)
+      if (is_on_surface(before[c], geometry))
+        by_block.push_back({mass_block(before[c], geometry), static_cast<int>(c)});
+    std::sort(by_block.begin(), by_block.end());
+  }
+
+
+
+  void ContactLoads::begin_as_piece(const std::vector<Contact> &before,
+                                    const Geometry             &geometry,
+                                    Contact                    &contact) const
+  {
+    const Place    place(contact, geometry);
+    const int      block   = mass_block(contact, geometry);
+    const Contact *nearest = nullptr;
+    double         least = std::numeric_limits<double>::infinity(), turn = 0., depth = 0.;
+    for (auto it = std::lower_bound(by_block.begin(), by_block.end(), std::make_pair(block, 0));
+         it != by_block.end() && it->first == block;
+         ++it)
+      {
+        const Contact &old = before[it->second];
+        const Place    then(old, geometry);
+        const double   distance = (then.vertex - place.vertex).norm();
+        const double   cosine   = then.along.dot(place.along);
+        if (distance >= least || distance > 0.5 * std::max(then.length, place.length) ||
+            std::abs(cosine) < ContactTolerances{}.continuing_cosine || then.gap >= old.rest_gap)
+          continue;
+        nearest = &old;
+        least   = distance;
+        turn    = std::copysign(1., cosine);
+        depth   = old.rest_gap - then.gap;
+      }
+    if (nearest == nullptr)
+      return;
+    // Slip is that of the vertex along the edge: the other way round where they change roles.
+    const bool same_role =
+      is_surface(geometry, nearest->vertex_body) == is_surface(geometry, contact.vertex_body);
+    const double role    = same_role ? 1. : -1.;
+    contact.rest_gap     = std::min(0., place.gap + depth);
+    contact.plastic_slip = contact.slip - role * turn * (nearest->slip - nearest->plastic_slip);
   }
 } // namespace hybrid::dda

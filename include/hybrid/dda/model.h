@@ -58,6 +58,18 @@ namespace hybrid::dda
     {
       return kind == JointKind::weld || kind == JointKind::bedding;
     }
+
+    /// The ground's edge that a belt joint bonds: its first end, seen from the ground's body.
+    int ground_edge() const
+    {
+      return points[other == base_body ? 0 : 1].other_vertex;
+    }
+
+    /// A belt that keeps cohesion when it has slid.
+    bool bears_residual_cohesion() const
+    {
+      return kind == JointKind::belt && law.has_residual_cohesion();
+    }
   };
 
 

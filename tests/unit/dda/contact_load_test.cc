@@ -27,7 +27,7 @@ namespace
 TEST(ContactLoad, what_is_new_in_overlap_is_pushed_out)
 {
   std::vector<Contact> now = {{0, 0, base_body, 0, 0.5}};
-  carry_loads({}, square_in_the_ground(), now);
+  ContactLoads().carry({}, square_in_the_ground(), now);
   EXPECT_EQ(now[0].rest_gap, 0.);
 }
 
@@ -36,7 +36,7 @@ TEST(ContactLoad, what_is_new_in_overlap_is_pushed_out)
 TEST(ContactLoad, what_was_there_stays_as_it_is)
 {
   std::vector<Contact> now = {{0, 0, base_body, 0, 0.5}};
-  carry_loads(now, square_in_the_ground(), now);
+  ContactLoads().carry(now, square_in_the_ground(), now);
   EXPECT_EQ(now[0].rest_gap, 0.);
 }
 
@@ -47,7 +47,7 @@ TEST(ContactLoad, what_goes_on_along_another_edge_keeps_its_load)
   std::vector<Contact> before = {{0, 0, base_body, 1, -0.5}};
   before[0].rest_gap          = -0.07; // pressed by 0.03 m
   std::vector<Contact> now    = {{0, 0, base_body, 0, 0.5}, {0, 1, base_body, 1, 0.5}};
-  carry_loads(before, square_in_the_ground(), now);
+  ContactLoads().carry(before, square_in_the_ground(), now);
   EXPECT_NEAR(now[0].rest_gap, -0.07, 1e-15);
   EXPECT_EQ(now[1].rest_gap, 0.) << "a metre away";
 }
@@ -60,7 +60,7 @@ TEST(ContactLoad, no_deeper_than_it_is)
   Geometry             g      = square_in_the_ground();
   g.base_nodes[0].y()         = -0.05; // the new edge lies lower
   std::vector<Contact> now    = {{0, 0, base_body, 0, 0.5}};
-  carry_loads(before, g, now);
+  ContactLoads().carry(before, g, now);
   EXPECT_EQ(now[0].rest_gap, 0.);
 }
 
@@ -75,7 +75,7 @@ TEST(ContactLoad, place_that_enters_a_sole_takes_that_of_the_corner_which_passes
   before[1].plastic_slip      = 0.498; // stretched by 2 mm to the right
   g.base_nodes.insert(g.base_nodes.begin() + 2, Vec2(1.45, 0.));
   std::vector<Contact> now = {{base_body, 2, 0, 0, 0.95}, before[0], before[1]};
-  carry_loads(before, g, now);
+  ContactLoads().carry(before, g, now);
   EXPECT_NEAR(now[0].rest_gap, -0.07, 1e-12);
   EXPECT_NEAR(now[0].slip - now[0].plastic_slip, -0.002, 1e-12) << "of the base, to the left";
 }
