@@ -9,23 +9,6 @@ namespace hybrid::dda
 {
   namespace
   {
-    Model with_unlimited_bonds(Model model)
-    {
-      for (Joint &joint : model.joints)
-        joint.law = joint.law.with(JointStrength::unlimited_bond());
-      return model;
-    }
-
-
-
-    /// Neither friction nor bonds give way.
-    Model with_unlimited_strengths(const Model &model)
-    {
-      return with_unlimited_friction(with_unlimited_bonds(model));
-    }
-
-
-
     /// The mass on a bedrock that does not move, with unlimited strengths if it is @p held, or with
     /// strengths that slip does not lower.
     Model stage_problem(const Model &model, const bool held, const bool keeps_strengths)
@@ -70,10 +53,7 @@ namespace hybrid::dda
     if (resets_softening)
       reset_softening(state);
 
-    // The bedrock bears what it held. Contacts act with the forces at a step's end, bonds with
-    // those at both ends: they are let go over the first step, and begin with what they held.
-    bear_static_forces(held ? with_unlimited_strengths(model) : model, state);
-    start_accelerations(held ? with_unlimited_bonds(model) : model, state);
+    begin_motion(model, state, held);
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
       result.largest_displacement = std::max(result.largest_displacement,
                                              (state.blocks[b].centroid - start[b].centroid).norm());
