@@ -12,6 +12,8 @@ namespace hybrid::dda
   {
     using History = ContactTrial::History;
 
+    constexpr double same_cosine = 1e-6; ///< directions nearer than this are the same [-]
+
     bool edge_order(const ContactTrial &a, const ContactTrial &b)
     {
       return std::make_pair(a.contact.edge_body, a.contact.edge) <
@@ -30,29 +32,41 @@ namespace hybrid::dda
       return parts(a, b) && parts(b, a);
     }
 
-    /// On one body: the edge below the vertex, then the edge it came through, then the least
-    /// penetration.
-    bool better_on_body(const ContactTrial &a, const ContactTrial &b)
+    /// What is to be found of the gap.
+    enum class Carries
+    {
+      least_penetration, ///< on one body
+      highest            ///< at a seam: the solid that reaches higher
+    };
+
+
+    /// The edge below the vertex, then the edge it came through, then the gap. Gaps nearer than
+    /// @p same [m] are equal: then the edge that the sole runs along, then the lower one.
+    bool better(const ContactTrial &a, const ContactTrial &b, const Carries rule, const double same)
     {
       if (a.is_inside != b.is_inside)
         return a.is_inside;
       if (a.history != b.history)
         return a.history > b.history;
-      if (a.gap != b.gap)
-        return a.gap > b.gap;
+      if (std::abs(a.gap - b.gap) > same)
+        return (a.gap > b.gap) == (rule == Carries::least_penetration);
+      if (std::abs(a.below_sole - b.below_sole) > same_cosine)
+        return a.below_sole > b.below_sole;
+      if (std::abs(a.middle_height - b.middle_height) > same)
+        return a.middle_height < b.middle_height;
       return edge_order(a, b);
     }
 
-    /// At a seam: as above, but the solid that reaches higher carries.
-    bool better_at_seam(const ContactTrial &a, const ContactTrial &b)
+
+
+    /// The few trials of one vertex. With equal gaps the order need not be transitive, which this
+    /// sort bears.
+    template <typename Iterator>
+    void sort_by(const Iterator begin, const Iterator end, const Carries rule, const double same)
     {
-      if (a.is_inside != b.is_inside)
-        return a.is_inside;
-      if (a.history != b.history)
-        return a.history > b.history;
-      if (a.gap != b.gap)
-        return a.gap < b.gap;
-      return edge_order(a, b);
+      for (Iterator next = begin; next != end; ++next)
+        for (Iterator k = next; k != begin && better(*k, *(k - 1), rule, same); --k)
+          std::swap(*k, *(k - 1));
     }
   } // namespace
 
@@ -126,7 +140,20 @@ namespace hybrid::dda
         if (trial.origin >= 0)
           trial.history = History::continuing;
       }
+    set_place(trial);
     trials.push_back(trial);
+  }
+
+
+
+  void ContactSelection::set_place(ContactTrial &trial) const
+  {
+    const int  body = trial.contact.edge_body, edge = trial.contact.edge;
+    const Vec2 middle   = 0.5 * (position(*geometry, body, edge) +
+                               position(*geometry, body, second_end(*geometry, body, edge)));
+    const Vec2 way      = (middle - point).normalized();
+    trial.below_sole    = std::max(way.dot(to_next), way.dot(to_previous));
+    trial.middle_height = middle.y();
   }
 
 
@@ -285,7 +312,10 @@ namespace hybrid::dda
                                          !(t.has_crossed || is_in_body(t));
                                 }),
                  trials.end());
-    std::sort(trials.begin() + body_begin, trials.end(), better_on_body);
+    sort_by(trials.begin() + body_begin,
+            trials.end(),
+            Carries::least_penetration,
+            tolerances.coincidence());
 
     std::size_t kept = body_begin;
     for (std::size_t i = body_begin; i < trials.size(); ++i)
@@ -321,7 +351,7 @@ namespace hybrid::dda
 
   void ContactSelection::end_vertex(std::vector<ContactTrial> &all)
   {
-    std::sort(trials.begin(), trials.end(), better_at_seam);
+    sort_by(trials.begin(), trials.end(), Carries::highest, tolerances.coincidence());
     std::size_t kept = 0;
     for (std::size_t i = 0; i < trials.size(); ++i)
       {

@@ -25,6 +25,12 @@ namespace hybrid::dda
     History history;
     int     origin;              ///< number of the old contact that it continues or repeats, or -1
     bool    has_crossed = false; ///< a corner that has passed another in one step
+
+    /// Which of two edges at one height acts where their ends meet is decided by where they lie,
+    /// not by round-off or numbers.
+    double below_sole = 0.;    ///< largest cosine between an edge of the vertex and the way to the
+                               ///< edge's middle; 1: it runs along the edge
+    double middle_height = 0.; ///< of the edge [m]
   };
 
 
@@ -74,6 +80,8 @@ namespace hybrid::dda
     bool is_in_body(const ContactTrial &trial) const;
 
     bool has_crossed_corner(const ContactTrial &trial) const;
+
+    void set_place(ContactTrial &trial) const;
 
     bool may_act_together(const ContactTrial &a, const ContactTrial &b) const;
 
