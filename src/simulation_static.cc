@@ -117,7 +117,10 @@ namespace hybrid
       slip);
     log.info(text);
     if (settled.equilibrium)
-      return;
+      {
+        warn_of_fallen_blocks();
+        return;
+      }
     std::string where;
     if (settled.moving_block >= 0)
       {
@@ -141,9 +144,36 @@ namespace hybrid
 
 
 
+  void Simulation::warn_of_fallen_blocks() const
+  {
+    if (settled.fallen_block < 0)
+      return;
+    const Vec2 &c = state.blocks.blocks[settled.fallen_block].centroid;
+    char        text[200];
+    std::snprintf(
+      text,
+      sizeof(text),
+      "the mass does not stand as it was drawn: block %d has moved by %.3g m and turned by %.3g "
+      "degrees before it came to rest at (%.2f, %.2f)",
+      settled.fallen_block,
+      settled.fallen_by,
+      settled.turned_by * 180. / M_PI,
+      c.x(),
+      c.y());
+    log.warning(
+      text + std::string(
+               has_failed_to_stand()
+                 ? "; the run ends here: draw it where it stands, give it more strength, or set "
+                   "Gravity/Static stage to equilibrium or move (starts from where it has got to) "
+                   "or none (starts unloaded)"
+                 : "; the dynamic stage starts from there"));
+  }
+
+
+
   bool Simulation::has_failed_to_stand() const
   {
     return scene.environment.static_stage == scene::StaticStage::equilibrium &&
-           settled.steps + settled.cuts > 0 && !settled.equilibrium;
+           settled.steps + settled.cuts > 0 && (!settled.equilibrium || settled.fallen_block >= 0);
   }
 } // namespace hybrid

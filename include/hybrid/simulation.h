@@ -93,6 +93,9 @@ namespace hybrid
     void stress_planes();
 
     void report_static_stage() const;
+
+    /// Of a mass that came to rest elsewhere than where it was drawn.
+    void warn_of_fallen_blocks() const;
     void report_planes(const continuum::StaticSlip &planes) const;
 
     /// The time loop. @return how it ended, after a checkpoint if it was interrupted.

@@ -4,6 +4,8 @@
 #include <hybrid/dda/static_stage.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace hybrid::dda
 {
@@ -19,6 +21,49 @@ namespace hybrid::dda
         for (Joint &joint : problem.joints)
           joint.law = joint.law.without_softening();
       return problem;
+    }
+
+
+
+    /// A bound on what a mass settles elastically under its weight, joints as soft as blocks [m].
+    double elastic_settlement(const Model &model)
+    {
+      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, strain = 0.;
+      for (int v = 0; v < model.initial.offset[model.n_mass()]; ++v)
+        {
+          lowest  = std::min(lowest, model.initial.vertices[v].y());
+          highest = std::max(highest, model.initial.vertices[v].y());
+        }
+      for (int b = 0; b < model.n_mass(); ++b)
+        strain = std::max(strain,
+                          model.blocks[b].weight * model.gravity /
+                            (model.blocks[b].area * model.blocks[b].elasticity(2, 2)));
+      return model.n_mass() > 0 ? strain * std::pow(highest - lowest, 2) : 0.;
+    }
+
+
+
+    /// Find the block that has come to rest farther from where it was drawn than half its size
+    /// beyond what elasticity explains, or turned by ten degrees.
+    void find_fallen(const Model                   &model,
+                     const std::vector<BlockState> &start,
+                     const DdaState                &state,
+                     StaticResult                  &result)
+    {
+      constexpr double turn    = 10. * M_PI / 180.;
+      const double     elastic = elastic_settlement(model);
+      for (int b = 0; b < model.n_mass(); ++b)
+        {
+          const double moved          = (state.blocks[b].centroid - start[b].centroid).norm();
+          const double turned         = std::abs(state.blocks[b].rotation - start[b].rotation);
+          result.largest_displacement = std::max(result.largest_displacement, moved);
+          if ((moved <= 0.5 * model.blocks[b].size + elastic && turned <= turn) ||
+              (result.fallen_block >= 0 && moved <= result.fallen_by))
+            continue;
+          result.fallen_block = b;
+          result.fallen_by    = moved;
+          result.turned_by    = turned;
+        }
     }
 
 
@@ -54,9 +99,7 @@ namespace hybrid::dda
       reset_softening(state);
 
     begin_motion(model, state, held);
-    for (std::size_t b = 0; b < state.blocks.size(); ++b)
-      result.largest_displacement = std::max(result.largest_displacement,
-                                             (state.blocks[b].centroid - start[b].centroid).norm());
+    find_fallen(model, start, state, result);
     state.time                 = start_time;
     state.static_force         = state.base_force;
     state.static_contact_force = state.base_contact_force;

@@ -19,7 +19,7 @@ namespace hybrid::scene
        {"held", StaticStage::held},
        {"none", StaticStage::none}},
       "Before the dynamic stage: equilibrium lets the blocks settle with their strengths active, and "
-      "the run ends if they cannot stand; equilibrium or move goes on where they are then; held has "
+      "the run ends if they cannot stand or fall elsewhere; equilibrium or move goes on where they are then; held has "
       "unlimited friction and bonds (for masses that cannot stand), none starts unloaded.");
     gravity.toggle("Reset softening",
                    environment.reset_softening,

@@ -19,6 +19,10 @@ namespace hybrid::dda
     double residual             = 0.; ///< relative to the sum of absolute forces [-]
     double largest_displacement = 0.; ///< of a centroid [m]
     int    moving_block = -1; ///< that moved most in the last step, if there is no equilibrium
+
+    int    fallen_block = -1; ///< came to rest farther than elasticity explains, most of all; or -1
+    double fallen_by    = 0.; ///< its displacement [m]
+    double turned_by    = 0.; ///< its rotation [rad]
   };
 
 
