@@ -16,7 +16,7 @@ namespace hybrid::coupling
 
     constexpr int forces_per_edge = 2 * BoundaryEdge::n_points;
 
-    /// The lowest layer always moves; triangles may stand on a fixed base.
+    /// Neither the lowest layer nor the nodes below triangles move.
     bool is_fixed(const SceneParameters &scene)
     {
       return scene.continuum.base == scene::BaseBoundary::fixed;

@@ -52,7 +52,8 @@ namespace hybrid::output
 
     std::string role_of_base(const SceneParameters &scene)
     {
-      if (scene.bedrock == scene::BedrockModel::layers)
+      if (scene.bedrock == scene::BedrockModel::layers &&
+          scene.continuum.base != scene::BaseBoundary::fixed)
         return "below the lowest layer, which moves with the motion";
       switch (scene.continuum.base)
         {

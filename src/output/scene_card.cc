@@ -55,14 +55,16 @@ namespace hybrid::output
       const bool  continuum = scene.continuum_model == scene::ContinuumModel::elastic;
       const bool  layers    = scene.bedrock == scene::BedrockModel::layers;
       const bool  triangles = scene.bedrock == scene::BedrockModel::triangles;
+      const char *base      = bases[static_cast<int>(scene.continuum.base)];
+      if (layers && scene.continuum.base == scene::BaseBoundary::compliant)
+        base = "rigid"; // layers let no wave out: the lowest moves as prescribed
       text += line("  continuum          %s%s%s",
                    state(continuum).c_str(),
                    continuum ? "  base " : "",
-                   continuum ? bases[static_cast<int>(scene.continuum.base)] : "");
+                   continuum ? base : "");
       if (layers || triangles)
-        text += line("  bedrock blocks     on   %s, base %s",
-                     layers ? "layers" : "triangles",
-                     layers ? "rigid" : bases[static_cast<int>(scene.continuum.base)]);
+        text +=
+          line("  bedrock blocks     on   %s, base %s", layers ? "layers" : "triangles", base);
       const bool has_sides = continuum || layers || triangles;
       if (has_sides)
         text +=

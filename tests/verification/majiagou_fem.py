@@ -6,7 +6,9 @@ The sliding surface moves as the monitors D1 to D5 in the bedrock (linear in bet
 time integration are what is checked. A linear run is
 
     hybrid parameters/majiagou/badong.prm -s "Gravity/Acceleration=0" -s "Motion/Peak=0.05" -s Output/Directory=DIR
-    majiagou_fem.py DIR      table of peaks: run, finite elements, ratio (two minutes)
+    majiagou_fem.py DIR            table of peaks: run, finite elements, ratio (two minutes)
+    majiagou_fem.py --slip DIR     table of what is left: run, the same finite elements at rest whose sole has slipped as the
+                                   run's belt; they agree where only the belt yields, not the body
 """
 
 import sys
@@ -19,6 +21,7 @@ from majiagou_column import Comparison, Scene, peak, print_table
 
 HIGHEST_FREQUENCY = 9.0  # [Hz]; the motion ends at 8 Hz
 PADDED = 45.0  # [s]
+REST = 2.0  # what is left of a run is the mean over its last seconds [s]
 
 # quadrature of degree 4 on the triangle: weight, two coordinates
 QUADRATURE = [
@@ -159,7 +162,47 @@ def compare(scene):
     return rows
 
 
+def carried_by_slip(scene, mass):
+    """Displacement [m] of the mass, elastic and at rest, whose sole has slipped as the run's belt has at the end."""
+    run, position = scene.run, scene.run.get("slip/position")[:, 0]
+    order, held, free = np.argsort(position), np.flatnonzero(mass.on_surface), np.flatnonzero(~mass.on_surface)
+    x, half = mass.nodes[held // 2, 0], 0.5  # [m]
+    slip = run.downhill * np.interp(x, position[order], run.get("slip/profile")[-1][order])
+    rise = np.array([scene.slip_elevation(at + half) - scene.slip_elevation(at - half) for at in x]) / (2 * half)
+    displacement = np.zeros(len(mass.on_surface))
+    displacement[held] = slip * np.where(held % 2 == 0, 1.0, rise) / np.hypot(1.0, rise)
+    stiffness = mass.stiffness[free]
+    solver = scipy.sparse.linalg.splu(stiffness[:, free].tocsc())
+    displacement[free] = solver.solve(-stiffness[:, held] @ displacement[held])
+    return displacement
+
+
+def compare_left(scene):
+    """What is left, horizontally: monitors on the ground, and along the boreholes (depth in the rows)."""
+    run, mass, rows = scene.run, Mass(scene), []
+    displacement, last = carried_by_slip(scene, mass), run.time >= run.time[-1] - REST
+
+    def add(place, at, series, depth=None):
+        nearest = 2 * np.argmin(np.hypot(*(mass.nodes - at).T))
+        rows.append(Comparison(place, "left", "m", series[last].mean(), displacement[nearest], depth))
+
+    reach = run.get("slip/position")[np.abs(run.get("slip/profile")[-1]) > 1e-4, 0]  # where the belt has slipped [m]
+    for name in (name for name in run.names("monitors") if name.startswith("S")):
+        position = run.attribute("monitors/" + name, "position")
+        if (reach <= position[0]).any() and (reach >= position[0]).any():
+            add(name, position, run.relative_displacement(name)[:, 0])
+    for name in run.names("profiles"):
+        depth, top = run.get("profiles/%s/depth" % name), run.attribute("profiles/" + name, "position")[:2]
+        series = run.history("profiles/%s/displacement" % name)[:, 0::2]
+        for k in np.argsort(depth)[:-1:3]:
+            add("%s, %.1f m deep" % (name, depth[k]), top - np.array([0, depth[k]]), series[:, k], depth[k])
+    return rows
+
+
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit("usage: majiagou_fem.py DIR")
-    print_table(compare(Scene(sys.argv[1])), "2D elements")
+    if len(sys.argv) == 3 and sys.argv[1] == "--slip":
+        print_table(compare_left(Scene(sys.argv[2])), "2D elements")
+    elif len(sys.argv) == 2 and not sys.argv[1].startswith("-"):
+        print_table(compare(Scene(sys.argv[1])), "2D elements")
+    else:
+        sys.exit("usage: majiagou_fem.py DIR | --slip DIR")

@@ -6,6 +6,8 @@ import numpy as np
 import style
 from run_data import MissingData
 
+LAST = 2.0  # [s]; what is left is the mean over so much, or over a quarter of a shorter run
+
 
 def depth_of_slip(run, path):
     """Depth of the sliding surface [m]: recorded, or where the surface passes under the borehole; None if unknown."""
@@ -17,6 +19,22 @@ def depth_of_slip(run, path):
     surface = surface[np.argsort(surface[:, 0])]
     x, top = position[:2]
     return top - np.interp(x, surface[:, 0], surface[:, 1]) if surface[0, 0] <= x <= surface[-1, 0] else None
+
+
+def left_at_end(run, x):
+    """(mean profile over the last seconds [m], their number): the mass may still swing when a run ends."""
+    time = run.get("time")[: len(x)]
+    span = min(LAST, 0.25 * time[-1])
+    return x[: len(time)][time > time[-1] - span].mean(axis=0), span
+
+
+def name_sliding_surface(axes, depth, curves):
+    """Its name stands on the side where the curves are not; its line crosses the whole picture."""
+    axes.axhline(depth, color=style.SLIP, lw=1.2)
+    low, high = axes.get_xlim()
+    is_left = np.mean(curves) > 0.5 * (low + high)
+    axes.annotate("sliding surface", (0 if is_left else 1, depth), (2 if is_left else -2, 3), xycoords=("axes fraction", "data"),
+                  textcoords="offset points", ha="left" if is_left else "right", va="bottom", color=style.SLIP, fontsize=8)
 
 
 def draw_profile(run, axes, name, with_legend=True):
@@ -31,21 +49,21 @@ def draw_profile(run, axes, name, with_legend=True):
 
     axes.fill_betweenx(depth, factor * x.min(axis=0), factor * x.max(axis=0), color="#cfdcea", lw=0, label="envelope of the run")
     time = run.get("time")
-    when = " (%.2f s)" % time[row] if row < len(time) else ""
+    when = " (%.2f s)" % time[row] if with_legend and row < len(time) else ""
+    left, span = left_at_end(run, x)
     axes.plot(factor * x[row], depth, color=style.HORIZONTAL, lw=1.8, label="at peak of surface" + when)
-    axes.plot(factor * x[-1], depth, color=style.TEXT, lw=1.2, ls="--", label="at the end")
+    axes.plot(factor * left, depth, color=style.TEXT, lw=1.2, ls="--", label="left: mean of the last %.3g s" % span)
     if measured is not None:
         measured_depth = run.attribute(path, "measured_depth_m", np.zeros_like(np.atleast_1d(measured)))
         axes.plot(1e-3 * factor * np.atleast_1d(measured), np.atleast_1d(measured_depth), "D", color=style.TENSILE,
                   ms=6, mec="white", mew=0.8, ls="none", label="measured", clip_on=False, zorder=5)
-    slip_depth = depth_of_slip(run, path)
-    if slip_depth is not None:
-        axes.axhline(slip_depth, color=style.SLIP, lw=1.2)
-        axes.annotate("sliding surface", (1, slip_depth), (0, 3), xycoords=("axes fraction", "data"),
-                      textcoords="offset points", ha="right", va="bottom", color=style.SLIP, fontsize=8)
     axes.axvline(0, color="#8a8a8a", lw=0.7)
     axes.set_ylim(depth.max(), min(depth.min(), 0))
     axes.margins(x=0.08)
+    slip_depth = depth_of_slip(run, path)
+    if slip_depth is not None:
+        near = np.abs(depth - slip_depth) < 0.12 * depth.max()  # as high as the words, and a little
+        name_sliding_surface(axes, slip_depth, factor * np.concatenate([x[row][near], left[near]]))
     axes.set_xlabel("%s displacement [%s]" % (run.along("horizontal"), unit))
     axes.set_title(name)
     if with_legend:

@@ -75,6 +75,13 @@ class Profile:
         axes.set_ylabel("depth [m]")
 
 
+def explain_profiles(part, axes):
+    """One legend for the boreholes of a row, below them."""
+    handles, labels = axes.get_legend_handles_labels()
+    part.legend(handles, labels, loc="lower right", bbox_to_anchor=(0.97, -0.03), ncol=len(labels), fontsize=7, handlelength=1.4,
+                columnspacing=1.2)
+
+
 def is_profile(function):
     return isinstance(function, Profile)
 
@@ -121,7 +128,10 @@ def draw_page(run, small, with_section, directory):
         draw_section(run, axes)
     for part, row in zip(parts[len(parts) - len(rows) :], rows):
         ratios = [1.0 if is_profile(function) else 2.0 for function in row]
-        grid = part.add_gridspec(1, len(row), width_ratios=ratios, left=0.06, right=0.955, bottom=0.17, top=0.9, wspace=0.3)
+        grid = part.add_gridspec(1, len(row), width_ratios=ratios, left=0.06, right=0.955, bottom=0.2, top=0.9, wspace=0.3)
         for i, function in enumerate(row):
-            function(run, part.add_subplot(grid[i]))
+            axes = part.add_subplot(grid[i])
+            function(run, axes)
+        if is_profile(row[-1]):
+            explain_profiles(part, axes)
     style.save(figure, directory, "overview")

@@ -60,6 +60,22 @@ namespace hybrid::output
     }
 
 
+    TEST(LineCard, TheLowestLayerMovesUnlessTheBaseIsFixed)
+    {
+      const auto             mesh = mesh_with({"base"});
+      scene::SceneParameters scene;
+      scene.continuum_model = scene::ContinuumModel::none;
+      scene.bedrock         = scene::BedrockModel::layers;
+      for (const auto base : {scene::BaseBoundary::compliant, scene::BaseBoundary::rigid})
+        {
+          scene.continuum.base = base;
+          expect_row(describe_lines(mesh, scene), "base", "lowest layer, which moves");
+        }
+      scene.continuum.base = scene::BaseBoundary::fixed;
+      expect_row(describe_lines(mesh, scene), "base", "fixed base");
+    }
+
+
     TEST(LineCard, BoundariesSayWhatTheyAre)
     {
       const auto             mesh = mesh_with({"base", "left", "right", "ground", "mass_surface"});

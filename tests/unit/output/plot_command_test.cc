@@ -78,6 +78,50 @@ assert code == 0 and words == 'figures: ./figures\n', words
     }
 
 
+    TEST(PlotCommand, BoreholesAreExplainedAndNoWordsLieOnTheirCurves)
+    {
+      const std::string directory = make_directory("plot_boreholes");
+      ASSERT_TRUE(make_run(directory, "complete"));
+      EXPECT_TRUE(python_passes(directory, R"(
+import sys
+import h5py
+sys.path.insert(0, ')" OUTPUT_TEST_DIR R"(/../../../src/output/plot')
+import boreholes, numpy, overview, style
+from run_data import RunData
+figures = []
+style.save = lambda figure, *_: figures.append(figure)
+
+def legends(part):
+    own = [[t.get_text() for t in l.get_texts()] for l in part.legends]
+    return own + [l for p in getattr(part, 'subfigs', []) for l in legends(p)]
+
+def words_are_free(figure):
+    figure.canvas.draw()
+    for axes in figure.axes:
+        words = [t for t in axes.texts if t.get_text() == 'sliding surface'][0].get_window_extent()
+        for line in axes.lines[:2]: # at the peak, left at the end
+            points = line.get_xydata()
+            fine = numpy.linspace(0, len(points) - 1, 2000)
+            points = numpy.column_stack([numpy.interp(fine, range(len(points)), points[:, c]) for c in (0, 1)])
+            points = axes.transData.transform(points)
+            inside = (points[:, 0] > words.x0) & (points[:, 0] < words.x1) & (points[:, 1] > words.y0) & (points[:, 1] < words.y1)
+            assert not inside.any(), line.get_label()
+
+for is_deep in (False, True): # most displacement at the ground, at the sliding surface
+    if is_deep:
+        with h5py.File('run.h5', 'r+') as file:
+            for name in file['profiles']:
+                series = file['profiles/%s/displacement' % name]
+                u = series[:]
+                series[:] = u.reshape(len(u), -1, 2)[:, ::-1].reshape(u.shape)
+    boreholes.draw(RunData('.'), '.')
+    words_are_free(figures.pop())
+overview.draw(RunData('.'), '.')
+assert ['envelope of the run', 'at peak of surface', 'left: mean of the last 2 s', 'measured'] in legends(figures.pop()), 'no legend'
+)"));
+    }
+
+
     TEST(PlotCommand, WrongDirectoriesAreInputErrors)
     {
       EXPECT_THROW(plot("/no/such/directory"), InputError);

@@ -32,6 +32,18 @@ namespace hybrid::output
     }
 
 
+    TEST(SceneCard, SaysWhatTheBaseOfLayersDoes)
+    {
+      scene::SceneParameters scene;
+      scene.continuum_model = scene::ContinuumModel::none;
+      scene.bedrock         = scene::BedrockModel::layers;
+      const auto card = [&scene] { return make_scene_card(scene, {}, nullptr, nullptr).text; };
+      EXPECT_NE(card().find("layers, base rigid"), std::string::npos) << card();
+      scene.continuum.base = scene::BaseBoundary::fixed;
+      EXPECT_NE(card().find("layers, base fixed"), std::string::npos) << card();
+    }
+
+
     TEST(SceneCard, SaysWhatABeltHasAfterSlip)
     {
       scene::SceneParameters scene;

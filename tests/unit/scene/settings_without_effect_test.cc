@@ -36,8 +36,13 @@ namespace hybrid::scene
     expect({});
     scene.continuum.base = BaseBoundary::fixed;
     expect({"Motion/Type = ricker has no effect", "Continuum/Base = fixed"});
-    scene.bedrock         = BedrockModel::rigid; // it moves by itself
     scene.continuum_model = ContinuumModel::none;
+    for (const BedrockModel blocks : {BedrockModel::layers, BedrockModel::triangles})
+      {
+        scene.bedrock = blocks;
+        expect({"Motion/Type = ricker has no effect", "Continuum/Base = fixed"});
+      }
+    scene.bedrock = BedrockModel::rigid; // it moves by itself
     expect({});
   }
 
