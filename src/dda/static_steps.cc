@@ -56,6 +56,20 @@ namespace hybrid::dda
           return false;
       return true;
     }
+
+
+    /// True if a joint of the mass that holds has slipped by a tenth of its length: the mass
+    /// moves, and farther on the joint would pull askew.
+    bool slides_on_joints(const Model &problem, const DdaState &state)
+    {
+      constexpr double part = 0.1;
+      for (std::size_t j = 0; j < problem.joints.size(); ++j)
+        for (const SpringState &point : state.joints[j].points)
+          if (!state.joints[j].released && !problem.joints[j].within_bedrock() &&
+              std::abs(point.slip) > part * problem.joints[j].length)
+            return true;
+      return false;
+    }
   } // namespace
 
 
@@ -165,6 +179,8 @@ namespace hybrid::dda
             result.moving_block = -1;
             break;
           }
+        if (slides_on_joints(problem, state))
+          break;
         dt = std::min(largest_step, pace.growth * dt);
       }
     stop_blocks(state);

@@ -46,6 +46,32 @@ namespace hybrid::output
 
 
 
+    /// The ground that a point of a sole lies on; Ground::first is negative where there is none.
+    SoleGround
+    ground_below(const std::vector<Edge> &ground, const Edge &sole, const double part_of_sole)
+    {
+      const Vec2 point     = (1. - part_of_sole) * sole.a + part_of_sole * sole.b,
+                 along     = sole.b - sole.a;
+      const double length  = along.norm();
+      double       nearest = near * length;
+      SoleGround   below;
+      for (const Edge &other : ground)
+        {
+          const Vec2   way   = other.b - other.a;
+          const double width = way.norm(), part = (point - other.a).dot(way) / (width * width);
+          if (part < 0. || part > 1. || along.dot(way) > -parallel * length * width)
+            continue;
+          const double distance = std::abs(cross(way, point - other.a)) / width;
+          if (distance >= nearest)
+            continue;
+          nearest = distance;
+          below   = {other.base, other.first, other.second, part};
+        }
+      return below;
+    }
+
+
+
     /// Everything that the mass can lie on.
     std::vector<Edge> ground_of(const dda::Model &model)
     {
@@ -74,26 +100,17 @@ namespace hybrid::output
   {
     const std::vector<Edge> ground = ground_of(model);
     for (const Edge &edge : outer_edges(model.initial, 0, model.n_mass()))
-      {
-        const Vec2   middle = 0.5 * (edge.a + edge.b), along = edge.b - edge.a;
-        const double length  = along.norm();
-        double       nearest = near * length;
-        Ground       below;
-        for (const Edge &other : ground)
+      for (const double part : {0.5, 0.25, 0.75, 0.02, 0.98})
+        if (const SoleGround below = ground_below(ground, edge, part); below.first >= 0)
           {
-            const Vec2   way   = other.b - other.a;
-            const double width = way.norm(), part = (middle - other.a).dot(way) / (width * width);
-            if (part < 0. || part > 1. || along.dot(way) > -parallel * length * width)
-              continue;
-            const double distance = std::abs(cross(way, middle - other.a)) / width;
-            if (distance >= nearest)
-              continue;
-            nearest = distance;
-            below   = {other.base, other.first, other.second, part};
+            soles.push_back({edge.first,
+                             edge.second,
+                             part,
+                             below,
+                             (1. - part) * edge.a + part * edge.b,
+                             (edge.b - edge.a).norm()});
+            break;
           }
-        if (below.first >= 0)
-          soles.push_back({edge.first, edge.second, below, middle, length});
-      }
   }
 
 
@@ -101,8 +118,8 @@ namespace hybrid::output
   Vec2 SoleSlip::place(const dda::DdaState &state, const Sole &sole)
   {
     const std::vector<Vec2> &v = state.geometry.vertices;
-    const Ground            &g = sole.ground;
-    const Vec2               x = 0.5 * (v[sole.first] + v[sole.second]);
+    const SoleGround        &g = sole.ground;
+    const Vec2               x = (1. - sole.part) * v[sole.first] + sole.part * v[sole.second];
     if (!g.base)
       return x - (1. - g.part) * v[g.first] - g.part * v[g.second];
     const auto &u = state.base_displacement;

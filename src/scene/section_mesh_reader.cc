@@ -126,6 +126,27 @@ namespace hybrid::scene
     }
 
 
+    /// True if gmsh has made up the range, for its sliders: it does so where the file gives none,
+    /// from a fifth to five times the default, or a twentieth to twenty times of a fraction.
+    bool is_range_of_gmsh(const std::string &json, const double lowest, const double highest)
+    {
+      const auto begin = json.find("\"values\":[ ");
+      double     value = 0.;
+      if (begin == std::string::npos ||
+          !parse_number(json.substr(begin + 11, json.find(" ]", begin) - begin - 11), value) ||
+          value == 0.)
+        return false;
+      const double factor = value == std::floor(value) ? 5. : 20.;
+      const auto   is     = [&](const double bound, const double made_up) {
+        const double error = 1e-9 * std::abs(value);
+        return std::abs(bound - made_up) <= error || std::abs(bound - std::trunc(made_up)) <= error;
+      };
+      const double near = value / factor, far = value * factor;
+      return is(lowest, std::min(near, far)) && is(highest, std::max(near, far));
+    }
+
+
+
     /// Refuse numbers that the geometry does not define, or outside the range it states.
     void check_numbers(const std::string &file, const Numbers &numbers)
     {
@@ -154,7 +175,7 @@ namespace hybrid::scene
           gmsh::onelab::get(json, name);
           const double lowest  = json_number(json, "min", -1e300);
           const double highest = json_number(json, "max", 1e300);
-          if (!(value >= lowest && value <= highest))
+          if (!(value >= lowest && value <= highest) && !is_range_of_gmsh(json, lowest, highest))
             {
               std::ostringstream sentence;
               sentence << "the number '" << name << "' is " << value << "; it must be at least "

@@ -50,8 +50,10 @@ namespace hybrid::scene
       if (!scene.blocks.enabled || lowest == nullptr)
         text << "as water acts on blocks and there are none";
       else if (level < lowest->y())
-        text << "as the lowest block begins above it at (" << lowest->x() << ", " << lowest->y()
-             << ") m";
+        text << (scene.environment.water_method == WaterMethod::paper
+                   ? "as the lowest block begins above it at ("
+                   : "until blocks sink below it: the lowest begins at (")
+             << lowest->x() << ", " << lowest->y() << ") m";
       else if (scene.environment.water_method == WaterMethod::paper &&
                scene.blocks.saturated_material.empty() &&
                scene.blocks.saturated_belt_material.empty())

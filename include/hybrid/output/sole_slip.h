@@ -9,14 +9,25 @@
 
 namespace hybrid::output
 {
+  /// A point of the ground: between two nodes of the base, or two vertices of a block of the
+  /// bedrock.
+  struct SoleGround
+  {
+    bool   base  = false; ///< else vertices
+    int    first = -1, second = -1;
+    double part = 0.; ///< of the way from the first to the second
+  };
+
+
   /**
    * How far the mass has slid on what it stands on.
    *
    * A sole is an edge of a block of the mass that lies on the base or on the bedrock's blocks
-   * before the first step. Its slip is the displacement of its middle relative to the point of the
-   * ground that it lay on, since the state at rest, along the sole as it was then; positive
-   * downhill (along +x on a level surface). Nothing is summed up over steps, so it is the same
-   * whatever holds the sole: joints, contacts or nothing.
+   * before the first step: with its middle, or, where it bridges a dip, with another of its points.
+   * Its slip is the displacement of that point relative to the point of the ground that it lay on,
+   * since the state at rest, along the sole as it was then; positive downhill (along +x on a level
+   * surface). Nothing is summed up over steps, so it is the same whatever holds the sole: joints,
+   * contacts or nothing.
    */
   class SoleSlip
   {
@@ -29,7 +40,7 @@ namespace hybrid::output
       return static_cast<int>(soles.size());
     }
 
-    /// Middle of a sole as drawn [m].
+    /// The point of a sole whose slip it is, as drawn [m].
     const Vec2 &position(const int sole) const
     {
       return soles[sole].position;
@@ -57,22 +68,15 @@ namespace hybrid::output
     void serialize(restart::Archive &archive);
 
   private:
-    /// A point between two nodes of the base, or between two vertices of a block of the bedrock.
-    struct Ground
-    {
-      bool   base  = false; ///< else vertices
-      int    first = -1, second = -1;
-      double part = 0.; ///< of the way from the first to the second
-    };
-
     struct Sole
     {
-      int    first, second; ///< vertices of the block, counter-clockwise
-      Ground ground;
-      Vec2   position;
-      double length;
-      Vec2   start = Vec2::Zero(); ///< middle relative to the ground at rest [m]
-      Vec2   along = Vec2::Zero(); ///< unit vector at rest
+      int        first, second; ///< vertices of the block, counter-clockwise
+      double     part;          ///< of the way from the first to the second: the point that slides
+      SoleGround ground;
+      Vec2       position;
+      double     length;
+      Vec2       start = Vec2::Zero(); ///< the point relative to the ground at rest [m]
+      Vec2       along = Vec2::Zero(); ///< unit vector at rest
     };
 
     const double      sign; ///< of the block's edge, for a slip that is positive downhill
@@ -80,7 +84,7 @@ namespace hybrid::output
 
     void find_soles(const dda::Model &model);
 
-    /// Middle of a sole relative to the ground point it started on [m].
+    /// The point of a sole relative to the ground point it started on [m].
     static Vec2 place(const dda::DdaState &state, const Sole &sole);
   };
 } // namespace hybrid::output

@@ -62,6 +62,22 @@ TEST(SoleSlip, counts_from_rest_relative_to_the_ground)
 
 
 
+TEST(SoleSlip, of_a_sole_that_bridges_a_dip_is_that_of_a_point_beside_it)
+{
+  const std::vector<Vec2> notched{{-1., 0.}, {0.7, 0.}, {1., -0.5}, {1.3, 0.}, {4., 0.}};
+  const dda::Model        model =
+    dda::build_model(test::square_blocks(1, 1, 2.), test::block_parameters(30.), notched);
+  dda::DdaState state = dda::initial_state(model);
+  SoleSlip      slip(&model, 1.);
+  ASSERT_EQ(slip.n_soles(), 1);
+  slip.set_reference(state);
+  for (Vec2 &vertex : state.geometry.vertices)
+    vertex.x() += 0.3;
+  EXPECT_NEAR(slip.values(state)[0], 0.3, 1e-14);
+}
+
+
+
 // Ground that stretches: the point under the sole counts, between the nodes beside it.
 TEST(SoleSlip, follows_the_point_that_the_sole_lay_on)
 {

@@ -322,6 +322,20 @@ namespace hybrid::scene::test
   }
 
 
+  TEST_F(SectionMeshReader, NumbersWithoutARangeTakeAnyValue)
+  {
+    const std::string file = write(
+      "numbers.geo",
+      "DefineConstant[ a = {-25, Name \"Angle\"}, b = {0.5, Name \"Part\"}, c = {3, Min 1, Max 4, Name \"Three\"} ];\n" +
+        square("Physical Surface(\"bedrock\") = {1}; Recombine Surface {1};\n"));
+    EXPECT_NO_THROW(read(file, {{"Angle", 25.}, {"Part", 100.}}));
+    expect_part(message_of([&]() {
+                  read(file, {{"Three", 5.}});
+                }),
+                "'Three' is 5; it must be at least 1 and at most 4");
+  }
+
+
   TEST_F(SectionMeshReader, ClockwiseSurfacesComeOutCounterClockwise)
   {
     const SectionMesh mesh = read(write(
