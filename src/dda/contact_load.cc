@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/contact_frame.h>
+#include <hybrid/dda/contact_length.h>
 #include <hybrid/dda/contact_load.h>
 #include <hybrid/dda/contact_tolerances.h>
 #include <hybrid/dda/outline_frames.h>
@@ -57,18 +58,24 @@ namespace hybrid::dda
 
 
 
-    /// A new contact of a block with a surface is a piece of an overlap that was there: it begins
-    /// with the overlap and the elastic slip of the nearest contact before, whose length it takes
-    /// over.
-    /// Without one on these edges it is left as it lies.
-    void begin_as_piece(const std::vector<Contact> &before,
-                        const Geometry             &geometry,
-                        const Place                &place,
-                        Contact                    &contact)
+    /// A contact before whose load a new one carries on.
+    struct Load
     {
-      const int      block   = mass_block(contact, geometry);
-      const Contact *nearest = nullptr;
-      double         least = std::numeric_limits<double>::infinity(), turn = 0., depth = 0.;
+      const Contact *contact; ///< nullptr: none
+      double         depth;   ///< its overlap [m]
+      double         turn;    ///< 1, or -1 if the edges run against each other
+    };
+
+
+
+    Load nearest_load(const std::vector<Contact> &before,
+                      const Geometry             &geometry,
+                      const Place                &place,
+                      const Contact              &contact)
+    {
+      const int block = mass_block(contact, geometry);
+      Load      load{nullptr, 0., 0.};
+      double    least = std::numeric_limits<double>::infinity();
       for (const Contact &old : before)
         {
           if (!is_on_surface(old, geometry) || mass_block(old, geometry) != block)
@@ -79,36 +86,54 @@ namespace hybrid::dda
           if (distance >= least || distance > 0.5 * std::max(then.length, place.length) ||
               std::abs(cosine) < ContactTolerances{}.continuing_cosine || then.gap >= old.rest_gap)
             continue;
-          nearest = &old;
-          least   = distance;
-          turn    = std::copysign(1., cosine);
-          depth   = old.rest_gap - then.gap;
+          least = distance;
+          load  = {&old, old.rest_gap - then.gap, std::copysign(1., cosine)};
         }
-      if (nearest == nullptr)
-        return;
+      return load;
+    }
+
+
+
+    /// Overlap and elastic slip of a contact that begins with a load: @p part of those before.
+    void begin_with(const Load     &load,
+                    const double    part,
+                    const Geometry &geometry,
+                    const Place    &place,
+                    Contact        &contact)
+    {
+      const Contact &old = *load.contact;
       // Slip is that of the vertex along the edge: the other way round where they change roles.
       const bool same_role =
-        is_surface(geometry, nearest->vertex_body) == is_surface(geometry, contact.vertex_body);
-      const double role    = same_role ? 1. : -1.;
-      contact.rest_gap     = std::min(0., place.gap + depth);
-      contact.plastic_slip = contact.slip - role * turn * (nearest->slip - nearest->plastic_slip);
+        is_surface(geometry, old.vertex_body) == is_surface(geometry, contact.vertex_body);
+      const double turn    = same_role ? load.turn : -load.turn;
+      contact.rest_gap     = std::min(0., place.gap + part * load.depth);
+      contact.plastic_slip = contact.slip - turn * part * (old.slip - old.plastic_slip);
     }
   } // namespace
 
 
 
-  void carry_loads(const std::vector<Contact> &before,
-                   const Geometry             &geometry,
-                   std::vector<Contact>       &now)
+  void carry_loads(const std::vector<Contact>                   &before,
+                   const Geometry                               &geometry,
+                   const std::function<double(const Contact &)> &corner,
+                   std::vector<Contact>                         &now)
   {
+    const auto length = [&](const std::vector<Contact> &all, const Contact &contact) {
+      return contact_length(geometry, all, contact, corner(contact), nullptr).spring;
+    };
     for (Contact &contact : now)
       {
         if (!is_on_surface(contact, geometry) ||
             std::binary_search(before.begin(), before.end(), contact, comes_before))
           continue;
         const Place place(contact, geometry);
-        if (place.gap < contact.rest_gap)
-          begin_as_piece(before, geometry, place, contact);
+        if (place.gap >= contact.rest_gap)
+          continue;
+        const Load load = nearest_load(before, geometry, place, contact);
+        if (load.contact == nullptr)
+          continue;
+        const double own = length(now, contact), its = length(before, *load.contact);
+        begin_with(load, own > its ? its / own : 1., geometry, place, contact);
       }
   }
 } // namespace hybrid::dda

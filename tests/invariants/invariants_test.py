@@ -28,7 +28,6 @@ from scenes import Scene  # noqa: E402
 TIES = "where corners of blocks lie on nodes of the surface, numbers and rounding decide which edge acts: 0.01 to 0.25 mm of 130 mm"
 OPEN = {
     "pairs 11": "flush sides of equal columns go through each other: no corner of one is in the other",
-    "pairs 30": "contact_switch_loss creates 1.25 % under a mass that breaks on mud",
     "loose on rock: renumbered": TIES,
     "triangles: mirrored": TIES,
     "triangles: shifted": TIES,
