@@ -100,7 +100,7 @@ namespace hybrid::dda
           if (model.joints[j].kind == JointKind::bedding)
             for (SpringState &point : state.joints[j].points)
               stretch(model, model.joints[j], {scene.bedding.initial_normal_stress}, point);
-        bear_rest(model, state);
+        bear_rest(model, state, false);
       }
 
       void load_weight()
@@ -271,11 +271,12 @@ namespace hybrid::dda
   {
     BeddingRest result;
     RestModel   rest(mesh, scene);
+    const bool  held = under_gravity && scene.environment.static_stage == scene::StaticStage::held;
     if (under_gravity)
       {
         rest.load_weight();
         rest.load_water(model.water);
-        rest.load_mass(model, state);
+        rest.load_mass(held ? with_unlimited_strengths(model) : model, state);
         result.equilibrium = rest.settle();
       }
     const std::map<EndKey, Traction> tractions = rest.tractions(result);
@@ -288,7 +289,7 @@ namespace hybrid::dda
                   tractions.at(key_of(model, joint, end)),
                   state.joints[j].points[end]);
         }
-    bear_rest(model, state);
+    bear_rest(model, state, held);
     state.energy = held_energy(model, state);
     return result;
   }

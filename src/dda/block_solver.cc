@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block_solver.h>
-#include <hybrid/dda/bonded_area.h>
-#include <hybrid/dda/contact_load.h>
 #include <hybrid/dda/contact_tolerances.h>
 #include <hybrid/dda/joint_release.h>
 #include <hybrid/dda/outline_frames.h>
@@ -213,10 +211,10 @@ namespace hybrid::dda
     const auto corner = [&](const Contact &contact) {
       return model.contacts.law(model.initial, contact, model.n_mass()).length;
     };
-    carry_loads(contacts_before, state.geometry, corner, state.contacts);
+    loads.carry(contacts_before, state.geometry, corner, state.contacts);
     if (joints_changed)
       hand_over_released_joints(model, state);
-    part_opened_belts(model, state);
+    belt_parting.update(model, state);
     state.awake.assign(awake.begin(), awake.end());
     ++search_summary.steps;
     search_summary.searches += detection.report().searches - before.searches;

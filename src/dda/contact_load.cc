@@ -55,85 +55,82 @@ namespace hybrid::dda
     {
       return is_surface(geometry, contact.vertex_body) ? contact.edge_body : contact.vertex_body;
     }
-
-
-
-    /// A contact before whose load a new one carries on.
-    struct Load
-    {
-      const Contact *contact; ///< nullptr: none
-      double         depth;   ///< its overlap [m]
-      double         turn;    ///< 1, or -1 if the edges run against each other
-    };
-
-
-
-    Load nearest_load(const std::vector<Contact> &before,
-                      const Geometry             &geometry,
-                      const Place                &place,
-                      const Contact              &contact)
-    {
-      const int block = mass_block(contact, geometry);
-      Load      load{nullptr, 0., 0.};
-      double    least = std::numeric_limits<double>::infinity();
-      for (const Contact &old : before)
-        {
-          if (!is_on_surface(old, geometry) || mass_block(old, geometry) != block)
-            continue;
-          const Place  then(old, geometry);
-          const double distance = (then.vertex - place.vertex).norm();
-          const double cosine   = then.along.dot(place.along);
-          if (distance >= least || distance > 0.5 * std::max(then.length, place.length) ||
-              std::abs(cosine) < ContactTolerances{}.continuing_cosine || then.gap >= old.rest_gap)
-            continue;
-          least = distance;
-          load  = {&old, old.rest_gap - then.gap, std::copysign(1., cosine)};
-        }
-      return load;
-    }
-
-
-
-    /// Overlap and elastic slip of a contact that begins with a load: @p part of those before.
-    void begin_with(const Load     &load,
-                    const double    part,
-                    const Geometry &geometry,
-                    const Place    &place,
-                    Contact        &contact)
-    {
-      const Contact &old = *load.contact;
-      // Slip is that of the vertex along the edge: the other way round where they change roles.
-      const bool same_role =
-        is_surface(geometry, old.vertex_body) == is_surface(geometry, contact.vertex_body);
-      const double turn    = same_role ? load.turn : -load.turn;
-      contact.rest_gap     = std::min(0., place.gap + part * load.depth);
-      contact.plastic_slip = contact.slip - turn * part * (old.slip - old.plastic_slip);
-    }
   } // namespace
 
 
 
-  void carry_loads(const std::vector<Contact>                   &before,
-                   const Geometry                               &geometry,
-                   const std::function<double(const Contact &)> &corner,
-                   std::vector<Contact>                         &now)
+  double ContactLoads::Lists::length(const std::vector<Contact> &all, const Contact &contact) const
   {
-    const auto length = [&](const std::vector<Contact> &all, const Contact &contact) {
-      return contact_length(geometry, all, contact, corner(contact), nullptr).spring;
-    };
+    return contact_length(geometry, all, contact, corner(contact), nullptr).spring;
+  }
+
+
+
+  void ContactLoads::carry(const std::vector<Contact> &before,
+                           const Geometry             &geometry,
+                           const CornerLength         &corner,
+                           std::vector<Contact>       &now)
+  {
+    bool is_sorted = false;
     for (Contact &contact : now)
       {
         if (!is_on_surface(contact, geometry) ||
-            std::binary_search(before.begin(), before.end(), contact, comes_before))
+            std::binary_search(before.begin(), before.end(), contact, comes_before) ||
+            Place(contact, geometry).gap >= contact.rest_gap)
           continue;
-        const Place place(contact, geometry);
-        if (place.gap >= contact.rest_gap)
-          continue;
-        const Load load = nearest_load(before, geometry, place, contact);
-        if (load.contact == nullptr)
-          continue;
-        const double own = length(now, contact), its = length(before, *load.contact);
-        begin_with(load, own > its ? its / own : 1., geometry, place, contact);
+        if (!is_sorted)
+          sort_by_block(before, geometry);
+        is_sorted = true;
+        begin_as_piece({before, now, geometry, corner}, contact);
       }
+  }
+
+
+
+  void ContactLoads::sort_by_block(const std::vector<Contact> &before, const Geometry &geometry)
+  {
+    by_block.clear();
+    for (std::size_t c = 0; c < before.size(); ++c)
+      if (is_on_surface(before[c], geometry))
+        by_block.push_back({mass_block(before[c], geometry), static_cast<int>(c)});
+    std::sort(by_block.begin(), by_block.end());
+  }
+
+
+
+  void ContactLoads::begin_as_piece(const Lists &lists, Contact &contact) const
+  {
+    const Geometry &geometry = lists.geometry;
+    const Place     place(contact, geometry);
+    const int       block   = mass_block(contact, geometry);
+    const Contact  *nearest = nullptr;
+    double          least = std::numeric_limits<double>::infinity(), turn = 0., depth = 0.;
+    for (auto it = std::lower_bound(by_block.begin(), by_block.end(), std::make_pair(block, 0));
+         it != by_block.end() && it->first == block;
+         ++it)
+      {
+        const Contact &old = lists.before[it->second];
+        const Place    then(old, geometry);
+        const double   distance = (then.vertex - place.vertex).norm();
+        const double   cosine   = then.along.dot(place.along);
+        if (distance >= least || distance > 0.5 * std::max(then.length, place.length) ||
+            std::abs(cosine) < ContactTolerances{}.continuing_cosine || then.gap >= old.rest_gap)
+          continue;
+        nearest = &old;
+        least   = distance;
+        turn    = std::copysign(1., cosine);
+        depth   = old.rest_gap - then.gap;
+      }
+    if (nearest == nullptr)
+      return;
+    // Slip is that of the vertex along the edge: the other way round where they change roles.
+    const bool same_role =
+      is_surface(geometry, nearest->vertex_body) == is_surface(geometry, contact.vertex_body);
+    const double role = same_role ? 1. : -1.;
+    const double own = lists.length(lists.now, contact), its = lists.length(lists.before, *nearest);
+    const double part = own > its ? its / own : 1.;
+    contact.rest_gap  = std::min(0., place.gap + part * depth);
+    contact.plastic_slip =
+      contact.slip - role * turn * part * (nearest->slip - nearest->plastic_slip);
   }
 } // namespace hybrid::dda

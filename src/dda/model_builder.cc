@@ -3,6 +3,7 @@
 #include <hybrid/dda/bedrock_boundary.h>
 #include <hybrid/dda/block_damping.h>
 #include <hybrid/dda/contact_laws.h>
+#include <hybrid/dda/held_neighbours.h>
 #include <hybrid/dda/joint_builder.h>
 #include <hybrid/dda/model_builder.h>
 #include <hybrid/dda/polygon.h>
@@ -46,7 +47,9 @@ namespace hybrid::dda
         correct_stiffness();
         set_loose_damping();
         set_contact_laws(mesh, scene, materials, model);
-        add_neighbours();
+        model.neighbours =
+          held_neighbours({outlines.begin(), outlines.begin() + n_mass}, model.contacts.bonded);
+        model.neighbours.resize(outlines.size());
         add_slices();
         if (model.n_bedrock > 0)
           model.boundary =
@@ -85,7 +88,6 @@ namespace hybrid::dda
       void correct_stiffness();
       void set_loose_damping();
       void add_slices();
-      void add_neighbours();
       void set_water();
 
       /// Part of a joint's compliance that its first block takes [-].
@@ -306,27 +308,6 @@ namespace hybrid::dda
           centres.push_back(sum / (g.offset[b + 1] - g.offset[b]));
         }
       model.slice = slices(centres);
-    }
-
-
-
-    void Builder::add_neighbours()
-    {
-      std::map<int, std::vector<int>> blocks_at;
-      for (std::size_t b = 0; b < outlines.size(); ++b)
-        for (const int node : outlines[b])
-          blocks_at[node].push_back(static_cast<int>(b));
-      model.neighbours.resize(outlines.size());
-      for (const auto &at : blocks_at)
-        for (const int i : at.second)
-          for (const int j : at.second)
-            if (i != j)
-              model.neighbours[i].push_back(j);
-      for (auto &list : model.neighbours)
-        {
-          std::sort(list.begin(), list.end());
-          list.erase(std::unique(list.begin(), list.end()), list.end());
-        }
     }
   } // namespace
 

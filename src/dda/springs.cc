@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/bonded_area.h>
 #include <hybrid/dda/contact_frame.h>
 #include <hybrid/dda/contact_length.h>
 #include <hybrid/dda/outline_frames.h>
@@ -130,8 +129,8 @@ namespace hybrid::dda
 
   void Springs::collect_contacts(const Model &model, const DdaState &state)
   {
-    const Geometry  &geometry = state.geometry;
-    const BondedArea belts(model, state);
+    const Geometry &geometry = state.geometry;
+    bonded_area.update(model, state);
     for (std::size_t c = 0; c < state.contacts.size(); ++c)
       {
         const Contact    &contact       = state.contacts[c];
@@ -146,7 +145,7 @@ namespace hybrid::dda
         s.contact_part = 1.;
         s.law          = &law.law;
         const ContactLength length =
-          contact_length(geometry, state.contacts, contact, law.length, &belts);
+          contact_length(geometry, state.contacts, contact, law.length, &bonded_area);
         s.length = length.spring;
         if (law.law.has_residual_cohesion())
           s.cohesive = cohesive_part(model, contact, length);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/start_accelerations.h>
+#include <hybrid/dda/static_steps.h>
 
 #include <Eigen/Cholesky>
 
@@ -72,27 +73,28 @@ namespace hybrid::dda
 
 
 
-  void bear_static_forces(const Model &model, DdaState &state)
+  void begin_motion(const Model &model, DdaState &state, const bool held)
   {
-    if (model.n_bedrock == 0)
-      return;
-    const SpringForces springs(model, state);
-    const int          first = 6 * model.n_mass(), n = 6 * model.n_bedrock;
-    state.bedrock_static_force =
-      springs.bonds.segment(first, n) + springs.contacts.segment(first, n);
+    if (model.n_bedrock > 0)
+      {
+        const SpringForces springs(held ? with_unlimited_strengths(model) : model, state);
+        const int          first = 6 * model.n_mass(), n = 6 * model.n_bedrock;
+        state.bedrock_static_force =
+          springs.bonds.segment(first, n) + springs.contacts.segment(first, n);
+      }
+    start_accelerations(held ? with_unlimited_bonds(model) : model, state);
   }
 
 
 
-  void bear_rest(const Model &model, DdaState &state)
+  void bear_rest(const Model &model, DdaState &state, const bool held)
   {
-    bear_static_forces(model, state);
-    const SpringForces springs(model, state);
+    const SpringForces springs(held ? with_unlimited_strengths(model) : model, state);
     const int          first = 6 * model.n_blocks(), n = 2 * model.n_base_nodes();
     state.base_contact_force   = springs.contacts.segment(first, n);
     state.base_force           = springs.bonds.segment(first, n) + state.base_contact_force;
     state.static_force         = state.base_force;
     state.static_contact_force = state.base_contact_force;
-    start_accelerations(model, state);
+    begin_motion(model, state, held);
   }
 } // namespace hybrid::dda

@@ -13,15 +13,9 @@ namespace hybrid::dda
     /// strengths that slip does not lower.
     Model stage_problem(const Model &model, const bool held, const bool keeps_strengths)
     {
-      Model problem        = static_problem(model);
+      Model problem        = static_problem(held ? with_unlimited_strengths(model) : model);
       problem.hold_bedrock = true;
-      if (held)
-        {
-          problem = with_unlimited_friction(std::move(problem));
-          for (Joint &joint : problem.joints)
-            joint.law = joint.law.with(JointStrength::unlimited_bond());
-        }
-      else if (keeps_strengths)
+      if (!held && keeps_strengths)
         for (Joint &joint : problem.joints)
           joint.law = joint.law.without_softening();
       return problem;
@@ -59,8 +53,7 @@ namespace hybrid::dda
     if (resets_softening)
       reset_softening(state);
 
-    bear_static_forces(model, state);
-    start_accelerations(model, state);
+    begin_motion(model, state, held);
     for (std::size_t b = 0; b < state.blocks.size(); ++b)
       result.largest_displacement = std::max(result.largest_displacement,
                                              (state.blocks[b].centroid - start[b].centroid).norm());

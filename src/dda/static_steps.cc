@@ -89,6 +89,23 @@ namespace hybrid::dda
 
 
 
+  Model with_unlimited_bonds(Model model)
+  {
+    for (Joint &joint : model.joints)
+      if (!joint.within_bedrock())
+        joint.law = joint.law.with(JointStrength::unlimited_bond());
+    return model;
+  }
+
+
+
+  Model with_unlimited_strengths(const Model &model)
+  {
+    return with_unlimited_friction(with_unlimited_bonds(model));
+  }
+
+
+
   StaticResult take_static_steps(const Model       &problem,
                                  DdaState          &state,
                                  const StaticPace  &pace,

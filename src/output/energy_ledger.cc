@@ -143,19 +143,6 @@ namespace hybrid::output
 
 
 
-  double EnergyLedger::stored_at_rest() const
-  {
-    const std::vector<std::string> all    = names();
-    double                         stored = 0.;
-    for (std::size_t i = 0; i < start.size(); ++i)
-      if (all[i] == "blocks_strain" || all[i] == "bedrock_strain" ||
-          all[i] == "joints_and_contacts")
-        stored += std::abs(start[i]);
-    return stored;
-  }
-
-
-
   std::vector<EnergyTerm> EnergyLedger::largest_changes(const int n) const
   {
     const std::vector<std::string> all = names();

@@ -43,8 +43,7 @@ namespace hybrid::output
 
   bool EnergyWatch::passes(const EnergyLedger &ledger, const double part)
   {
-    return part > 0. && ledger.residual() > part &&
-           std::abs(ledger.sum()) > 0.1 * part * ledger.stored_at_rest();
+    return part > 0. && ledger.residual() > part;
   }
 
 

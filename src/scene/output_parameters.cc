@@ -38,7 +38,6 @@ namespace hybrid::scene
       "",
       not_negative,
       "Stop, with a checkpoint, when the energy audit misses this part of the energy in "
-      "play, and more than a tenth of that part of what is stored at rest; 0: never. To go on: hybrid "
-      "--resume with a larger one.");
+      "play; 0: never. To go on: hybrid --resume with a larger one.");
   }
 } // namespace hybrid::scene

@@ -27,7 +27,6 @@ from scenes import Scene  # noqa: E402
 
 TIES = "where corners of blocks lie on nodes of the surface, numbers and rounding decide which edge acts: 0.01 to 0.25 mm of 130 mm"
 OPEN = {
-    "pairs 11": "flush sides of equal columns go through each other: no corner of one is in the other",
     "loose on rock: renumbered": TIES,
     "triangles: mirrored": TIES,
     "triangles: shifted": TIES,

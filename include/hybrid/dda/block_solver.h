@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/belt_parting.h>
 #include <hybrid/dda/contact_detection.h>
+#include <hybrid/dda/contact_load.h>
 #include <hybrid/dda/open_close_iteration.h>
 
 namespace hybrid::dda
@@ -68,7 +70,9 @@ namespace hybrid::dda
     const Model         &model;
     ContactDetection     detection;
     OpenCloseIteration   iteration;
-    std::vector<Contact> contacts_before; ///< of the last step, for carry_loads()
+    ContactLoads         loads;
+    BeltParting          belt_parting;
+    std::vector<Contact> contacts_before; ///< of the last step, for the loads
     std::vector<char>    is_on_belt;      ///< per block: bonded to a surface
     std::vector<char>    held_off;        ///< per block, see SkippedPairs
     int changes = -1; ///< loosened, failed and released joints when the skip lists were made

@@ -21,7 +21,8 @@ namespace hybrid::dda
     std::vector<char> edges;    ///< per vertex: of the edge that begins there
     std::vector<char> segments; ///< of the base
 
-    BondedArea(const Model &model, const DdaState &state);
+    /// Allocates nothing after the first time.
+    void update(const Model &model, const DdaState &state);
 
     /// What is bonded of an edge: first, second, both or 0.
     char of(const int body, const int edge) const
@@ -29,15 +30,4 @@ namespace hybrid::dda
       return body == base_body ? segments[edge] : edges[edge];
     }
   };
-
-
-  /**
-   * Mark ends of released belt joints that have lost their cohesion for good (JointState::parted):
-   * torn before the release, or now farther from every edge of the ground that a belt bonded
-   * than an intact bond opens.
-   *
-   * To be called at the start of a step, after hand_over_released_joints(): asks for places only,
-   * so a step that is tried again finds the same.
-   */
-  void part_opened_belts(const Model &model, DdaState &state);
 } // namespace hybrid::dda

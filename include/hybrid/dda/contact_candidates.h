@@ -62,7 +62,7 @@ namespace hybrid::dda
    * least d - 2 m, so a pair with d - 2 m above the distance is asleep: no
    * contact can arise there. Pairs of one block with itself are left out, and
    *   - bonded pairs of blocks: their joint carries the load;
-   *   - blocks that share a vertex of the original mesh, unless one of them is
+   *   - blocks that joints hold beside each other (held_neighbours.h), unless one of them is
    *     awake: an intact mass has thousands of these, all at distance zero;
    *   - edges (and their ends) of a surface to which a block is bonded;
    *   - a block that is held off (bonded to the surface, or touching it with corners
@@ -84,7 +84,7 @@ namespace hybrid::dda
     /// list.
     ContactCandidates(double distance, double margin);
 
-    /// Blocks that share a vertex of the original mesh, as compressed rows; the row of block b is
+    /// Blocks that joints hold beside each other, as compressed rows; the row of block b is
     /// list[offset[b]] .. list[offset[b + 1] - 1]. The relation is symmetric.
     void set_neighbours(const std::vector<int> &offset, const std::vector<int> &list);
 

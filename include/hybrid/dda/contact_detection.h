@@ -82,7 +82,7 @@ namespace hybrid::dda
 
     explicit ContactDetection(const Parameters &parameters);
 
-    /// Blocks that share a vertex of the original mesh; see ContactCandidates.
+    /// Blocks that joints hold beside each other; see ContactCandidates.
     void set_neighbours(const std::vector<int> &offset, const std::vector<int> &list)
     {
       candidates.set_neighbours(offset, list);

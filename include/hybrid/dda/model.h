@@ -58,6 +58,18 @@ namespace hybrid::dda
     {
       return kind == JointKind::weld || kind == JointKind::bedding;
     }
+
+    /// The ground's edge that a belt joint bonds: its first end, seen from the ground's body.
+    int ground_edge() const
+    {
+      return points[other == base_body ? 0 : 1].other_vertex;
+    }
+
+    /// A belt that keeps cohesion when it has slid.
+    bool bears_residual_cohesion() const
+    {
+      return kind == JointKind::belt && law.has_residual_cohesion();
+    }
   };
 
 
@@ -109,7 +121,7 @@ namespace hybrid::dda
     Geometry                      initial; ///< outlines and base before the first step
     std::vector<Joint>            joints;
     ContactLaws                   contacts;
-    std::vector<std::vector<int>> neighbours; ///< per block: blocks that share a mesh vertex
+    std::vector<std::vector<int>> neighbours; ///< per block of the mass, see held_neighbours()
     std::vector<bool>             bonded;     ///< per block: has at least one joint
     std::vector<int>              slice;      ///< per block: for sweeps by several threads
     Newmark                       newmark;

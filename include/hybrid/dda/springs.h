@@ -3,6 +3,7 @@
 
 #include <hybrid/dda/block_matrix.h>
 #include <hybrid/dda/block_motion.h>
+#include <hybrid/dda/bonded_area.h>
 #include <hybrid/dda/model.h>
 #include <hybrid/dda/state.h>
 
@@ -216,6 +217,7 @@ namespace hybrid::dda
                           std::size_t     s,
                           ReversedSlip    reversed);
 
+    BondedArea                     bonded_area;             ///< when the step began
     std::vector<BlockMatrix::Pair> block_pairs, node_pairs; ///< of these springs
     std::vector<int>               block_begin;             ///< CSR over blocks of block_springs
     std::vector<int>               block_springs;           ///< of_block(), one after the other

@@ -49,7 +49,7 @@ namespace hybrid::dda
     bool        released = false;  ///< slid or opened so far that vertex contacts took over
     bool        handed_over = false; ///< released, and its contacts have its load: joint_release.h
     bool        parted[2]   = {false, false}; ///< ends of a released belt that have lost their
-                                              ///< cohesion for good: bonded_area.h
+                                              ///< cohesion for good: belt_parting.h
     double rest_slip[2] = {0., 0.}; ///< slip of the ends at rest, from which slip counts [m]
   };
 

@@ -50,6 +50,13 @@ namespace hybrid::dda
   /// The same problem with contacts that never slide.
   Model with_unlimited_friction(Model model);
 
+  /// The same problem with bonds of the mass that never give way. Planes in the bedrock keep their
+  /// strengths.
+  Model with_unlimited_bonds(Model model);
+
+  /// Neither friction nor bonds of the mass give way.
+  Model with_unlimited_strengths(const Model &model);
+
 
   /**
    * Bring the blocks to rest on the base where it is.

@@ -89,9 +89,6 @@ namespace hybrid::output
       return in_play;
     }
 
-    /// Elastic energy at the start of the dynamic stage, of blocks, joints and bedrock [J/m].
-    double stored_at_rest() const;
-
     /// What changed most since the audit before, largest first, at most @p n [J/m].
     std::vector<EnergyTerm> largest_changes(int n) const;
 

@@ -9,9 +9,7 @@ namespace hybrid::output
 {
   /**
    * Says when the energy audit of a run does not close: a warning once the residual passes the one
-   * limit, the end of the run at the other. Neither comes for less than a tenth of that part of the
-   * energy that is stored at rest: when the mass is let go little is in play, and what the first
-   * steps make of the stresses at rest is large beside that.
+   * limit, the end of the run at the other.
    */
   class EnergyWatch
   {

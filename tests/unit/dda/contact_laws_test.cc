@@ -3,6 +3,7 @@
 #include "coupled_section.h"
 
 #include <hybrid/dda/bedrock_blocks.h>
+#include <hybrid/dda/belt_parting.h>
 #include <hybrid/dda/bonded_area.h>
 
 #include <gtest/gtest.h>
@@ -160,14 +161,17 @@ TEST(BondedArea, an_end_that_has_opened_or_left_the_belt_is_lost_for_good)
   int      j     = 0; // the belt's joint of x = 1..2
   while (model.joints[j].kind != JointKind::belt || model.joints[j].points[0].other_vertex != 1)
     ++j;
+  BeltParting  parting;
+  BondedArea   area;
   const Joint &belt  = model.joints[j];
   const int    block = belt.block;
   const auto   place = [&](const Vec2 &moved, const double lifted_end) {
     for (int v = state.geometry.offset[block]; v < state.geometry.offset[block + 1]; ++v)
       state.geometry.vertices[v] = model.initial.vertices[v] + moved;
     state.geometry.vertices[state.geometry.next(belt.edge)].y() += lifted_end;
-    part_opened_belts(model, state);
-    return BondedArea(model, state).edges[belt.edge];
+    parting.update(model, state);
+    area.update(model, state);
+    return area.edges[belt.edge];
   };
   EXPECT_EQ(place({0., 0.5}, 0.), BondedArea::both) << "not released: the joint knows";
   state.joints[j].released = true;
@@ -178,6 +182,5 @@ TEST(BondedArea, an_end_that_has_opened_or_left_the_belt_is_lost_for_good)
   EXPECT_EQ(place({0.3, 0.}, 0.), BondedArea::first) << "closed again";
   EXPECT_EQ(place({-0.3, 0.}, 0.), 0) << "hangs over the end of the belt";
   EXPECT_EQ(place({0., 0.}, 0.), 0);
-  const BondedArea area(model, state);
   EXPECT_EQ(area.segments, (std::vector<char>{0, BondedArea::both, BondedArea::both, 0, 0}));
 }

@@ -33,7 +33,7 @@ namespace
 TEST(ContactLoad, what_is_new_in_overlap_is_pushed_out)
 {
   std::vector<Contact> now = {{0, 0, base_body, 0, 0.5}};
-  carry_loads({}, square_in_the_ground(), corner, now);
+  ContactLoads().carry({}, square_in_the_ground(), corner, now);
   EXPECT_EQ(now[0].rest_gap, 0.);
 }
 
@@ -42,7 +42,7 @@ TEST(ContactLoad, what_is_new_in_overlap_is_pushed_out)
 TEST(ContactLoad, what_was_there_stays_as_it_is)
 {
   std::vector<Contact> now = {{0, 0, base_body, 0, 0.5}};
-  carry_loads(now, square_in_the_ground(), corner, now);
+  ContactLoads().carry(now, square_in_the_ground(), corner, now);
   EXPECT_EQ(now[0].rest_gap, 0.);
 }
 
@@ -53,7 +53,7 @@ TEST(ContactLoad, what_goes_on_along_another_edge_keeps_its_load)
   std::vector<Contact> before = {{0, 0, base_body, 1, -0.5}};
   before[0].rest_gap          = -0.07; // pressed by 0.03 m
   std::vector<Contact> now    = {{0, 0, base_body, 0, 0.5}, {0, 1, base_body, 1, 0.5}};
-  carry_loads(before, square_in_the_ground(), corner, now);
+  ContactLoads().carry(before, square_in_the_ground(), corner, now);
   EXPECT_NEAR(now[0].rest_gap, -0.07, 1e-15);
   EXPECT_EQ(now[1].rest_gap, 0.) << "a metre away";
 }
@@ -66,7 +66,7 @@ TEST(ContactLoad, no_deeper_than_it_is)
   Geometry             g      = square_in_the_ground();
   g.base_nodes[0].y()         = -0.05; // the new edge lies lower
   std::vector<Contact> now    = {{0, 0, base_body, 0, 0.5}};
-  carry_loads(before, g, corner, now);
+  ContactLoads().carry(before, g, corner, now);
   EXPECT_EQ(now[0].rest_gap, 0.);
 }
 
@@ -81,7 +81,7 @@ TEST(ContactLoad, place_that_enters_a_sole_takes_that_of_the_corner_which_passes
   before[1].plastic_slip      = 0.498; // stretched by 2 mm to the right
   g.base_nodes.insert(g.base_nodes.begin() + 2, Vec2(1.45, 0.));
   std::vector<Contact> now = {{base_body, 2, 0, 0, 0.95}, before[0], before[1]};
-  carry_loads(before, g, corner, now);
+  ContactLoads().carry(before, g, corner, now);
   EXPECT_NEAR(now[0].rest_gap, -0.07, 1e-12);
   EXPECT_NEAR(now[0].slip - now[0].plastic_slip, -0.002, 1e-12) << "of the base, to the left";
 }
@@ -99,7 +99,7 @@ TEST(ContactLoad, corner_that_passes_a_bend_presses_as_it_did)
   before[1].rest_gap                    = -0.07; // pressed by 0.03 m over 0.1 m
   before[1].slip                        = 0.002; // stretched by 2 mm
   std::vector<Contact> now              = {before[0], {0, 0, base_body, 0, 1.}};
-  carry_loads(before, g, corner, now);
+  ContactLoads().carry(before, g, corner, now);
   EXPECT_NEAR(now[1].rest_gap + 0.1 * std::cos(std::atan(0.1)), 0.03 / 5., 2e-4);
   EXPECT_NEAR(now[1].slip - now[1].plastic_slip, 0.002 / 5., 2e-5);
 }

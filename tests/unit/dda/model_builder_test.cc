@@ -167,7 +167,6 @@ TEST(ModelBuilder, initial_state_is_at_rest_and_unstressed)
   EXPECT_EQ(state.blocks[0].velocity.norm(), 0.);
   EXPECT_EQ(state.blocks[0].stress.norm(), 0.);
   EXPECT_EQ(state.base_displacement.size(), 6);
-  EXPECT_EQ(model.neighbours[0], std::vector<int>{1});
 }
 
 

@@ -190,6 +190,33 @@ TEST(StaticStage, motion_starts_with_the_acceleration_of_the_real_strengths)
 
 
 
+TEST(StaticStage, energy_of_a_held_mass_closes_from_the_first_step_on)
+{
+  // Bonded to a belt that cannot hold it: the shear traction falls to its friction in the first
+  // step.
+  const double angle = 30. * M_PI / 180.;
+  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+    {
+      scene::SceneParameters p           = strong(30.);
+      p.time.newmark                     = Newmark::preset(preset);
+      p.blocks.belt_material             = "belt";
+      p.materials["belt"]                = p.materials["rock"];
+      p.materials["belt"].friction_angle = 15.;
+      p.materials["belt"].cohesion       = 0.;
+      scene::SectionMesh mesh            = square_blocks(1, 1, 1., angle);
+      mesh.lines["sliding_surface"].push_back({0, 1});
+      FixedBaseRun run(mesh, p, straight_base(angle, 0., 1., 1));
+      ASSERT_TRUE(settle(run.model, run.state, true).equilibrium);
+      const double before = run.state.energy.balance(), friction = run.state.energy.friction_loss;
+      ASSERT_TRUE(run.advance(1e-3, 0));
+      const double slid = run.state.energy.friction_loss - friction;
+      EXPECT_GT(slid, 0.05);
+      EXPECT_NEAR(run.state.energy.balance(), before, 1e-4 * slid) << preset;
+    }
+}
+
+
+
 TEST(StaticStage, buoyancy_and_pressures_give_the_same_effective_forces)
 {
   // bonded squares on an incline of 20 degrees, the water line cuts through some of them

@@ -9,12 +9,11 @@ namespace
   using output::EnergyLedger;
   using output::EnergyWatch;
 
-  /// A fall of 100 J/m that gives @p kinetic, of blocks that store @p strain at rest.
-  EnergyLedger fallen(const double kinetic, const double strain = 0.)
+  /// A fall of 100 J/m that gives @p kinetic.
+  EnergyLedger fallen(const double kinetic)
   {
     EnergyLedger           ledger(false);
     coupling::CoupledState state;
-    state.blocks.energy.strain = strain;
     ledger.update(state);
     state.blocks.energy.gravity = -100.;
     state.blocks.energy.kinetic = kinetic;
@@ -45,16 +44,6 @@ TEST(EnergyWatch, stops_at_the_limit)
   EnergyWatch watch(0.01, 0.05);
   EXPECT_TRUE(watch.is_over(fallen(80.)));
   EXPECT_NE(watch.look(fallen(80.), 0.4).find("20 J/m were lost"), std::string::npos);
-}
-
-
-
-TEST(EnergyWatch, leaves_what_is_little_beside_the_stresses_at_rest)
-{
-  EnergyWatch watch(0.01, 0.05);
-  EXPECT_FALSE(watch.is_over(fallen(80., 5000.)));
-  EXPECT_EQ(watch.look(fallen(80., 25000.), 0.4), "");
-  EXPECT_TRUE(watch.is_over(fallen(80., 3000.)));
 }
 
 
