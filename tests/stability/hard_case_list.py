@@ -135,6 +135,11 @@ CASES = {
                               more=most_joints_fail, full_size={
         "6 x 8": ["Mesh/Numbers=Width = 6; Height = 8; Base beyond = 40; Resolution/h = 1"]}),
     "hinge": Wanted(residual=0.001, more=gapes),
+    "dead_load": Wanted({"scene": [], "trapezoidal": ["Time/Scheme=trapezoidal"]}, residual=0.001, penetration=0.05, more=falls_apart,
+                        full_speed=128.0, full_size={"10 x 20": [
+                            "Mesh/Numbers=Width = 10; Height = 20; Base beyond = 150; Resolution/h = 1", "Time/End time=2",
+                            "Edge loads/Tractions=top: -100, 100, 19.99, 20.01, 0, -450e3",
+                            "Gravity/Static stage=equilibrium or move"]}),
     "bin": Wanted(more=lies_in_the_bin, full_speed=55.0, full_size={
         "1000": ["Mesh/Polygons file=%s" % (HARD / "bin_1000.csv"), "Mesh/Surface file=%s" % (HARD / "bin_1000_surface.csv"),
                  "Time/End time=8"]}),
