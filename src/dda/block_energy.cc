@@ -95,29 +95,70 @@ namespace hybrid::dda
 
 
 
+    /// Tractions of a spring over a step, those of its contact with the weights (0, 1).
+    struct WeightedTraction
+    {
+      double                  gamma;
+      const Springs::Spring  &spring;
+      const SpringState      &now;
+      const Springs::Traction before = spring.contact_traction(spring.old);
+      const Springs::Traction after  = spring.contact_traction(now);
+
+      double of_bond(const double start, const double end) const
+      {
+        return (1. - gamma) * start + gamma * end;
+      }
+
+      double normal() const
+      {
+        return of_bond(spring.old.normal - before.normal, now.normal - after.normal) + after.normal;
+      }
+
+      double elastic_normal() const
+      {
+        return of_bond(spring.old.elastic_normal - before.normal,
+                       now.elastic_normal - after.normal) +
+               after.normal;
+      }
+
+      double shear(const double start, const double end) const
+      {
+        const double part = spring.contact_part;
+        return (1. - part) * of_bond(start, end) + part * end;
+      }
+
+      /// What a traction has beyond the mean of both ends.
+      Springs::Traction beyond_mean(const SpringState       &state,
+                                    const Springs::Traction &contact) const
+      {
+        const double bond = gamma - 0.5;
+        return {bond * (state.normal - contact.normal) + 0.5 * contact.normal,
+                bond * (state.shear - contact.shear) + 0.5 * contact.shear};
+      }
+    };
+
+
+
     /// Joints and contacts, each spring by its own kinematics.
     void audit_springs(const StepAudit &step, BlockEnergy &energy)
     {
-      const double gamma  = step.model.newmark.gamma;
-      double       before = 0.;
-      energy.springs      = 0.;
+      double before  = 0.;
+      energy.springs = 0.;
       for (std::size_t i = 0; i < step.springs.springs.size(); ++i)
         {
           const Springs::Spring &spring = step.springs.springs[i];
           const SpringState     &old = spring.old, &now = step.springs.responses[i].now;
-          const double           w        = spring.unilateral ? 1. : gamma;
-          const auto             weighted = [&](const double start, const double end) {
-            return (1. - w) * start + w * end;
-          };
-          const double gap = now.gap - old.gap, slip = now.slip - old.slip;
-          const double work =
-            weighted(old.normal, now.normal) * gap + weighted(old.shear, now.shear) * slip;
-          const double plastic = now.history.plastic_slip - old.history.plastic_slip;
-          const double elastic = weighted(old.elastic_normal, now.elastic_normal) * gap +
-                                 weighted(old.elastic_shear, now.elastic_shear) * (slip - plastic);
+          const WeightedTraction traction{step.model.newmark.gamma, spring, now};
+          const double           shear = traction.shear(old.shear, now.shear);
+          const double           gap = now.gap - old.gap, slip = now.slip - old.slip;
+          const double           work    = traction.normal() * gap + shear * slip;
+          const double           plastic = now.history.plastic_slip - old.history.plastic_slip;
+          const double           elastic =
+            traction.elastic_normal() * gap +
+            traction.shear(old.elastic_shear, now.elastic_shear) * (slip - plastic);
           const double stored_before = spring.law->stored_energy({old.gap, old.slip}, old.history);
           const double stored        = spring.law->stored_energy({now.gap, now.slip}, now.history);
-          const double friction      = -weighted(old.shear, now.shear) * plastic;
+          const double friction      = -shear * plastic;
           const double fracture =
             spring.law->fracture_loss(now.history) - spring.law->fracture_loss(old.history);
 
@@ -133,7 +174,10 @@ namespace hybrid::dda
           energy.damping_loss += spring.length * (elastic - work - friction);
           energy.integration_loss +=
             spring.length * (-elastic - (stored - stored_before) - fracture) -
-            (w - 0.5) * turning_work({step.model, step.before, step.trial, step.springs}, i);
+            turning_work({step.model, step.before, step.trial, step.springs},
+                         i,
+                         traction.beyond_mean(old, traction.before),
+                         traction.beyond_mean(now, traction.after));
         }
       energy.switch_loss += step.before.energy.springs - before;
     }

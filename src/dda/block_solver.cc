@@ -208,7 +208,10 @@ namespace hybrid::dda
     detection.set_was_awake(state.awake);
     contacts_before.assign(state.contacts.begin(), state.contacts.end());
     detection.update(state.geometry, state.contacts, state.rest);
-    loads.carry(contacts_before, state.geometry, state.contacts);
+    const auto corner = [&](const Contact &contact) {
+      return model.contacts.law(model.initial, contact, model.n_mass()).length;
+    };
+    loads.carry(contacts_before, state.geometry, corner, state.contacts);
     if (joints_changed)
       hand_over_released_joints(model, state);
     belt_parting.update(model, state);

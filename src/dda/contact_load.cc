@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/contact_frame.h>
+#include <hybrid/dda/contact_length.h>
 #include <hybrid/dda/contact_load.h>
 #include <hybrid/dda/contact_tolerances.h>
 #include <hybrid/dda/outline_frames.h>
@@ -58,8 +59,16 @@ namespace hybrid::dda
 
 
 
+  double ContactLoads::Lists::length(const std::vector<Contact> &all, const Contact &contact) const
+  {
+    return contact_length(geometry, all, contact, corner(contact), nullptr).spring;
+  }
+
+
+
   void ContactLoads::carry(const std::vector<Contact> &before,
                            const Geometry             &geometry,
+                           const CornerLength         &corner,
                            std::vector<Contact>       &now)
   {
     bool is_sorted = false;
@@ -72,7 +81,7 @@ namespace hybrid::dda
         if (!is_sorted)
           sort_by_block(before, geometry);
         is_sorted = true;
-        begin_as_piece(before, geometry, contact);
+        begin_as_piece({before, now, geometry, corner}, contact);
       }
   }
 
@@ -89,19 +98,18 @@ namespace hybrid::dda
 
 
 
-  void ContactLoads::begin_as_piece(const std::vector<Contact> &before,
-                                    const Geometry             &geometry,
-                                    Contact                    &contact) const
+  void ContactLoads::begin_as_piece(const Lists &lists, Contact &contact) const
   {
-    const Place    place(contact, geometry);
-    const int      block   = mass_block(contact, geometry);
-    const Contact *nearest = nullptr;
-    double         least = std::numeric_limits<double>::infinity(), turn = 0., depth = 0.;
+    const Geometry &geometry = lists.geometry;
+    const Place     place(contact, geometry);
+    const int       block   = mass_block(contact, geometry);
+    const Contact  *nearest = nullptr;
+    double          least = std::numeric_limits<double>::infinity(), turn = 0., depth = 0.;
     for (auto it = std::lower_bound(by_block.begin(), by_block.end(), std::make_pair(block, 0));
          it != by_block.end() && it->first == block;
          ++it)
       {
-        const Contact &old = before[it->second];
+        const Contact &old = lists.before[it->second];
         const Place    then(old, geometry);
         const double   distance = (then.vertex - place.vertex).norm();
         const double   cosine   = then.along.dot(place.along);
@@ -118,8 +126,11 @@ namespace hybrid::dda
     // Slip is that of the vertex along the edge: the other way round where they change roles.
     const bool same_role =
       is_surface(geometry, nearest->vertex_body) == is_surface(geometry, contact.vertex_body);
-    const double role    = same_role ? 1. : -1.;
-    contact.rest_gap     = std::min(0., place.gap + depth);
-    contact.plastic_slip = contact.slip - role * turn * (nearest->slip - nearest->plastic_slip);
+    const double role = same_role ? 1. : -1.;
+    const double own = lists.length(lists.now, contact), its = lists.length(lists.before, *nearest);
+    const double part = own > its ? its / own : 1.;
+    contact.rest_gap  = std::min(0., place.gap + part * depth);
+    contact.plastic_slip =
+      contact.slip - role * turn * part * (nearest->slip - nearest->plastic_slip);
   }
 } // namespace hybrid::dda

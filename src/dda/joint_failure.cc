@@ -12,12 +12,28 @@ namespace hybrid::dda
     /// twice this at most, and elastic joints do not reach it.
     constexpr double loosened_part = 0.0025;
 
+    /// Part of a joint's length: ends that are farther apart no longer stand for the contact.
+    constexpr double released_part = 0.1;
+
 
 
     /// Slip that friction has taken, or opening [m].
     double way_given(const SpringState &point)
     {
       return std::max(std::abs(point.history.plastic_slip), point.gap);
+    }
+
+
+
+    /// True if an end is torn and so wide open that the two edges have turned apart: between the
+    /// ends the bond is open everywhere but at the tip.
+    bool gapes(const Joint &joint, const JointState &state)
+    {
+      const auto wide = [&](const SpringState &point) {
+        return joint.law.broken_in_tension(point.history) &&
+               point.gap > released_part * joint.length;
+      };
+      return wide(state.points[0]) || wide(state.points[1]);
     }
   } // namespace
 
@@ -30,7 +46,8 @@ namespace hybrid::dda
     const auto broken = [&](const SpringState &point) {
       return joint.law.broken_in_tension(point.history) || joint.law.broken_in_shear(point.history);
     };
-    if (state.failure == FailureKind::none && broken(state.points[0]) && broken(state.points[1]))
+    const bool ended = (broken(state.points[0]) && broken(state.points[1])) || gapes(joint, state);
+    if (state.failure == FailureKind::none && ended)
       {
         const bool tensile = joint.law.broken_in_tension(state.points[0].history) ||
                              joint.law.broken_in_tension(state.points[1].history);
@@ -42,10 +59,7 @@ namespace hybrid::dda
     if (state.failure != FailureKind::none ||
         (may_wake && given_way > loosened_part * joint.length))
       state.loosened = true;
-    // Far apart, the ends of the edge no longer stand for the contact: vertices and edges take
-    // over.
-    constexpr double released_part = 0.1;
-    const double     reach         = released_part * joint.length;
+    const double reach = released_part * joint.length;
     if (state.failure != FailureKind::none && !joint.within_bedrock() &&
         (std::max(state.points[0].jump.norm(), state.points[1].jump.norm()) > reach))
       state.released = true;

@@ -60,16 +60,20 @@ namespace hybrid::dda
   void OpenCloseIteration::hand_over_contacts(const Model &model, DdaState &state) const
   {
     const int       n = model.n_blocks();
-    Eigen::VectorXd torn; // forces of joints that are contacts from now on
+    Eigen::VectorXd torn; // forces of what becomes a contact of joints
     for (std::size_t s = 0; s < springs.springs.size(); ++s)
       {
         const Springs::Spring &spring = springs.springs[s];
-        if (spring.unilateral || !(state.joints[spring.joint].released ||
-                                   spring.law->broken_in_tension(springs.responses[s].now.history)))
+        const SpringState     &now    = springs.responses[s].now;
+        const bool             gone   = spring.joint >= 0 && state.joints[spring.joint].released;
+        if (spring.contact_part == 1. || (!gone && now.history.damage == spring.contact_part))
           continue;
         if (torn.size() == 0)
           torn = Eigen::VectorXd::Zero(contact_force.size());
-        springs.add_force(s, torn);
+        const Springs::Traction then = spring.contact_traction(now);
+        const Springs::Traction next = gone ? Springs::Traction{now.normal, now.shear}
+                                            : Springs::contact_traction(now, now.history.damage);
+        springs.add_force(trial, s, {next.normal - then.normal, next.shear - then.shear}, torn);
       }
     state.base_contact_force = contact_force.tail(2 * model.n_base_nodes());
     if (torn.size() > 0)

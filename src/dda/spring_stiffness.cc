@@ -46,12 +46,16 @@ namespace hybrid::dda
   {
     const double none       = -std::numeric_limits<double>::infinity();
     const double floor      = choice.follow_softening ? none : 0.;
-    const double weight     = spring.unilateral ? choice.contact_weight : 1.;
+    const double part       = spring.contact_part;
+    const double weight     = 1. + part * (choice.contact_weight - 1.);
     const double length     = weight * spring.length;
     const bool   coupled    = choice.follow_softening || response.normal_by_gap >= 0.;
-    const bool   slides     = spring.unilateral && response.now.state == ContactState::sliding;
+    const bool   slides     = part == 1. && response.now.state == ContactState::sliding;
     const double kept_shear = slides ? choice.sliding_share * spring.law->shear_stiffness() : 0.;
-    return {length * std::max(floor, response.normal_by_gap),
+    // Open, only the bond of a joint acts; closed, its contact has the part of k_n.
+    const double pressing = response.now.gap > 0. ? 0. : part * spring.law->normal_stiffness();
+    return {spring.length * std::max(floor, response.normal_by_gap - pressing) +
+              choice.contact_weight * spring.length * pressing,
             length * (std::max(floor, response.shear_by_slip) + kept_shear),
             coupled ? length * response.shear_by_gap : 0.};
   }

@@ -24,7 +24,9 @@ namespace hybrid::dda
 
 
 
-    Force joint_force_at_start(const SpringStep &step, const Springs::Spring &spring)
+    Force joint_force_at_start(const SpringStep        &step,
+                               const Springs::Spring   &spring,
+                               const Springs::Traction &traction)
     {
       const Joint    &joint    = step.model.joints[spring.joint];
       const Geometry &geometry = step.before.geometry;
@@ -39,20 +41,22 @@ namespace hybrid::dda
                              .normalized();
       const Vec2   normal(tangent.y(), -tangent.x());
       const double at = joint.points[spring.end].position;
-      return {spring.length * (spring.old.normal * normal + spring.old.shear * tangent),
+      return {spring.length * (traction.normal * normal + traction.shear * tangent),
               (1. - at) * a + at * b + 0.5 * spring.old.jump};
     }
 
 
 
-    Force contact_force_at_start(const SpringStep &step, const Springs::Spring &spring)
+    Force contact_force_at_start(const SpringStep        &step,
+                                 const Springs::Spring   &spring,
+                                 const Springs::Traction &traction)
     {
       const Contact      &contact = step.before.contacts[spring.contact];
       const ContactPlaces start   = places(contact, step.before.geometry);
       const ContactFrame  frame(contact, start.from_q(contact), start.second - start.first);
       const double        sign = contact.vertex_body == base_body ? 1. : -1.;
       Force               force{sign * spring.length *
-                    (spring.old.normal * frame.outward + spring.old.shear * frame.along),
+                    (traction.normal * frame.outward + traction.shear * frame.along),
                   start.vertex};
       if (contact.edge_body == base_body)
         {
@@ -64,12 +68,14 @@ namespace hybrid::dda
 
 
 
-    double work_at_start(const SpringStep &step, const Springs::Spring &spring)
+    double work_at_start(const SpringStep        &step,
+                         const Springs::Spring   &spring,
+                         const Springs::Traction &traction)
     {
-      if (spring.old.normal == 0. && spring.old.shear == 0.)
+      if (traction.normal == 0. && traction.shear == 0.)
         return 0.;
-      const Force force   = spring.joint >= 0 ? joint_force_at_start(step, spring)
-                                              : contact_force_at_start(step, spring);
+      const Force force   = spring.joint >= 0 ? joint_force_at_start(step, spring, traction)
+                                              : contact_force_at_start(step, spring, traction);
       const auto  on_body = [&](const int b) {
         return BlockMotion(step.before.blocks[b].centroid, Vec6::Zero())
           .gradient(force.place, force.force)
@@ -85,31 +91,34 @@ namespace hybrid::dda
 
 
 
-    double work_at_end(const SpringStep        &step,
-                       const Springs::Spring   &spring,
-                       const Springs::Response &response)
+    double
+    work_at_end(const SpringStep &step, const std::size_t number, const Springs::Traction &traction)
     {
-      if (response.now.normal == 0. && response.now.shear == 0.)
+      if (traction.normal == 0. && traction.shear == 0.)
         return 0.;
-      double work = response.on_block.dot(step.trial.increment[spring.block]);
+      const Springs::Spring   &spring   = step.springs.springs[number];
+      const Springs::Response &response = step.springs.responses[number];
+      const Springs::Forces    force    = step.springs.forces_of(step.trial, number, traction);
+      double                   work     = force.on_block.dot(step.trial.increment[spring.block]);
       if (spring.other != base_body)
-        return work + response.on_other.dot(step.trial.increment[spring.other]);
+        return work + force.on_other.dot(step.trial.increment[spring.other]);
       for (int k = 0; k < 2; ++k)
-        work -=
-          response.weight[k] * response.on_block.head<2>().dot(base_moved(step, spring.node[k]));
+        work -= response.weight[k] * force.on_block.head<2>().dot(base_moved(step, spring.node[k]));
       return work;
     }
   } // namespace
 
 
 
-  double turning_work(const SpringStep &step, const std::size_t number)
+  double turning_work(const SpringStep        &step,
+                      const std::size_t        number,
+                      const Springs::Traction &start,
+                      const Springs::Traction &end)
   {
-    const Springs::Spring   &spring   = step.springs.springs[number];
-    const Springs::Response &response = step.springs.responses[number];
-    const SpringState       &old = spring.old, &now = response.now;
-    const double local = spring.length * ((now.normal - old.normal) * (now.gap - old.gap) +
-                                          (now.shear - old.shear) * (now.slip - old.slip));
-    return work_at_end(step, spring, response) - work_at_start(step, spring) - local;
+    const Springs::Spring &spring = step.springs.springs[number];
+    const SpringState     &old = spring.old, &now = step.springs.responses[number].now;
+    const double local = spring.length * ((end.normal - start.normal) * (now.gap - old.gap) +
+                                          (end.shear - start.shear) * (now.slip - old.slip));
+    return work_at_end(step, number, end) - work_at_start(step, spring, start) - local;
   }
 } // namespace hybrid::dda

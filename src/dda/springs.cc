@@ -105,14 +105,14 @@ namespace hybrid::dda
         for (int end = 0; end < 2; ++end)
           {
             Spring s;
-            s.block      = joint.block;
-            s.other      = joint.other;
-            s.joint      = static_cast<int>(j);
-            s.end        = end;
-            s.law        = &joint.law;
-            s.length     = 0.5 * joint.length;
-            s.old        = state.joints[j].points[end];
-            s.unilateral = joint.law.broken_in_tension(s.old.history);
+            s.block        = joint.block;
+            s.other        = joint.other;
+            s.joint        = static_cast<int>(j);
+            s.end          = end;
+            s.law          = &joint.law;
+            s.length       = 0.5 * joint.length;
+            s.old          = state.joints[j].points[end];
+            s.contact_part = s.old.history.damage;
             if (joint.other == base_body)
               {
                 s.node[0] = s.node[1] = joint.points[end].other_vertex;
@@ -139,11 +139,11 @@ namespace hybrid::dda
         const int         owner         = node_on_block ? contact.edge_body : contact.vertex_body;
         const ContactLaw &law = model.contacts.law(model.initial, contact, model.n_mass());
         Spring            s;
-        s.block      = owner;
-        s.other      = on_base ? base_body : contact.edge_body;
-        s.contact    = static_cast<int>(c);
-        s.unilateral = true;
-        s.law        = &law.law;
+        s.block        = owner;
+        s.other        = on_base ? base_body : contact.edge_body;
+        s.contact      = static_cast<int>(c);
+        s.contact_part = 1.;
+        s.law          = &law.law;
         const ContactLength length =
           contact_length(geometry, state.contacts, contact, law.length, &bonded_area);
         s.length = length.spring;
@@ -328,44 +328,62 @@ namespace hybrid::dda
 
 
 
+  Springs::Forces
+  Springs::forces_of(const Trial &trial, const std::size_t s, const Traction &traction) const
+  {
+    const Spring   &spring   = springs[s];
+    const Response &response = responses[s];
+    const Vec2      force =
+      spring.length * (traction.normal * response.normal + traction.shear * response.tangent);
+    Forces forces;
+    forces.on_block = -trial.motion[spring.block].gradient(response.place, force);
+    if (spring.other != base_body)
+      forces.on_other = trial.motion[spring.other].gradient(response.place, force);
+    return forces;
+  }
+
+
+
   void Springs::set_forces(const Trial &trial, const std::size_t s)
   {
     const Spring &spring   = springs[s];
     Response     &response = responses[s];
     if (response.now.normal == 0. && response.now.shear == 0.)
       return;
-    const Vec2 force  = spring.length * (response.now.normal * response.normal +
-                                        response.now.shear * response.tangent);
-    response.on_block = -trial.motion[spring.block].gradient(response.place, force);
-    if (spring.other != base_body)
-      response.on_other = trial.motion[spring.other].gradient(response.place, force);
+    response.force = forces_of(trial, s, {response.now.normal, response.now.shear});
+    if (spring.contact_part > 0. && spring.contact_part < 1.)
+      response.contact = forces_of(trial, s, spring.contact_traction(response.now));
   }
 
 
 
-  void Springs::add_force(const std::size_t s, Eigen::VectorXd &forces) const
+  void Springs::add_force(const Trial      &trial,
+                          const std::size_t s,
+                          const Traction   &traction,
+                          Eigen::VectorXd  &forces) const
   {
-    const Spring   &spring   = springs[s];
-    const Response &response = responses[s];
-    if (response.now.normal == 0. && response.now.shear == 0.)
+    if (traction.normal == 0. && traction.shear == 0.)
       return;
-    Eigen::Map<Vec6>(forces.data() + 6 * spring.block) += response.on_block;
+    const Spring &spring = springs[s];
+    const Forces  force  = forces_of(trial, s, traction);
+    Eigen::Map<Vec6>(forces.data() + 6 * spring.block) += force.on_block;
     if (spring.other != base_body)
-      Eigen::Map<Vec6>(forces.data() + 6 * spring.other) += response.on_other;
+      Eigen::Map<Vec6>(forces.data() + 6 * spring.other) += force.on_other;
     else
-      add_force_on_base(s, forces);
+      add_force_on_base(s, force, forces);
   }
 
 
 
-  void Springs::add_force_on_base(const std::size_t s, Eigen::VectorXd &forces) const
+  void Springs::add_force_on_base(const std::size_t s,
+                                  const Forces     &force,
+                                  Eigen::VectorXd  &forces) const
   {
     const Spring   &spring   = springs[s];
     const Response &response = responses[s];
     double         *nodes    = forces.data() + 6 * n_blocks();
     for (int k = 0; k < 2; ++k)
-      Eigen::Map<Vec2>(nodes + 2 * spring.node[k]) -=
-        response.weight[k] * response.on_block.head<2>();
+      Eigen::Map<Vec2>(nodes + 2 * spring.node[k]) -= response.weight[k] * force.on_block.head<2>();
   }
 
 
@@ -385,16 +403,46 @@ namespace hybrid::dda
             const Response &response = responses[s];
             if (response.now.normal == 0. && response.now.shear == 0.)
               continue;
-            const Vec6 &force = entry % 2 == 0 ? response.on_block : response.on_other;
-            (springs[s].unilateral ? contact : bond) += force;
+            const auto on_this = [entry](const Forces &force) -> const Vec6 & {
+              return entry % 2 == 0 ? force.on_block : force.on_other;
+            };
+            const Vec6  &force = on_this(response.force);
+            const double part  = springs[s].contact_part;
+            if (part == 0. || part == 1.)
+              (part == 1. ? contact : bond) += force;
+            else
+              {
+                contact += on_this(response.contact);
+                bond += force - on_this(response.contact);
+              }
             absolute[b] += force.head<2>().norm();
           }
         Eigen::Map<Vec6>(bonds.data() + 6 * b) += bond;
         Eigen::Map<Vec6>(contacts.data() + 6 * b) += contact;
       }
+    add_forces_on_base(bonds, contacts);
+  }
+
+
+
+  void Springs::add_forces_on_base(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts) const
+  {
     for (const int s : base_springs)
-      if (responses[s].now.normal != 0. || responses[s].now.shear != 0.)
-        add_force_on_base(s, springs[s].unilateral ? contacts : bonds);
+      {
+        const Response &response = responses[s];
+        if (response.now.normal == 0. && response.now.shear == 0.)
+          continue;
+        const double part = springs[s].contact_part;
+        if (part == 0. || part == 1.)
+          {
+            add_force_on_base(s, response.force, part == 1. ? contacts : bonds);
+            continue;
+          }
+        add_force_on_base(s, response.contact, contacts);
+        Forces bond = response.force;
+        bond.on_block -= response.contact.on_block;
+        add_force_on_base(s, bond, bonds);
+      }
   }
 
 

@@ -75,6 +75,12 @@ def falls_apart(case, variant, run):
     case.true("%s: %d joints failed, largest displacement %.2f m" % (variant, failed, moved_most), failed > 50)
 
 
+def gapes(case, variant, run):
+    joints, moved_most = run.summary["joints"], run.get("section/blocks_peak_displacement").max()
+    case.true("%s: the joint with the base has failed, the square fell by %.1f m" % (variant, moved_most),
+              joints["tensile"] == 1 and moved_most > 5)
+
+
 def says(words):
     def look(case, variant, run):
         log = (run.directory_path / "log.txt").read_text(encoding="utf-8")
@@ -128,6 +134,12 @@ CASES = {
     "all_joints_fail": Wanted({"scene": [], "thrown": ["Blocks/Initial velocities=mass: -5, 5, -5, 9, 0, 2, 1.5", "Time/End time=0.8"]},
                               more=most_joints_fail, full_size={
         "6 x 8": ["Mesh/Numbers=Width = 6; Height = 8; Base beyond = 40; Resolution/h = 1"]}),
+    "hinge": Wanted(residual=0.001, more=gapes),
+    "dead_load": Wanted({"scene": [], "trapezoidal": ["Time/Scheme=trapezoidal"]}, residual=0.001, penetration=0.05, more=falls_apart,
+                        full_speed=128.0, full_size={"10 x 20": [
+                            "Mesh/Numbers=Width = 10; Height = 20; Base beyond = 150; Resolution/h = 1", "Time/End time=2",
+                            "Edge loads/Tractions=top: -100, 100, 19.99, 20.01, 0, -450e3",
+                            "Gravity/Static stage=equilibrium or move"]}),
     "bin": Wanted(more=lies_in_the_bin, full_speed=55.0, full_size={
         "1000": ["Mesh/Polygons file=%s" % (HARD / "bin_1000.csv"), "Mesh/Surface file=%s" % (HARD / "bin_1000_surface.csv"),
                  "Time/End time=8"]}),

@@ -8,7 +8,10 @@ namespace hybrid::dda
 {
   /**
    * Bond of a joint after a step: failure is complete when both ends are broken,
-   * and counts as tensile if one of them is torn. A failed joint that has slid or
+   * and counts as tensile if one of them is torn. An end that is torn and has opened by
+   * a tenth of the length ends the whole joint: its edges have turned apart by 0.1,
+   * and the mean of their directions, in which springs act, means nothing in the
+   * end (at 180 degrees it turns round). A failed joint that has slid or
    * opened by a tenth of its length is released: vertex contacts take over. From the
    * failure on it is loosened: its blocks look at all their neighbours. So is a
    * joint of the body that has slid or opened by 1/400 of its length before (not in

@@ -121,7 +121,7 @@ namespace hybrid::dda
     // that moves as a whole would hide the forces of soft blocks.
     Eigen::VectorXd base_start;    ///< load less S times the displacement at the start [N/m]
     Eigen::VectorXd base_moved;    ///< displacement since then [m]
-    Eigen::VectorXd contact_force; ///< of unilateral springs on blocks and base nodes
+    Eigen::VectorXd contact_force; ///< of contacts on blocks and base nodes
     Eigen::VectorXd incoming;      ///< at artificial boundaries, end of the step [N/m]
     double          tangent_dt      = -1.; ///< step of the tangent in matrix
     double          tangent_share   = 0.;  ///< SlidingShare of it

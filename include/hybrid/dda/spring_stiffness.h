@@ -25,7 +25,7 @@ namespace hybrid::dda
     {
       /// Without, falling branches count as flat: less exact, but never indefinite.
       bool follow_softening = true;
-      /// Weight of unilateral springs [-].
+      /// Weight of contacts [-].
       double contact_weight = 1.;
       /// Of the shear stiffness of contacts that slide, see SlidingShare [-].
       double sliding_share = 0.;

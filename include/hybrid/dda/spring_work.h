@@ -16,8 +16,8 @@ namespace hybrid::dda
 
 
   /**
-   * What the change of a spring's force over a step does on the bodies' increments beyond what it
-   * does on gap and slip [J/m].
+   * What a change of tractions of a spring from @p start to @p end does on the bodies' increments
+   * beyond what it does on gap and slip [J/m].
    *
    * The force turns with its bodies, while each body's increment is one vector for the whole step:
    * of a body that spins with W, -F ds W dt for a force F towards the axis and an arc ds. The mean
@@ -25,5 +25,8 @@ namespace hybrid::dda
    * w - 1/2 of it from the motion, which is how Newmark's dissipative pairs slow a spinning bonded
    * body: dW/dt = -(gamma - 1/2) dt W^3 for masses far from each other.
    */
-  double turning_work(const SpringStep &step, std::size_t number);
+  double turning_work(const SpringStep        &step,
+                      std::size_t              number,
+                      const Springs::Traction &start,
+                      const Springs::Traction &end);
 } // namespace hybrid::dda

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <vector>
 
 namespace hybrid::dda
@@ -32,32 +33,62 @@ namespace hybrid::dda
    * N n + T t times the length, the opposite acts on P, both at one place, so
    * action equals reaction in force and moment.
    *
-   * Unilateral springs (contacts, and ends of joints torn for good) are
-   * integrated implicitly: their force at the end of the step acts on the
-   * blocks through the whole step, d = ... + dt^2/2 M^-1 F, v = ... + dt M^-1 F,
-   * and is gone when the step is over. In Newmark's own weights the force that
-   * a contact had when the step began would go on pushing while it opens, and
-   * give back more than the spring stored (after Kane, Repetto, Ortiz and
-   * Marsden 1999).
+   * Contacts, and ends of joints torn for good, are integrated implicitly:
+   * their force at the end of the step acts on the blocks through the whole
+   * step, d = ... + dt^2/2 M^-1 F, v = ... + dt M^-1 F, and is gone when the
+   * step is over. In Newmark's own weights the force that a contact had when
+   * the step began would go on pushing while it opens, and give back more than
+   * the spring stored (after Kane, Repetto, Ortiz and Marsden 1999).
+   *
+   * A joint with the damage D is both, side by side: a bond of the part 1 - D,
+   * with (1 - D) k_n open or closed, and a contact of the part D, which presses
+   * with D k_n when it is closed. Each part of the force is integrated as what
+   * it is; of the shear the same parts. All of it in Newmark's weights would
+   * give D k_n |g_0 g_1| / 2 in each step that takes the joint from the overlap
+   * g_0 to the opening g_1 with gamma = 1/2.
    */
   class Springs
   {
   public:
+    /// Normal traction, compression positive, and shear traction [Pa].
+    struct Traction
+    {
+      double normal, shear;
+    };
+
     /// Fixed data of one spring during a step.
     struct Spring
     {
-      int  block;                        ///< of P
-      int  other;                        ///< block of Q, or base_body
-      int  node[2]           = {0, 0};   ///< base nodes of Q
-      int  slot[2]           = {-1, -1}; ///< in the block matrix: pair of blocks, or block and node
-      int  joint             = -1;       ///< number of the joint, or -1
-      int  contact           = -1;       ///< number of the contact, or -1
-      int  end               = 0;        ///< of the joint
-      bool unilateral        = false;    ///< contact, or joint torn before the step
+      int    block;                      ///< of P
+      int    other;                      ///< block of Q, or base_body
+      int    node[2]         = {0, 0};   ///< base nodes of Q
+      int    slot[2]         = {-1, -1}; ///< in the block matrix: pair of blocks, or block and node
+      int    joint           = -1;       ///< number of the joint, or -1
+      int    contact         = -1;       ///< number of the contact, or -1
+      int    end             = 0;        ///< of the joint
+      double contact_part    = 0.;       ///< that acts as a contact [-]: 1, or the joint's damage
       const JointLaw *law    = nullptr;
       double          length = 0.;   ///< [m]
       double          cohesive = 1.; ///< see JointKinematics [-]
       SpringState     old;           ///< when the step began
+
+      /// What acts as a contact at the start or end of the step.
+      Traction contact_traction(const SpringState &state) const
+      {
+        return Springs::contact_traction(state, contact_part);
+      }
+    };
+
+    /// What the part that is a contact bears.
+    static Traction contact_traction(const SpringState &state, const double part)
+    {
+      return {part * std::max(0., state.elastic_normal), part * state.shear};
+    }
+
+    /// Generalised forces on both bodies.
+    struct Forces
+    {
+      Vec6 on_block, on_other;
     };
 
     /// What a trial makes of one spring.
@@ -70,8 +101,9 @@ namespace hybrid::dda
       SpringState now;                      ///< if the step is accepted
       double      slid = 0.;    ///< shear traction in the trial of remember() if it slid there [Pa]
       bool        held = false; ///< locked beyond its strength, see ReversedSlip::locks
-      Vec6        on_block, on_other; ///< generalised forces; without sense if both are zero
-      double      normal_by_gap = 0., shear_by_slip = 0., shear_by_gap = 0.; ///< tangents [Pa/m]
+      Forces      force;        ///< without sense if there is no traction
+      Forces contact; ///< of a joint's part that is a contact; without sense if it is all or none
+      double normal_by_gap = 0., shear_by_slip = 0., shear_by_gap = 0.; ///< tangents [Pa/m]
     };
 
     /// What becomes of a joint or contact that slid one way in the trial remembered and slides the
@@ -103,13 +135,19 @@ namespace hybrid::dda
     /// True if a contact is held: the forces are not those of its law.
     bool any_held() const;
 
-    /// Add forces on blocks and base nodes, of bonds and of unilateral springs apart, and their
-    /// absolute values to @p absolute.
+    /// Add forces on blocks and base nodes, of bonds and of contacts apart, and their absolute
+    /// values to @p absolute.
     void
     add_forces(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts, Eigen::VectorXd &absolute) const;
 
-    /// Add the force of one spring on its blocks or base nodes.
-    void add_force(std::size_t number, Eigen::VectorXd &forces) const;
+    /// Generalised forces that a traction of one spring makes in the trial evaluated last.
+    Forces forces_of(const Trial &trial, std::size_t number, const Traction &traction) const;
+
+    /// Add what a traction of one spring does on its blocks or base nodes.
+    void add_force(const Trial     &trial,
+                   std::size_t      number,
+                   const Traction  &traction,
+                   Eigen::VectorXd &forces) const;
 
     int n_blocks() const
     {
@@ -164,7 +202,9 @@ namespace hybrid::dda
     /// Generalised forces of one spring on its bodies.
     void set_forces(const Trial &trial, std::size_t s);
 
-    void add_force_on_base(std::size_t s, Eigen::VectorXd &forces) const;
+    void add_force_on_base(std::size_t s, const Forces &force, Eigen::VectorXd &forces) const;
+
+    void add_forces_on_base(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts) const;
 
     void evaluate_joint(const Model    &model,
                         const DdaState &state,

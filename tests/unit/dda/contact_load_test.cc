@@ -20,6 +20,12 @@ namespace
     g.base_nodes = {{0., 0.}, {1., 0.}, {2., 0.}};
     return g;
   }
+
+  /// A corner stands for half of the square.
+  double corner(const Contact &)
+  {
+    return 0.5;
+  }
 } // namespace
 
 
@@ -27,7 +33,7 @@ namespace
 TEST(ContactLoad, what_is_new_in_overlap_is_pushed_out)
 {
   std::vector<Contact> now = {{0, 0, base_body, 0, 0.5}};
-  ContactLoads().carry({}, square_in_the_ground(), now);
+  ContactLoads().carry({}, square_in_the_ground(), corner, now);
   EXPECT_EQ(now[0].rest_gap, 0.);
 }
 
@@ -36,7 +42,7 @@ TEST(ContactLoad, what_is_new_in_overlap_is_pushed_out)
 TEST(ContactLoad, what_was_there_stays_as_it_is)
 {
   std::vector<Contact> now = {{0, 0, base_body, 0, 0.5}};
-  ContactLoads().carry(now, square_in_the_ground(), now);
+  ContactLoads().carry(now, square_in_the_ground(), corner, now);
   EXPECT_EQ(now[0].rest_gap, 0.);
 }
 
@@ -47,7 +53,7 @@ TEST(ContactLoad, what_goes_on_along_another_edge_keeps_its_load)
   std::vector<Contact> before = {{0, 0, base_body, 1, -0.5}};
   before[0].rest_gap          = -0.07; // pressed by 0.03 m
   std::vector<Contact> now    = {{0, 0, base_body, 0, 0.5}, {0, 1, base_body, 1, 0.5}};
-  ContactLoads().carry(before, square_in_the_ground(), now);
+  ContactLoads().carry(before, square_in_the_ground(), corner, now);
   EXPECT_NEAR(now[0].rest_gap, -0.07, 1e-15);
   EXPECT_EQ(now[1].rest_gap, 0.) << "a metre away";
 }
@@ -60,7 +66,7 @@ TEST(ContactLoad, no_deeper_than_it_is)
   Geometry             g      = square_in_the_ground();
   g.base_nodes[0].y()         = -0.05; // the new edge lies lower
   std::vector<Contact> now    = {{0, 0, base_body, 0, 0.5}};
-  ContactLoads().carry(before, g, now);
+  ContactLoads().carry(before, g, corner, now);
   EXPECT_EQ(now[0].rest_gap, 0.);
 }
 
@@ -75,7 +81,25 @@ TEST(ContactLoad, place_that_enters_a_sole_takes_that_of_the_corner_which_passes
   before[1].plastic_slip      = 0.498; // stretched by 2 mm to the right
   g.base_nodes.insert(g.base_nodes.begin() + 2, Vec2(1.45, 0.));
   std::vector<Contact> now = {{base_body, 2, 0, 0, 0.95}, before[0], before[1]};
-  ContactLoads().carry(before, g, now);
+  ContactLoads().carry(before, g, corner, now);
   EXPECT_NEAR(now[0].rest_gap, -0.07, 1e-12);
   EXPECT_NEAR(now[0].slip - now[0].plastic_slip, -0.002, 1e-12) << "of the base, to the left";
+}
+
+
+
+// Its sole bore a tenth of the load there; on the other side of the bend it is a corner, and stands
+// for half of the square.
+TEST(ContactLoad, corner_that_passes_a_bend_presses_as_it_did)
+{
+  Geometry g        = square_in_the_ground();
+  g.base_nodes      = {{0., 0.05}, {0.5, 0.}, {0.7, 0.}, {2., 0.}}; // a bend of 5.7 degrees
+  g.vertices[0].x() = g.vertices[3].x() = 0.4999;
+  std::vector<Contact> before           = {{base_body, 2, 0, 0, 0.2}, {0, 0, base_body, 1, 0.}};
+  before[1].rest_gap                    = -0.07; // pressed by 0.03 m over 0.1 m
+  before[1].slip                        = 0.002; // stretched by 2 mm
+  std::vector<Contact> now              = {before[0], {0, 0, base_body, 0, 1.}};
+  ContactLoads().carry(before, g, corner, now);
+  EXPECT_NEAR(now[1].rest_gap + 0.1 * std::cos(std::atan(0.1)), 0.03 / 5., 2e-4);
+  EXPECT_NEAR(now[1].slip - now[1].plastic_slip, 0.002 / 5., 2e-5);
 }

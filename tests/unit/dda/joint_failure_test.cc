@@ -90,3 +90,25 @@ TEST(JointFailure, joint_fails_when_both_ends_are_broken_and_is_released_when_fa
   EXPECT_TRUE(state.released);
   EXPECT_EQ(state.failure_time, 2.);
 }
+
+
+
+// Beside a critical opening of millimetres the bond is open everywhere but at the other end's tip.
+TEST(JointFailure, torn_end_that_gapes_ends_the_joint)
+{
+  JointState state;
+  state.points[0].history.damage = 1.;
+  state.points[0].gap            = 0.39;
+  state.points[0].jump           = {0., 0.39};
+  update_failure(bond(), 1., state);
+  EXPECT_EQ(state.failure, FailureKind::none);
+
+  state.points[0].jump = {0.6, 0.39}; // the joint slides
+  update_failure(bond(), 2., state);
+  EXPECT_EQ(state.failure, FailureKind::none);
+
+  state.points[0].gap = 0.41;
+  update_failure(bond(), 3., state);
+  EXPECT_EQ(state.failure, FailureKind::tensile);
+  EXPECT_TRUE(state.released);
+}
