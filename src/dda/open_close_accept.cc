@@ -65,7 +65,7 @@ namespace hybrid::dda
       {
         const Springs::Spring &spring = springs.springs[s];
         if (spring.unilateral || !(state.joints[spring.joint].released ||
-                                   spring.law->broken_in_tension(springs.responses[s].now.history)))
+                                   spring.law->has_let_go(springs.responses[s].now.history)))
           continue;
         if (torn.size() == 0)
           torn = Eigen::VectorXd::Zero(contact_force.size());

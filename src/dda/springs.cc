@@ -113,7 +113,7 @@ namespace hybrid::dda
             s.law        = &joint.law;
             s.length     = 0.5 * joint.length;
             s.old        = state.joints[j].points[end];
-            s.unilateral = joint.law.broken_in_tension(s.old.history);
+            s.unilateral = joint.law.has_let_go(s.old.history);
             if (joint.other == base_body)
               {
                 s.node[0] = s.node[1] = joint.points[end].other_vertex;
@@ -275,7 +275,7 @@ namespace hybrid::dda
     const JointDamping    damping{damping_time / trial.dt,
                                old.gap,
                                old.slip - old.history.plastic_slip};
-    const JointKinematics kinematics{now.gap, now.slip, spring.cohesive};
+    const JointKinematics kinematics{now.gap, now.slip, spring.cohesive, trial.dt};
     set_response(spring.law->respond(kinematics, old.history, damping), response);
     response.held = reversed == ReversedSlip::locks && is_reversed(response.slid, now);
     if (response.held)
