@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace
 {
@@ -208,50 +207,6 @@ TEST(JointLaw, opening_follows_linear_softening_and_its_area_is_the_fracture_ene
   EXPECT_NEAR(area, 10., 1e-4 * 10.);
   EXPECT_NEAR(law.fracture_loss(history), 10., 1e-9 * 10.);
   EXPECT_TRUE(law.broken_in_tension(history));
-}
-
-
-
-TEST(JointLaw, a_brittle_bond_lets_go_over_its_release_time)
-{
-  const double tension = 1e4, cohesion = 2e4, gap = tension / k_n; // Pa, Pa, m
-  Material     m      = rock();
-  m.residual_cohesion = 0.;
-  const JointLaw at_once(JointStrength::bond(m, 0., std::numeric_limits<double>::infinity()),
-                         k_n,
-                         k_s);
-  const JointLaw law = at_once.letting_go_in(8e-3);
-  EXPECT_EQ(at_once.respond({1.1 * gap, 0., 1., 1e-3}, {}).normal, 0.);
-  EXPECT_EQ(law.respond({1.1 * gap, 0.}, {}).normal, 0.); // a step without end
-
-  JointHistory history;
-  for (int step = 1; step <= 9; ++step)
-    {
-      const double        left = std::max(0., 1. - step / 8.);
-      const JointResponse r    = law.respond({(1. + 0.1 * step) * gap, 1., 1., 1e-3}, history);
-      EXPECT_NEAR(-r.normal, left * tension, 1e-9 * tension);
-      EXPECT_NEAR(-r.shear, left * (cohesion - tension * tan_deg(30.)), 1e-9 * cohesion);
-      EXPECT_EQ(r.normal_by_gap, 0.);
-      EXPECT_TRUE(law.broken_in_tension(r.history));
-      EXPECT_EQ(law.has_let_go(r.history), step >= 8);
-      history = r.history;
-    }
-  EXPECT_EQ(law.respond({0.5 * gap, 0., 1., 1e-3}, history).normal, 0.);
-}
-
-
-
-TEST(JointLaw, a_bond_that_lets_go_closes_and_opens_within_what_it_holds)
-{
-  const double        gap  = 1e4 / k_n; // m
-  const JointLaw      law  = brittle().letting_go_in(1.);
-  const JointHistory  torn = law.respond({1.1 * gap, 0., 1., 0.1}, {}).history;
-  const JointResponse back = law.respond({0.5 * gap, 0., 1., 0.1}, torn);
-  EXPECT_NEAR(back.normal, -0.5e4, 1e-6);
-  EXPECT_EQ(back.normal_by_gap, k_n);
-  const JointResponse closed = law.respond({-gap, 0., 1., 0.1}, back.history);
-  EXPECT_NEAR(closed.normal, 1e4, 1e-6);
-  EXPECT_NEAR(law.respond({gap, 0., 1., 0.1}, closed.history).normal, -0.6e4, 1e-6);
 }
 
 
