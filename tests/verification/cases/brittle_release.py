@@ -69,7 +69,8 @@ def draw(case, figure):
                                     (2, 1 / 12, "over 2h / c"), (0, 1 / 4, "at once, mass at the ends of blocks")):
         tension = largest_tensions(release, inertia=inertia)[:15]
         left.plot(np.arange(1, len(tension) + 1), tension, ".-", label=label)
-    left.set(xlabel="joint, counted from the one that tears", ylabel="largest tension / tension before", title="chain of blocks, undamped")
+    left.set(xlabel="joint, counted from the one that tears", ylabel="largest tension / tension before",
+             title="chain of blocks, undamped", ylim=(0.95, 1.8))
     left.legend(fontsize="small")
     for size, run in case.runs.items():
         time, stress = foot_stress(run)
