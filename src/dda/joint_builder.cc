@@ -3,6 +3,7 @@
 #include <hybrid/scene/input_error.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace hybrid::dda
@@ -78,6 +79,17 @@ namespace hybrid::dda
 
 
 
+  double JointBuilder::crossing_time(const int block, const int other, const double height) const
+  {
+    const auto time = [&](const int b) {
+      const Material &m = blocks.materials[b];
+      return height * std::sqrt(m.density / (m.lame_lambda() + 2. * m.shear_modulus()));
+    };
+    return other == base_body ? time(block) : std::max(time(block), time(other));
+  }
+
+
+
   void JointBuilder::add_bond(Joint                      joint,
                               const Material            &strength,
                               const double               height,
@@ -96,10 +108,12 @@ namespace hybrid::dda
     m.tensile_strength *= joint.strength_factor;
     const double fracture_energy = scene.blocks.fracture_energy;
     const double softening_slip  = scene.blocks.softening_slip;
-    joint.law = JointLaw(belt ? JointStrength::belt(m, fracture_energy, softening_slip)
-                              : JointStrength::bond(m, fracture_energy, softening_slip),
-                         k_n,
-                         scene.blocks.shear_ratio * k_n);
+    joint.law =
+      JointLaw(belt ? JointStrength::belt(m, fracture_energy, softening_slip)
+                    : JointStrength::bond(m, fracture_energy, softening_slip),
+               k_n,
+               scene.blocks.shear_ratio * k_n)
+        .letting_go_in(crossing_time(joint.block, belt ? base_body : joint.other, height));
     model.joints.push_back(joint);
     model.bonded[joint.block] = true;
     if (joint.other != base_body)

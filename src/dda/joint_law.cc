@@ -257,11 +257,12 @@ namespace hybrid::dda
     JointResponse r;
     r.history = history;
     normal_response(kinematics.gap, r);
+    hold(kinematics, history, r);
     const double left_by_opening = strength.opening_ends_cohesion && history.damage >= 1. ? 0. : 1.;
     const double residual_cohesion =
       left_by_opening * kinematics.cohesive * strength.residual_cohesion;
     const Fading fade = fading(r.history.damage, residual_cohesion);
-    if (kinematics.gap > 0. && kinematics.gap >= fade.end && r.history.damage >= 1.)
+    if (kinematics.gap > 0. && kinematics.gap >= fade.end && has_let_go(r.history))
       {
         // Open for good: no shear; the friction spring starts anew on closing.
         r.history.plastic_slip = kinematics.slip;
@@ -284,8 +285,8 @@ namespace hybrid::dda
     const double spring = (1. + damping.ratio) * k_s;
     const double shift  = damping.ratio / (1. + damping.ratio) * damping.elastic_slip;
     const double trial  = -spring * (kinematics.slip - history.plastic_slip - shift);
-    Strain       at{r.normal, r.history.damage, residual_cohesion, 0., 0.};
-    if (r.history.damage > history.damage)
+    Strain       at{r.normal, contact_part(r.history), residual_cohesion, 0., 0.};
+    if (r.history.damage > history.damage && at.damage == r.history.damage)
       at.damage_by_gap = damage_by_gap(kinematics.gap);
     const double widest = widest_opening(kinematics.gap, history);
     if (widest > fade.begin && fade.end > 0.)
@@ -360,6 +361,28 @@ namespace hybrid::dda
 
 
 
+  void JointLaw::hold(const JointKinematics &kinematics,
+                      const JointHistory    &history,
+                      JointResponse         &r) const
+  {
+    r.history.held = 0.;
+    if (release_time <= 0. || (history.held <= 0. && r.history.damage <= history.damage))
+      return;
+    const double before  = history.held > 0. ? history.held : tensile_strength(history.damage);
+    const double left    = before - strength.tensile * kinematics.duration / release_time;
+    const double tension = std::min(left, k_n * kinematics.gap);
+    if (left <= 0. || (kinematics.gap > 0. && tension <= -r.normal))
+      return;
+    r.history.held = left;
+    if (kinematics.gap > 0.)
+      {
+        r.normal        = -tension;
+        r.normal_by_gap = tension < left ? k_n : 0.;
+      }
+  }
+
+
+
   void
   JointLaw::slide(const double trial, const double spring, const Strain &at, JointResponse &r) const
   {
@@ -428,6 +451,21 @@ namespace hybrid::dda
   bool JointLaw::broken_in_tension(const JointHistory &history) const
   {
     return history.damage >= 1.;
+  }
+
+
+
+  bool JointLaw::has_let_go(const JointHistory &history) const
+  {
+    return history.damage >= 1. && history.held <= 0.;
+  }
+
+
+
+  double JointLaw::contact_part(const JointHistory &history) const
+  {
+    return history.held > 0. ? std::min(history.damage, 1. - history.held / strength.tensile)
+                             : history.damage;
   }
 
 

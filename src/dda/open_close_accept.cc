@@ -66,13 +66,16 @@ namespace hybrid::dda
         const Springs::Spring &spring = springs.springs[s];
         const SpringState     &now    = springs.responses[s].now;
         const bool             gone   = spring.joint >= 0 && state.joints[spring.joint].released;
-        if (spring.contact_part == 1. || (!gone && now.history.damage == spring.contact_part))
+        if (spring.contact_part == 1.)
+          continue;
+        const double part = gone ? 1. : spring.law->contact_part(now.history);
+        if (part == spring.contact_part)
           continue;
         if (torn.size() == 0)
           torn = Eigen::VectorXd::Zero(contact_force.size());
         const Springs::Traction then = spring.contact_traction(now);
-        const Springs::Traction next = gone ? Springs::Traction{now.normal, now.shear}
-                                            : Springs::contact_traction(now, now.history.damage);
+        const Springs::Traction next =
+          gone ? Springs::Traction{now.normal, now.shear} : Springs::contact_traction(now, part);
         springs.add_force(trial, s, {next.normal - then.normal, next.shear - then.shear}, torn);
       }
     state.base_contact_force = contact_force.tail(2 * model.n_base_nodes());

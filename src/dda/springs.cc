@@ -112,7 +112,7 @@ namespace hybrid::dda
             s.law          = &joint.law;
             s.length       = 0.5 * joint.length;
             s.old          = state.joints[j].points[end];
-            s.contact_part = s.old.history.damage;
+            s.contact_part = joint.law.contact_part(s.old.history);
             if (joint.other == base_body)
               {
                 s.node[0] = s.node[1] = joint.points[end].other_vertex;
@@ -274,7 +274,7 @@ namespace hybrid::dda
     const JointDamping    damping{damping_time / trial.dt,
                                old.gap,
                                old.slip - old.history.plastic_slip};
-    const JointKinematics kinematics{now.gap, now.slip, spring.cohesive};
+    const JointKinematics kinematics{now.gap, now.slip, spring.cohesive, trial.dt};
     set_response(spring.law->respond(kinematics, old.history, damping), response);
     response.held = reversed == ReversedSlip::locks && is_reversed(response.slid, now);
     if (response.held)

@@ -8,8 +8,8 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, JointHistory &history)
   {
-    auto &[plastic_slip, softening, damage] = history;
-    archive(plastic_slip, softening, damage);
+    auto &[plastic_slip, softening, damage, held] = history;
+    archive(plastic_slip, softening, damage, held);
   }
 
 

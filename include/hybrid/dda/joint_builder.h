@@ -83,5 +83,8 @@ namespace hybrid::dda
     void add_bedrock_joint(Joint joint, const EdgeOfBlock &edge);
 
     double softer_modulus(int block, int other) const;
+
+    /// Time that a P wave takes through the height of a joint's blocks, the slower one's [s].
+    double crossing_time(int block, int other, double height) const;
   };
 } // namespace hybrid::dda

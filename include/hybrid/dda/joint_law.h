@@ -21,6 +21,9 @@ namespace hybrid::dda
 
     /// Length on which the residual cohesion acts over that of the springs [-] (of contacts).
     double cohesive = 1.;
+
+    /// Of the step that led there [s].
+    double duration = std::numeric_limits<double>::infinity();
   };
 
 
@@ -30,6 +33,7 @@ namespace hybrid::dda
     double plastic_slip = 0.; ///< s_p [m]: shear traction = -k_s (s - s_p)
     double softening    = 0.; ///< kappa [m]: sum of |d s_p| so far
     double damage       = 0.; ///< D of the tensile bond [-], 0 intact, 1 broken
+    double held         = 0.; ///< tension that a bond bears still while it lets go [Pa]
   };
 
 
@@ -130,6 +134,10 @@ namespace hybrid::dda
    * F_t / k_n on, to g_c if that is later: if it vanished at once, a joint that
    * is about to open might have no equilibrium. What has faded from a belt never comes back.
    *
+   * Letting go: a bond of letting_go_in(t_r) never loses tension faster than F_t / t_r, and
+   * cohesion in step with it. What it bears beyond its softening is JointHistory::held, a slider of
+   * falling strength behind the spring k_n; its work counts as damping.
+   *
    * A law is a pure function: history is an argument and a result, so the
    * open-close iteration may ask as often as it likes. The tangent is
    * consistent, so it is unsymmetric while the joint slides with friction: with
@@ -165,6 +173,14 @@ namespace hybrid::dda
       return law;
     }
 
+    /// The same, with a tension that takes this time to fall by F_t [s].
+    JointLaw letting_go_in(const double time) const
+    {
+      JointLaw law     = *this;
+      law.release_time = time;
+      return law;
+    }
+
     /// The same springs with another strength.
     JointLaw with(const JointStrength &other) const
     {
@@ -195,13 +211,20 @@ namespace hybrid::dda
     /// True if the bond is gone: tensile damage complete.
     bool broken_in_tension(const JointHistory &history) const;
 
+    /// True if the bond is gone and has let go.
+    bool has_let_go(const JointHistory &history) const;
+
+    /// Part that is torn and has let go, and acts as a contact from then on [-].
+    double contact_part(const JointHistory &history) const;
+
     /// True if the shear strength is at its residual.
     bool broken_in_shear(const JointHistory &history) const;
 
   private:
     JointStrength strength;
-    double        k_n; ///< [Pa/m]
-    double        k_s; ///< [Pa/m]
+    double        k_n;               ///< [Pa/m]
+    double        k_s;               ///< [Pa/m]
+    double        release_time = 0.; ///< t_r [s]
 
     /// @param sticks its shear strength is not asked for.
     JointResponse respond(const JointKinematics &kinematics,
@@ -258,6 +281,11 @@ namespace hybrid::dda
 
     /// Normal traction, damage and normal tangent without damping.
     void normal_response(double gap, JointResponse &response) const;
+
+    /// Let a bond that lets go bear what it holds still.
+    void hold(const JointKinematics &kinematics,
+              const JointHistory    &history,
+              JointResponse         &response) const;
 
     /// Add what the dashpot bears while a joint opens: @p viscous < 0 [Pa], as far as the strength
     /// allows. @param dashpot its tangent [Pa/m]

@@ -19,10 +19,10 @@ from slope import uphill
 SUBSTEPS = 20  # per step of the run
 
 
-def newmark_slip(time, acceleration, numbers):
-    """Slip [m] down the slope at the given times; the acceleration [m/s2] is linear between them."""
+def newmark_slip(time, acceleration, numbers, surface="Blocks/Material"):
+    """Slip [m] down the slope at the given times; the acceleration [m/s2] is linear between them. surface: whose friction acts."""
     g, b = numbers.gravity(), np.radians(numbers.mesh("Angle"))
-    mu = np.tan(numbers.material(numbers.text("Blocks/Material")).friction)
+    mu = np.tan(numbers.material(numbers.text(surface)).friction)
     fine = np.concatenate([np.linspace(t0, t1, SUBSTEPS, endpoint=False) for t0, t1 in zip(time, time[1:])] + [time[-1:]])
     ground = np.interp(fine, time, acceleration)
     down = g * (np.sin(b) - np.cos(b) * mu) + ground * (np.cos(b) + np.sin(b) * mu)
