@@ -3,6 +3,7 @@
 #include <hybrid/scene/curve_check.h>
 #include <hybrid/scene/edge_chain.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/mesh_number.h>
 #include <hybrid/scene/mesh_size_limit.h>
 #include <hybrid/scene/polygon_reader.h>
 #include <hybrid/scene/reading_limit.h>
@@ -110,43 +111,6 @@ namespace hybrid::scene
     };
 
 
-    /// The number after "key": in the JSON text of a ONELAB parameter, or @p otherwise.
-    double json_number(const std::string &json, const std::string &key, const double otherwise)
-    {
-      const auto position = json.find("\"" + key + "\":");
-      double     value    = otherwise;
-      if (position != std::string::npos)
-        {
-          const auto begin = json.find_first_not_of(" ", position + key.size() + 3);
-          const auto end   = json.find_first_of(",}\n", begin);
-          if (begin == std::string::npos || !parse_number(json.substr(begin, end - begin), value))
-            return otherwise;
-        }
-      return value;
-    }
-
-
-    /// True if gmsh has made up the range, for its sliders: it does so where the file gives none,
-    /// from a fifth to five times the default, or a twentieth to twenty times of a fraction.
-    bool is_range_of_gmsh(const std::string &json, const double lowest, const double highest)
-    {
-      const auto begin = json.find("\"values\":[ ");
-      double     value = 0.;
-      if (begin == std::string::npos ||
-          !parse_number(json.substr(begin + 11, json.find(" ]", begin) - begin - 11), value) ||
-          value == 0.)
-        return false;
-      const double factor = value == std::floor(value) ? 5. : 20.;
-      const auto   is     = [&](const double bound, const double made_up) {
-        const double error = 1e-9 * std::abs(value);
-        return std::abs(bound - made_up) <= error || std::abs(bound - std::trunc(made_up)) <= error;
-      };
-      const double near = value / factor, far = value * factor;
-      return is(lowest, std::min(near, far)) && is(highest, std::max(near, far));
-    }
-
-
-
     /// Refuse numbers that the geometry does not define, or outside the range it states.
     void check_numbers(const std::string &file, const Numbers &numbers)
     {
@@ -173,17 +137,8 @@ namespace hybrid::scene
                                (known.empty() ? "none" : known) + ".");
           std::string json;
           gmsh::onelab::get(json, name);
-          const double lowest  = json_number(json, "min", -1e300);
-          const double highest = json_number(json, "max", 1e300);
-          if (!(value >= lowest && value <= highest) && !is_range_of_gmsh(json, lowest, highest))
-            {
-              std::ostringstream sentence;
-              sentence << "the number '" << name << "' is " << value << "; it must be at least "
-                       << lowest;
-              if (highest < 1e100)
-                sentence << " and at most " << highest;
-              throw InputError(file, 0, sentence.str() + ".");
-            }
+          if (const std::string wrong = outside_range(json, value); !wrong.empty())
+            throw InputError(file, 0, "the number '" + name + "' is " + wrong + ".");
         }
     }
 
