@@ -55,9 +55,8 @@ namespace hybrid::dda
         state.failure_time = time;
       }
     const double given_way = std::max(way_given(state.points[0]), way_given(state.points[1]));
-    const bool   may_wake  = joint.kind == JointKind::body && time >= 0.;
     if (state.failure != FailureKind::none ||
-        (may_wake && given_way > loosened_part * joint.length))
+        (joint.kind == JointKind::body && given_way > loosened_part * joint.length))
       state.loosened = true;
     const double reach = released_part * joint.length;
     if (state.failure != FailureKind::none && !joint.within_bedrock() &&

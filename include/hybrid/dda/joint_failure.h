@@ -14,8 +14,7 @@ namespace hybrid::dda
    * end (at 180 degrees it turns round). A failed joint that has slid or
    * opened by a tenth of its length is released: vertex contacts take over. From the
    * failure on it is loosened: its blocks look at all their neighbours. So is a
-   * joint of the body that has slid or opened by 1/400 of its length before (not in
-   * the static stage: the section takes its place there, in large steps).
+   * joint of the body that has slid or opened by 1/400 of its length before.
    * Bedding planes are not counted.
    *
    * @param time at the end of the step [s]; negative: in the static stage

@@ -58,16 +58,11 @@ TEST(JointFailure, belt_that_slides_wakes_nobody)
 
 
 
-TEST(JointFailure, in_the_static_stage_only_failure_wakes)
+TEST(JointFailure, in_the_static_stage_blocks_are_woken_too)
 {
-  EXPECT_FALSE(after(0.011, 0., -1.).loosened);
-
-  JointState state;
-  for (SpringState &point : state.points)
-    point.history.damage = 1.;
-  update_failure(bond(), -1., state);
-  EXPECT_EQ(state.failure, FailureKind::tensile);
-  EXPECT_TRUE(state.loosened);
+  // A corner between joints that yield would sink into the ground unseen.
+  EXPECT_TRUE(after(0.011, 0., -1.).loosened);
+  EXPECT_EQ(after(0.011, 0., -1.).failure, FailureKind::none);
 }
 
 
