@@ -9,7 +9,6 @@
 #include <hybrid/dda/polygon.h>
 #include <hybrid/dda/start_accelerations.h>
 #include <hybrid/dda/sweep_order.h>
-#include <hybrid/scene/input_error.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,9 +85,6 @@ namespace hybrid::dda
       void join_bedrock_surface();
       void add_blocks();
       void add_joints();
-
-      /// @throws InputError if the scene has a belt that bonds no block to the ground.
-      void check_belt() const;
       void correct_stiffness();
       void set_loose_damping();
       void add_slices();
@@ -228,25 +224,6 @@ namespace hybrid::dda
       joints.add_belt_joints();
       if (model.n_bedrock > 0)
         joints.add_base_joints();
-      check_belt();
-    }
-
-
-
-    void Builder::check_belt() const
-    {
-      const bool has_ground = model.initial.base_nodes.size() > 1 || model.n_bedrock > 0;
-      if (scene.blocks.belt_material.empty() || n_mass == 0 || !has_ground ||
-          std::any_of(model.joints.begin(), model.joints.end(), [](const Joint &joint) {
-            return joint.kind == JointKind::belt;
-          }))
-        return;
-      throw InputError(
-        "Blocks/Belt material = " + scene.blocks.belt_material +
-        " bonds nothing: no edge of a block is an edge of the sliding surface. Blocks of "
-        "Mesh/Polygons file have nodes of their own: mesh blocks and surface together in "
-        "Mesh/File, or leave the belt material empty and give the friction of the surface to "
-        "Blocks/Material");
     }
 
 

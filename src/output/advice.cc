@@ -166,6 +166,20 @@ namespace hybrid::output
   }
 
 
+  std::string belt_warning(const scene::SceneParameters &scene, const dda::Model &model)
+  {
+    if (scene.blocks.belt_material.empty() || model.n_mass() == 0 ||
+        std::any_of(model.joints.begin(), model.joints.end(), [](const dda::Joint &joint) {
+          return joint.kind == dda::JointKind::belt;
+        }))
+      return "";
+    return "Blocks/Belt material = " + scene.blocks.belt_material +
+           " bonds nothing, as no block shares an edge with the sliding surface: its cohesion and tensile "
+           "strength do not act, and blocks touch the ground by friction alone. Blocks of Mesh/Polygons "
+           "file have nodes of their own; to bond them, mesh blocks and surface together in Mesh/File";
+  }
+
+
   std::string drag_warning(const scene::SceneParameters &scene)
   {
     const double k01 = scene.time.dynamic_coefficient;

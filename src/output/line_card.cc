@@ -45,7 +45,7 @@ namespace hybrid::output
         return "unbonded contact with friction, as Blocks/Belt material is not set";
       const bool has_wet_belt =
         scene.environment.water_level > -1e299 && !blocks.saturated_belt_material.empty();
-      return "bonded to the blocks, belt material " + blocks.belt_material +
+      return "bonded to blocks that share its edges, belt material " + blocks.belt_material +
              (has_wet_belt ? " (below the water " + blocks.saturated_belt_material + ")" : "");
     }
 

@@ -433,6 +433,7 @@ namespace hybrid::output
       {
         warn(speed_warning(*blocks, scene.time.time_step), card);
         warn(fracture_warning(scene, *blocks), card);
+        warn(belt_warning(scene, *blocks), card);
       }
     warn(drag_warning(scene), card);
     warn(penalty_warning(scene), card);

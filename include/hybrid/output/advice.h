@@ -55,6 +55,9 @@ namespace hybrid::output
    */
   std::string fracture_warning(const scene::SceneParameters &scene, const dda::Model &model);
 
+  /// A belt that bonds no block to the ground; "" if it bonds one or there is none.
+  std::string belt_warning(const scene::SceneParameters &scene, const dda::Model &model);
+
   /// The dynamic coefficient k01 brakes blocks against a frame at rest while their ground moves; ""
   /// if it is 1 or nothing moves.
   std::string drag_warning(const scene::SceneParameters &scene);

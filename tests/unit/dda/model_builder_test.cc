@@ -158,23 +158,6 @@ TEST(ModelBuilder, surface_without_its_node_in_the_bedrock_is_refused)
 
 
 
-TEST(ModelBuilder, belt_that_bonds_nothing_is_refused)
-{
-  // The blocks share no edge with a line "sliding_surface".
-  try
-    {
-      build_model(square_blocks(2, 1), bonded_parameters(), straight_base(0., 0., 2., 2));
-      FAIL() << "accepted";
-    }
-  catch (const InputError &error)
-    {
-      EXPECT_NE(std::string(error.what()).find("belt bonds nothing"), std::string::npos)
-        << error.what();
-    }
-}
-
-
-
 TEST(ModelBuilder, initial_state_is_at_rest_and_unstressed)
 {
   const Model model =

@@ -135,6 +135,23 @@ namespace hybrid::output
   }
 
 
+  TEST(Advice, ABeltThatBondsNothingIsToldOf)
+  {
+    scene::SceneParameters scene = test::block_parameters(30.);
+    scene.materials["belt"]      = scene.materials["rock"];
+    scene.blocks.belt_material   = "belt";
+    scene::SectionMesh mesh      = test::square_blocks(2, 1);
+    const auto         said      = [&]() {
+      return belt_warning(scene, dda::build_model(mesh, scene, test::straight_base(0., 0., 2., 2)));
+    };
+    EXPECT_EQ(said().find("Blocks/Belt material = belt bonds nothing"), 0u) << said();
+    mesh.lines["sliding_surface"].push_back({0, 1});
+    EXPECT_EQ(said(), "");
+    scene.blocks.belt_material.clear();
+    EXPECT_EQ(said(), "");
+  }
+
+
   TEST(Advice, ABrakeOfAbsoluteVelocitiesDragsOnGroundThatMoves)
   {
     scene::SceneParameters scene = test::block_parameters(30.);

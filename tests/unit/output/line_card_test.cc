@@ -50,7 +50,7 @@ namespace hybrid::output
       scene.blocks.saturated_belt_material = "wet";
       expect_row(describe_lines(mesh, scene),
                  "sliding_surface",
-                 "bonded to the blocks, belt material belt");
+                 "bonded to blocks that share its edges, belt material belt");
       scene.environment.water_level = 175.;
       expect_row(describe_lines(mesh, scene),
                  "sliding_surface",
