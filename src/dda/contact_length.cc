@@ -157,6 +157,24 @@ namespace hybrid::dda
 
 
 
+    /// True if the place at one end of the walk's edge touches the block.
+    bool is_touching_place(const Geometry             &geometry,
+                           const std::vector<Contact> &contacts,
+                           const Faces                &faces,
+                           const Walk                 &walk,
+                           const bool                  at_end)
+    {
+      const int place =
+        walk.forwards == at_end ? end_place(geometry, walk.body, walk.edge) : walk.edge;
+      return place >= 0 && touches(geometry,
+                                   contacts,
+                                   body_of(geometry, walk.body, place),
+                                   place,
+                                   faces.block.body);
+    }
+
+
+
     /// Walk from @p origin along the unit vector @p along, at most as far as @p enough [m].
     Reach reach(const Geometry             &geometry,
                 const std::vector<Contact> &contacts,
@@ -167,15 +185,18 @@ namespace hybrid::dda
                 const double                enough)
     {
       Walk walk = on_surface ? faces.surface : faces.block;
+      // A corner may hang over the end of the edge that it touches.
+      const double before = along.dot(position(geometry, walk.body, walk.begin(geometry)) - origin);
+      if (on_surface && faces.stops && before > faces.same_place &&
+          is_touching_place(geometry, contacts, faces, walk, false))
+        return {std::min(before, enough), walk};
       for (;;)
         {
           const double far = along.dot(position(geometry, walk.body, walk.end(geometry)) - origin);
           if (far >= enough)
             return {enough, walk};
-          const int place = walk.forwards ? end_place(geometry, walk.body, walk.edge) : walk.edge;
-          if (on_surface && faces.stops && far > faces.same_place && place >= 0 &&
-              touches(
-                geometry, contacts, body_of(geometry, walk.body, place), place, faces.block.body))
+          if (on_surface && faces.stops && far > faces.same_place &&
+              is_touching_place(geometry, contacts, faces, walk, true))
             return {far, walk};
           const Walk last = walk;
           if (!advance(geometry, walk) || !lies_along(direction(geometry, walk), along))

@@ -208,6 +208,24 @@ TEST(ContactLength, is_shared_where_nodes_of_both_are_at_one_place)
 
 
 
+TEST(ContactLength, corner_that_hangs_over_the_end_of_its_edge_leaves_the_rest_to_the_place_there)
+{
+  FixedBaseRun run(square_blocks(1, 1), block_parameters(30.), straight_base(0., 5., 5., 40));
+  run.solver.solve(run.state, run.base, 1e-4);
+  const std::vector<Vec2> start = run.state.geometry.vertices;
+  for (const double shift : {0., 2e-5, -2e-5, 5e-5, -5e-5})
+    {
+      for (std::size_t v = 0; v < start.size(); ++v)
+        run.state.geometry.vertices[v] = start[v] + Vec2(shift, 0.);
+      double total = 0.;
+      for (const Contact &c : run.state.contacts)
+        total += contact_length(run.state.geometry, run.state.contacts, c, corner_alone).overlap;
+      EXPECT_NEAR(total, 1., 1e-4) << shift;
+    }
+}
+
+
+
 TEST(ContactLength, straight_corners_of_a_layer_do_not_divide_it)
 {
   scene::SectionMesh mesh = squares({{-0.25, 1.}});
