@@ -133,9 +133,10 @@ TEST(CouplingRest, partly_failed_mass_stays)
 {
   scene::SceneParameters scene              = resting_parameters();
   scene.materials["mass"].tensile_strength  = 1e3;
-  scene.materials["mass"].cohesion          = 8e3;
+  scene.materials["mass"].cohesion          = 11e3;
   scene.materials["mass"].friction_angle    = 25.;
-  scene.materials["mass"].residual_cohesion = 6e3;
+  scene.materials["mass"].residual_cohesion = 10e3;
+  scene.blocks.softening_slip               = 3e-3;
   CoupledRun run(mass_on_rock(), scene);
   expect_rest(run);
   EXPECT_GT(failed_joints(run), 0);
