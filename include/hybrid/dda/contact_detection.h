@@ -47,9 +47,10 @@ namespace hybrid::dda
    *    block's corner in front of the slider's side.
    * 5. *One edge per vertex and body*: the edge it projects on, the edge in
    *    history, an edge that continues the one in history, the least
-   *    penetration; of equal ones the edge that the vertex's sole runs along, then the lower one,
-   *    so that neither round-off nor numbers decide. Two edges only if they face each other (a
-   * notch, a valley of the base sharper than 10 degrees).
+   *    penetration; of equal ones the edge that the vertex's sole runs along,
+   *    then the lower one, so that neither round-off nor numbers decide. Two
+   *    edges only if they face each other (a notch, a valley of the base
+   *    sharper than 10 degrees).
    * 6. *One edge per seam*: of edges of several bodies with normals within 10
    *    degrees that pass the vertex at the same height only one acts, so
    *    that stiffness and friction are the same on the seam as beside it.
