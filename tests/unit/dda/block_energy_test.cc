@@ -13,6 +13,18 @@ namespace
   using namespace hybrid;
   using namespace hybrid::dda;
   using namespace hybrid::test;
+
+  /// Bonds that do not break, without gravity, with Newmark's weights of a preset.
+  scene::SceneParameters strongly_bonded(const char *preset)
+  {
+    scene::SceneParameters p             = block_parameters(30.);
+    p.blocks.bonded                      = true;
+    p.materials["rock"].tensile_strength = 1e9;
+    p.materials["rock"].cohesion         = 1e9;
+    p.environment.gravity                = 0.;
+    p.time.newmark                       = Newmark::preset(preset);
+    return p;
+  }
 } // namespace
 
 
@@ -52,13 +64,8 @@ TEST(BlockEnergy, vibrating_bonded_pair_balances)
 {
   for (const char *preset : {"dissipative", "trapezoidal", "shi"})
     {
-      scene::SceneParameters p             = block_parameters(30.);
-      p.blocks.bonded                      = true;
-      p.materials["rock"].tensile_strength = 1e9;
-      p.materials["rock"].cohesion         = 1e9;
-      p.environment.gravity                = 0.;
-      p.time.newmark                       = Newmark::preset(preset);
-      p.blocks.damping_ratio               = 0.02;
+      scene::SceneParameters p = strongly_bonded(preset);
+      p.blocks.damping_ratio   = 0.02;
       FixedBaseRun run(square_blocks(2, 1), p, {});
       run.state.blocks[0].velocity[0] = 0.1;
       run.state.energy                = held_energy(run.model, run.state);
@@ -80,13 +87,8 @@ TEST(BlockEnergy, damaged_joint_that_opens_and_closes_gives_nothing)
   for (const char *preset : {"dissipative", "trapezoidal", "shi"})
     for (const double damage : {0.3, 0.9, 0.999})
       {
-        scene::SceneParameters p             = block_parameters(30.);
-        p.blocks.bonded                      = true;
-        p.materials["rock"].tensile_strength = 1e9;
-        p.materials["rock"].cohesion         = 1e9;
-        p.environment.gravity                = 0.;
-        p.time.newmark                       = Newmark::preset(preset);
-        FixedBaseRun run(square_blocks(2, 1), p, {});
+        const scene::SceneParameters p = strongly_bonded(preset);
+        FixedBaseRun                 run(square_blocks(2, 1), p, {});
         for (SpringState &end : run.state.joints[0].points)
           end.history.damage = damage;
         run.state.blocks[0].velocity    = Vec6::Unit(0) * 0.1;
