@@ -47,14 +47,6 @@ namespace hybrid::dda
     {
       return is_surface(geometry, contact.vertex_body) != is_surface(geometry, contact.edge_body);
     }
-
-
-
-    /// The block of the mass in a contact with a surface.
-    int mass_block(const Contact &contact, const Geometry &geometry)
-    {
-      return is_surface(geometry, contact.vertex_body) ? contact.edge_body : contact.vertex_body;
-    }
   } // namespace
 
 
@@ -71,58 +63,84 @@ namespace hybrid::dda
                            const CornerLength         &corner,
                            std::vector<Contact>       &now)
   {
-    bool is_sorted = false;
+    bool is_found = false;
     for (Contact &contact : now)
       {
-        if (!is_on_surface(contact, geometry) ||
-            std::binary_search(before.begin(), before.end(), contact, comes_before) ||
-            Place(contact, geometry).gap >= contact.rest_gap)
+        if (std::binary_search(before.begin(), before.end(), contact, comes_before))
           continue;
-        if (!is_sorted)
-          sort_by_block(before, geometry);
-        is_sorted = true;
-        begin_as_piece({before, now, geometry, corner}, contact);
+        const double gap = Place(contact, geometry).gap;
+        if (gap >= contact.rest_gap)
+          continue;
+        if (!is_found)
+          find_pressing(before, geometry);
+        is_found            = true;
+        const Range between = pressing_between(bodies_of(contact, geometry));
+        if (is_on_surface(contact, geometry) &&
+            begin_as_piece({before, now, geometry, corner}, between, contact))
+          continue;
+        double depth = 0.;
+        for (auto it = between.first; it != between.second; ++it)
+          depth = std::max(depth, it->depth);
+        contact.rest_gap = std::min(contact.rest_gap, gap + depth);
       }
   }
 
 
 
-  void ContactLoads::sort_by_block(const std::vector<Contact> &before, const Geometry &geometry)
+  ContactLoads::Bodies ContactLoads::bodies_of(const Contact &contact, const Geometry &geometry)
   {
-    by_block.clear();
-    for (std::size_t c = 0; c < before.size(); ++c)
-      if (is_on_surface(before[c], geometry))
-        by_block.push_back({mass_block(before[c], geometry), static_cast<int>(c)});
-    std::sort(by_block.begin(), by_block.end());
+    const auto body = [&](const int b) { return is_surface(geometry, b) ? base_body : b; };
+    return std::minmax({body(contact.vertex_body), body(contact.edge_body)});
   }
 
 
 
-  void ContactLoads::begin_as_piece(const Lists &lists, Contact &contact) const
+  void ContactLoads::find_pressing(const std::vector<Contact> &before, const Geometry &geometry)
+  {
+    pressing.clear();
+    for (std::size_t c = 0; c < before.size(); ++c)
+      {
+        const double depth = before[c].rest_gap - Place(before[c], geometry).gap;
+        if (depth > 0.)
+          pressing.push_back({bodies_of(before[c], geometry), static_cast<int>(c), depth});
+      }
+    std::sort(pressing.begin(), pressing.end());
+  }
+
+
+
+  ContactLoads::Range ContactLoads::pressing_between(const Bodies &bodies) const
+  {
+    const auto is_before = [](const Pressing &p, const Bodies &b) { return p.bodies < b; };
+    const auto is_after  = [](const Bodies &b, const Pressing &p) { return b < p.bodies; };
+    return {std::lower_bound(pressing.begin(), pressing.end(), bodies, is_before),
+            std::upper_bound(pressing.begin(), pressing.end(), bodies, is_after)};
+  }
+
+
+
+  bool ContactLoads::begin_as_piece(const Lists &lists, const Range &between, Contact &contact)
   {
     const Geometry &geometry = lists.geometry;
     const Place     place(contact, geometry);
-    const int       block   = mass_block(contact, geometry);
     const Contact  *nearest = nullptr;
     double          least = std::numeric_limits<double>::infinity(), turn = 0., depth = 0.;
-    for (auto it = std::lower_bound(by_block.begin(), by_block.end(), std::make_pair(block, 0));
-         it != by_block.end() && it->first == block;
-         ++it)
+    for (auto it = between.first; it != between.second; ++it)
       {
-        const Contact &old = lists.before[it->second];
+        const Contact &old = lists.before[it->number];
         const Place    then(old, geometry);
         const double   distance = (then.vertex - place.vertex).norm();
         const double   cosine   = then.along.dot(place.along);
         if (distance >= least || distance > 0.5 * std::max(then.length, place.length) ||
-            std::abs(cosine) < ContactTolerances{}.continuing_cosine || then.gap >= old.rest_gap)
+            std::abs(cosine) < ContactTolerances{}.continuing_cosine)
           continue;
         nearest = &old;
         least   = distance;
         turn    = std::copysign(1., cosine);
-        depth   = old.rest_gap - then.gap;
+        depth   = it->depth;
       }
     if (nearest == nullptr)
-      return;
+      return false;
     // Slip is that of the vertex along the edge: the other way round where they change roles.
     const bool same_role =
       is_surface(geometry, nearest->vertex_body) == is_surface(geometry, contact.vertex_body);
@@ -132,5 +150,6 @@ namespace hybrid::dda
     contact.rest_gap  = std::min(0., place.gap + part * depth);
     contact.plastic_slip =
       contact.slip - role * turn * part * (nearest->slip - nearest->plastic_slip);
+    return true;
   }
 } // namespace hybrid::dda

@@ -30,11 +30,48 @@ namespace
 
 
 
-TEST(ContactLoad, what_is_new_in_overlap_is_pushed_out)
+TEST(ContactLoad, what_is_new_where_nothing_pressed_begins_without_load)
 {
+  std::vector<Contact> before = {{0, 1, base_body, 1, 0.5}};
+  std::vector<Contact> now    = {{0, 0, base_body, 0, 0.5}};
+  before[0].rest_gap          = -0.1; // it only touched
+  ContactLoads().carry(before, square_in_the_ground(), corner, now);
+  EXPECT_NEAR(now[0].rest_gap, -0.1, 1e-15);
+}
+
+
+
+TEST(ContactLoad, what_is_new_in_front_of_an_edge_is_open)
+{
+  Geometry g               = square_in_the_ground();
+  g.vertices[0].y()        = 0.1;
   std::vector<Contact> now = {{0, 0, base_body, 0, 0.5}};
-  ContactLoads().carry({}, square_in_the_ground(), corner, now);
+  ContactLoads().carry({}, g, corner, now);
   EXPECT_EQ(now[0].rest_gap, 0.);
+}
+
+
+
+TEST(ContactLoad, two_blocks_press_on_as_they_pressed)
+{
+  Geometry g;
+  g.offset                    = {0, 3, 6, 9};
+  g.block_of                  = {0, 0, 0, 1, 1, 1, 2, 2, 2};
+  g.vertices                  = {{0., 0.},
+                                 {1., 0.},
+                                 {0., 1.},
+                                 {0.2, -1.},
+                                 {0.5, 0.1},
+                                 {0.1, 0.2},
+                                 {0.2, -1.},
+                                 {0.6, 0.1},
+                                 {0.1, 0.2}};
+  std::vector<Contact> before = {{1, 4, 0, 0, 0.5}};
+  before[0].rest_gap          = -0.07; // pressed by 0.03 m
+  std::vector<Contact> now    = {{1, 5, 0, 0, 0.1}, {2, 7, 0, 0, 0.6}};
+  ContactLoads().carry(before, g, corner, now);
+  EXPECT_NEAR(now[0].rest_gap, -0.17, 1e-15) << "0.2 m deep";
+  EXPECT_NEAR(now[1].rest_gap, -0.1, 1e-15) << "another block, 0.1 m deep";
 }
 
 
@@ -55,7 +92,7 @@ TEST(ContactLoad, what_goes_on_along_another_edge_keeps_its_load)
   std::vector<Contact> now    = {{0, 0, base_body, 0, 0.5}, {0, 1, base_body, 1, 0.5}};
   ContactLoads().carry(before, square_in_the_ground(), corner, now);
   EXPECT_NEAR(now[0].rest_gap, -0.07, 1e-15);
-  EXPECT_EQ(now[1].rest_gap, 0.) << "a metre away";
+  EXPECT_NEAR(now[1].rest_gap, -0.07, 1e-15) << "a metre away: what pressed between the two";
 }
 
 
