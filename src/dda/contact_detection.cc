@@ -90,10 +90,8 @@ namespace hybrid::dda
       if (!dropped[i])
         {
           Contact &contact = trials[i].contact;
-          if (trials[i].has_crossed)
-            contact.rest_gap = trials[i].gap;
-          else if (trials[i].history == ContactTrial::History::none &&
-                   candidates.is_first_look(contact.vertex_body, contact.edge_body))
+          if (trials[i].history == ContactTrial::History::none &&
+              candidates.is_first_look(contact.vertex_body, contact.edge_body))
             contact.rest_gap = std::min(0., trials[i].gap - tolerances.extension());
           contacts.push_back(contact);
         }

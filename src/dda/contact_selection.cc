@@ -259,7 +259,8 @@ namespace hybrid::dda
 
   /// The corner at the near end of the edge and that of the vertex overlap although neither is in
   /// the other's block: two tips that have passed each other. Each side of one crosses both of the
-  /// other's. In one step they have come no further than the reach.
+  /// other's, but for two sides that lie on each other. In one step they have come no further than
+  /// the reach.
   bool ContactSelection::has_crossed_corner(const ContactTrial &trial) const
   {
     const int body = trial.contact.edge_body;
@@ -274,11 +275,12 @@ namespace hybrid::dda
         (point - v[corner]).norm() > tolerances.reach ||
         contains(&v[begin], geometry->offset[vertex_body + 1] - begin, v[corner]))
       return false;
+    int crossings = 0;
     for (const int e : {geometry->previous(corner), corner})
       for (const int mine : {geometry->previous(vertex), vertex})
-        if (!segments_cross({v[e], v[geometry->next(e)]}, {v[mine], v[geometry->next(mine)]}))
-          return false;
-    return true;
+        crossings +=
+          segments_cross({v[e], v[geometry->next(e)]}, {v[mine], v[geometry->next(mine)]}) ? 1 : 0;
+    return crossings >= 3;
   }
 
 

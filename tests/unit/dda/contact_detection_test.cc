@@ -51,7 +51,8 @@ namespace
   };
 
   /// All pairs of new contacts between triangles, straight from rules 1, 2, 3, 5, 6 and 7 of the
-  /// True if all sides of two corners cross and neither corner is in the other's block.
+  /// True if the sides of two corners cross, all but one pair at most, and neither corner is in the
+  /// other's block.
   bool corners_cross(const Geometry &g, const int p, const int q)
   {
     const auto in_block_of = [&](const int inner, const int other) {
@@ -60,16 +61,17 @@ namespace
     if ((g.vertices[p] - g.vertices[q]).norm() > parameters.reach || in_block_of(p, q) ||
         in_block_of(q, p))
       return false;
+    int crossings = 0;
     for (const int a : {p, g.previous(p)})
       for (const int b : {q, g.previous(q)})
         {
           Eigen::Matrix2d sides;
           sides << g.vertices[g.next(a)] - g.vertices[a], g.vertices[b] - g.vertices[g.next(b)];
           const Vec2 parts = sides.inverse() * (g.vertices[b] - g.vertices[a]);
-          if (parts.minCoeff() <= 0. || parts.maxCoeff() >= 1.)
-            return false;
+          if (parts.minCoeff() > 0. && parts.maxCoeff() < 1.)
+            ++crossings;
         }
-    return true;
+    return crossings >= 3;
   }
 
   /// header.

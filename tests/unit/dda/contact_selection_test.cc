@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact_scenes.h"
 
+#include <hybrid/dda/contact_load.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -76,6 +78,8 @@ namespace
     EXPECT_TRUE(between(contacts).empty());
 
     detection.update(scene(passed), contacts);
+    ContactLoads().carry(
+      {}, scene(passed), [](const Contact &) { return 1.; }, contacts);
     const Contacts touching = between(contacts);
     ASSERT_EQ(touching.size(), 1u);
     EXPECT_NEAR(touching[0].rest_gap, -passed * std::min(steep, flat), 1e-12)
@@ -92,6 +96,31 @@ namespace
     detection.update(above, contacts);
     for (const Contact &c : between(contacts))
       EXPECT_EQ(c.rest_gap, 0.);
+  }
+
+  TEST(ContactSelection, ASoleThatSlidesOffATipIsSeenByTheTip)
+  {
+    // The tip of the lower block bears the sole of the upper one, which is pressed 4 mm into it.
+    // The upper corner leaves the lower edge; the lower corner is not in the upper block before
+    // that has slid on by 4 mm. Meanwhile the two sides that lie on each other do not cross.
+    const auto scene = [](const double slid) {
+      Geometry g =
+        blocks({{{0., 0.}, {0.9, -0.6}, {1.4, 0.}}, {{0.02, 0.}, {1.4, 0.}, {0.9, 0.6}}});
+      move_block(g, 1, {slid, -4e-3});
+      return g;
+    };
+    const auto bears = [](const Contacts &contacts) {
+      return std::count_if(contacts.begin(), contacts.end(), [](const Contact &c) {
+        return (c.vertex == 2 && c.edge == 3) || (c.vertex == 4 && c.edge == 2);
+      });
+    };
+    ContactDetection detection(parameters);
+    Contacts         contacts;
+    for (const double slid : {-1e-3, 1e-4, 1e-3, 2e-3, 3e-3, 5e-3})
+      {
+        detection.update(scene(slid), contacts);
+        EXPECT_GE(bears(contacts), 1) << slid;
+      }
   }
 
   TEST(ContactSelection, CornerThatComesDownOnATipKeepsTipAndGround)
