@@ -135,6 +135,7 @@ CASES = {
                               more=most_joints_fail, full_size={
         "6 x 8": ["Mesh/Numbers=Width = 6; Height = 8; Base beyond = 40; Resolution/h = 1"]}),
     "hinge": Wanted(residual=0.001, more=gapes),
+    "crushed": Wanted(residual=0.001, penetration=0.05, more=falls_apart),
     "dead_load": Wanted({"scene": [], "trapezoidal": ["Time/Scheme=trapezoidal"]}, residual=0.001, penetration=0.05, more=falls_apart,
                         full_speed=128.0, full_size={"10 x 20": [
                             "Mesh/Numbers=Width = 10; Height = 20; Base beyond = 150; Resolution/h = 1", "Time/End time=2",

@@ -37,7 +37,7 @@ namespace hybrid::dda
    * 3. *A new contact behind an edge* counts only if the vertex is really
    *    inside the block: targets need not be convex. Or if two tips have passed
    *    each other in the last step, so that the blocks overlap with no corner of one in the
-   *    other; it starts without force, as in rule 9.
+   *    other. (Loads with which contacts begin that are found in overlap: contact_load.h.)
    * 4. *Undecided corners*: a vertex exactly on a corner both of whose edges
    *    pass is no contact yet. Whichever edge were chosen would jam one of
    *    two ways past the corner; one step later the vertex has moved and rule
