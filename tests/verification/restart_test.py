@@ -109,6 +109,13 @@ def processor_time(process):
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
+def wait_for_processor_time(process, wait):
+    """Return once the process has used so much more, or has ended."""
+    end = processor_time(process) + wait
+    while process.poll() is None and processor_time(process) < end:
+        time.sleep(0.005)
+
+
 def end_or_kill(words, seconds):
     """Run and kill after so much processor time, if it is a number. @return the exit code, None if killed."""
     with open(WORK / "errors.txt", "w") as errors:
@@ -177,13 +184,13 @@ def check_dda():
 
 
 def interrupt(number, wait):
-    """Send a signal to a run once it has begun. @return its directory and what it printed."""
+    """Send a signal to a run so much processor time [s] after it has begun. @return its directory."""
     directory = WORK / f"signal_{number}"
     process = subprocess.Popen(words_of(COUPLED, directory), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                env=ENVIRONMENT, preexec_fn=lambda: signal.signal(number, signal.SIG_DFL))
     while process.poll() is None and not (directory / "checkpoint/state.bin").exists():
         time.sleep(0.005)
-    time.sleep(wait)
+    wait_for_processor_time(process, wait)
     process.send_signal(number)
     output = process.communicate(timeout=600)[0]
     require(process.returncode == 130, f"signal {number}: exit code 130, not {process.returncode}")
@@ -194,7 +201,7 @@ def interrupt(number, wait):
 def check_signals():
     whole = WORK / "whole"
     run(words_of(COUPLED, whole))
-    for number, wait in ((signal.SIGINT, 0.), (signal.SIGTERM, 0.1), (signal.SIGHUP, 0.2)):
+    for number, wait in ((signal.SIGINT, 0.), (signal.SIGTERM, 0.05), (signal.SIGHUP, 0.1)):
         directory = interrupt(number, wait)
         steps = check_readable(directory)
         summary = json.loads((directory / "summary.json").read_text(encoding="utf-8"))
@@ -238,9 +245,7 @@ def end_static_stage(number, wait, directory):
     log = directory / "log.txt"
     while process.poll() is None and not (log.exists() and "\nTime " in log.read_text()):  # the end of the card
         time.sleep(0.005)
-    start = processor_time(process)
-    while process.poll() is None and processor_time(process) < start + wait:
-        time.sleep(0.005)
+    wait_for_processor_time(process, wait)
     process.send_signal(number)
     output, errors = process.communicate(timeout=600)
     require(not errors, f"{directory.name}: nothing on stderr, not {errors}")
