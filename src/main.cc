@@ -8,7 +8,7 @@
 #include <hybrid/restart/write_error.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/input_error.h>
-#include <hybrid/scene/scene_reader.h>
+#include <hybrid/scene/parameters/scene_reader.h>
 #include <hybrid/simulation.h>
 #include <hybrid/waiting_threads.h>
 

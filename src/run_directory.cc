@@ -5,7 +5,7 @@
 #include <hybrid/restart/durable_file.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/input_error.h>
-#include <hybrid/scene/scene_reader.h>
+#include <hybrid/scene/parameters/scene_reader.h>
 
 #include <cerrno>
 #include <cstring>

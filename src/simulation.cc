@@ -2,9 +2,10 @@
 #include <hybrid/coupling/block_bedrock.h>
 #include <hybrid/coupling/condensed_base.h>
 #include <hybrid/coupling/rigid_base.h>
-#include <hybrid/dda/bedrock_blocks.h>
-#include <hybrid/dda/initial_velocities.h>
-#include <hybrid/dda/model_builder.h>
+#include <hybrid/dda/block/moving_blocks.h>
+#include <hybrid/dda/model/bedrock_blocks.h>
+#include <hybrid/dda/model/model_builder.h>
+#include <hybrid/dda/step/initial_state.h>
 #include <hybrid/output/line_card.h>
 #include <hybrid/output/memory_estimate.h>
 #include <hybrid/output/mesh_progress.h>
@@ -12,14 +13,14 @@
 #include <hybrid/output/progress.h>
 #include <hybrid/output/scene_card.h>
 #include <hybrid/run_directory.h>
-#include <hybrid/scene/doubtful_values.h>
-#include <hybrid/scene/edge_chain.h>
-#include <hybrid/scene/free_field_check.h>
-#include <hybrid/scene/geometry_warnings.h>
-#include <hybrid/scene/input_motion.h>
-#include <hybrid/scene/mesh_check.h>
-#include <hybrid/scene/settings_without_effect.h>
-#include <hybrid/scene/unit_check.h>
+#include <hybrid/scene/checks/doubtful_values.h>
+#include <hybrid/scene/checks/free_field_check.h>
+#include <hybrid/scene/checks/geometry_warnings.h>
+#include <hybrid/scene/checks/mesh_check.h>
+#include <hybrid/scene/checks/settings_without_effect.h>
+#include <hybrid/scene/mesh/edge_chain.h>
+#include <hybrid/scene/mesh/unit_check.h>
+#include <hybrid/scene/motion/input_motion.h>
 #include <hybrid/simulation_run.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/bedding_rest.h>
-#include <hybrid/dda/block_energy.h>
+#include <hybrid/dda/statics/bedding_rest.h>
+#include <hybrid/dda/step/block_energy.h>
 #include <hybrid/output/static_progress.h>
 #include <hybrid/output/terminal.h>
 #include <hybrid/simulation.h>

@@ -19,6 +19,11 @@ ALLOWED = {
     "study": {"scene", "output"},
     "simulation": {"scene", "restart", "continuum", "dda", "coupling", "output", "study"},
 }
+# module -> its folders from the bottom to the top; "" is the module's own. A folder may include those below it.
+FOLDERS = {
+    "scene": ("", "parameters", "mesh", "motion", "checks"),
+    "dda": ("geometry", "block", "joint", "contact", "linear", "model", "springs", "failure", "step", "statics"),
+}
 MAXIMUM_LINES = {".h": 300, ".cc": 500}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
@@ -33,6 +38,29 @@ def module_of(path):
     parts = path.split("/")
     folder = {"include": 2, "src": 1, "tests": 2}[parts[0]]
     return parts[folder] if len(parts) > folder + 1 else None
+
+
+def folder_of(path):
+    """The folder of a file or header in its module, "" for the module's own."""
+    parts = path.split("/")
+    if parts[0] == "hybrid":
+        return parts[2] if len(parts) > 3 else ""
+    first = {"include": 3, "src": 2, "tests": 3}[parts[0]]
+    return parts[first] if len(parts) > first + 1 else ""
+
+
+def check_folder(path, module, header):
+    """A complaint if the header lies in a folder above that of the file."""
+    folders = FOLDERS.get(module)
+    if folders is None or path.startswith("tests/"):
+        return []
+    mine, other = folder_of(path), folder_of(header)
+    for folder in (mine, other):
+        if folder not in folders:
+            return [f"{path}: folder '{folder}' of '{module}' is unknown; add it to FOLDERS in tests/check_layering.py"]
+    if folders.index(other) > folders.index(mine):
+        return [f"{path}: '{module}/{mine}' must not include <{header}>"]
+    return []
 
 
 def check_file(path, text):
@@ -58,7 +86,9 @@ def check_file(path, text):
         other = parts[1] if len(parts) > 2 else None
         if other is None and module == "simulation":
             continue  # tests of the program's own files
-        if other != module and other not in ALLOWED[module]:
+        if other == module:
+            complaints += check_folder(path, module, header)
+        elif other not in ALLOWED[module]:
             complaints.append(f"{path}:{number}: module '{module}' must not include <{header}>")
     return complaints
 
@@ -69,16 +99,19 @@ def self_test():
         ("src/dda/a.cc", "#include <hybrid/continuum/continuum.h>"),
         ("src/dda/a.cc", '#  include "deal.II/base/point.h"'),
         ("include/hybrid/scene/a.h", "#include <gmsh.h>"),
-        ("include/hybrid/scene/a.h", "#include <hybrid/dda/block.h>"),
+        ("include/hybrid/scene/a.h", "#include <hybrid/dda/block/block.h>"),
         ("include/hybrid/dda/a.h", "#include <mpi.h>"),
         ("src/continuum/a.cc", "#include <hybrid/simulation.h>"),
         ("include/hybrid/dda/a.h", "\n" * 301),
         ("src/dda/a.cc", "\n" * 501),
         ("src/surprise/a.cc", ""),
+        ("src/dda/contact/a.cc", "#include <hybrid/dda/step/block_solver.h>"),
+        ("include/hybrid/scene/a.h", "#include <hybrid/scene/parameters/scene_parameters.h>"),
+        ("src/dda/surprise/a.cc", "#include <hybrid/dda/geometry/polygon.h>"),
     ]
     accepted = [
         ("src/scene/a.cc", "#include <deal.II/base/point.h>\n#include <hybrid/scene/types.h>"),
-        ("src/coupling/a.cc", "#include <hybrid/dda/block.h>\n// #include <hybrid/output/log.h>"),
+        ("src/coupling/a.cc", "#include <hybrid/dda/block/block.h>\n// #include <hybrid/output/log.h>"),
         ("src/main.cc", "#include <hybrid/output/log.h>"),
     ]
     for path, text in refused:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/scene/motion.h>
-#include <hybrid/scene/scene_parameters.h>
-#include <hybrid/scene/section_mesh.h>
+#include <hybrid/scene/mesh/section_mesh.h>
+#include <hybrid/scene/motion/motion.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <cstdint>
 #include <functional>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <hybrid/output/log.h>
-#include <hybrid/scene/scene_parameters.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <string>
 #include <vector>

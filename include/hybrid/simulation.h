@@ -4,15 +4,15 @@
 #include <hybrid/clock.h>
 #include <hybrid/coupling/base.h>
 #include <hybrid/coupling/coupled_step.h>
-#include <hybrid/dda/static_stage.h>
+#include <hybrid/dda/statics/static_stage.h>
 #include <hybrid/interruption.h>
 #include <hybrid/output/log.h>
 #include <hybrid/output/run_recorder.h>
 #include <hybrid/restart/checkpoint_file.h>
-#include <hybrid/scene/ground_motion.h>
-#include <hybrid/scene/input_motion.h>
-#include <hybrid/scene/scene_parameters.h>
-#include <hybrid/scene/section_mesh.h>
+#include <hybrid/scene/mesh/section_mesh.h>
+#include <hybrid/scene/motion/ground_motion.h>
+#include <hybrid/scene/motion/input_motion.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <memory>
 #include <mpi.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <hybrid/checkpoint.h>
-#include <hybrid/dda/block_solver.h>
+#include <hybrid/dda/step/block_solver.h>
 #include <hybrid/output/energy_watch.h>
 #include <hybrid/simulation.h>
 

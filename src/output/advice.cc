@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/initial_velocities.h>
-#include <hybrid/dda/model_builder.h>
+#include <hybrid/dda/block/moving_blocks.h>
+#include <hybrid/dda/model/model_builder.h>
+#include <hybrid/dda/step/initial_state.h>
 #include <hybrid/output/advice.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/memory_estimate.h>
+#include <hybrid/dda/step/memory_estimate.h>
 #include <hybrid/output/memory_estimate.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/mesh_progress.h>
 #include <hybrid/output/terminal.h>
-#include <hybrid/scene/section_mesh_reader.h>
+#include <hybrid/scene/mesh/section_mesh_reader.h>
 
 #include <cstdio>
 #include <iostream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/monitor_summary.h>
-#include <hybrid/scene/filter.h>
+#include <hybrid/scene/motion/filter.h>
 
 #include <algorithm>
 #include <cassert>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/block_motion.h>
+#include <hybrid/dda/block/block_motion.h>
 #include <hybrid/output/pictures.h>
 #include <hybrid/restart/archive.h>
 

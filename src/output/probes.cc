@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/block_motion.h>
-#include <hybrid/dda/polygon.h>
+#include <hybrid/dda/block/block_motion.h>
+#include <hybrid/dda/geometry/polygon.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/restart/archive.h>
 #include <hybrid/scene/input_error.h>

@@ -3,8 +3,8 @@
 #include <hybrid/output/monitor_summary.h>
 #include <hybrid/output/run_recorder.h>
 #include <hybrid/output/section_tables.h>
-#include <hybrid/scene/downhill.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/mesh/downhill.h>
 
 #include <algorithm>
 #include <cmath>

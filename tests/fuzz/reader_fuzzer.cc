@@ -2,12 +2,12 @@
 // Mutated input files for every reader of the scene module. Allowed is: a sound result, or an
 // InputError of one line. See doc/developer_guide.md, "Fuzzing".
 #include <hybrid/scene/input_error.h>
-#include <hybrid/scene/motion_reader.h>
-#include <hybrid/scene/parameter_values.h>
-#include <hybrid/scene/polygon_reader.h>
-#include <hybrid/scene/response_spectrum.h>
-#include <hybrid/scene/scene_reader.h>
-#include <hybrid/scene/section_mesh_reader.h>
+#include <hybrid/scene/mesh/polygon_reader.h>
+#include <hybrid/scene/mesh/section_mesh_reader.h>
+#include <hybrid/scene/motion/motion_reader.h>
+#include <hybrid/scene/motion/response_spectrum.h>
+#include <hybrid/scene/parameters/parameter_values.h>
+#include <hybrid/scene/parameters/scene_reader.h>
 #include <hybrid/scene/text_table.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hard cases of blocks on a fixed base: no NaN, no energy created, no block through the base by
 // more than 1 % of its size, no ejection.
-#include <hybrid/dda/block_energy.h>
-#include <hybrid/dda/static_stage.h>
+#include <hybrid/dda/statics/static_stage.h>
+#include <hybrid/dda/step/block_energy.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/block_solver.h>
-#include <hybrid/dda/model_builder.h>
+#include <hybrid/dda/model/model_builder.h>
+#include <hybrid/dda/step/block_solver.h>
+#include <hybrid/dda/step/initial_state.h>
 
 #include <cmath>
 #include <map>

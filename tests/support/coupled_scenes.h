@@ -5,7 +5,8 @@
 
 #include <hybrid/coupling/condensed_base.h>
 #include <hybrid/coupling/coupled_step.h>
-#include <hybrid/dda/model_builder.h>
+#include <hybrid/dda/model/model_builder.h>
+#include <hybrid/dda/step/initial_state.h>
 #include <hybrid/output/energy_ledger.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/block_matrix.h>
+#include <hybrid/dda/linear/block_matrix.h>
 
 #include <cstdlib>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "block_scenes.h"
 
-#include <hybrid/dda/springs.h>
+#include <hybrid/dda/springs/springs.h>
 
 #include <algorithm>
 

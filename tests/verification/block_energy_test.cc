@@ -3,8 +3,8 @@
 // fracture.
 #include "block_scenes.h"
 
-#include <hybrid/dda/block_energy.h>
-#include <hybrid/dda/static_stage.h>
+#include <hybrid/dda/statics/static_stage.h>
+#include <hybrid/dda/step/block_energy.h>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // Blocks that touch nothing: the parabola, and a spin that neither grows nor gains energy.
 #include "block_scenes.h"
 
-#include <hybrid/dda/block_energy.h>
-#include <hybrid/dda/polygon.h>
+#include <hybrid/dda/geometry/polygon.h>
+#include <hybrid/dda/step/block_energy.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // normal and oblique, on a corner and flat, slow and fast, with gravity and without.
 #include "block_scenes.h"
 
-#include <hybrid/dda/block_energy.h>
+#include <hybrid/dda/step/block_energy.h>
 
 #include <gtest/gtest.h>
 

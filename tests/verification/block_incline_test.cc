@@ -3,7 +3,7 @@
 // rest.
 #include "block_scenes.h"
 
-#include <hybrid/dda/static_stage.h>
+#include <hybrid/dda/statics/static_stage.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 // each other.
 #include "block_scenes.h"
 
-#include <hybrid/dda/block_energy.h>
+#include <hybrid/dda/step/block_energy.h>
 
 #include <gtest/gtest.h>
 

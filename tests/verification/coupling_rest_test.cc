@@ -3,7 +3,7 @@
 // rock carries exactly its weight, and a pulse through it keeps the energy balance.
 #include "coupled_scenes.h"
 
-#include <hybrid/dda/static_stage.h>
+#include <hybrid/dda/statics/static_stage.h>
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <hybrid/continuum/element_nodes.h>
 #include <hybrid/continuum/free_field_column.h>
 #include <hybrid/continuum/node_matrices.h>
-#include <hybrid/scene/ground_motion.h>
-#include <hybrid/scene/scene_parameters.h>
+#include <hybrid/scene/motion/ground_motion.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <vector>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <hybrid/continuum/slip_state.h>
-#include <hybrid/scene/ground_motion.h>
-#include <hybrid/scene/scene_parameters.h>
-#include <hybrid/scene/section_mesh.h>
+#include <hybrid/scene/mesh/section_mesh.h>
+#include <hybrid/scene/motion/ground_motion.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <Eigen/Core>
 

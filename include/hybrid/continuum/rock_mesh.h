@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/scene/section_mesh.h>
+#include <hybrid/scene/mesh/section_mesh.h>
 
 #include <array>
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <hybrid/continuum/continuum.h>
-#include <hybrid/dda/base_response.h>
+#include <hybrid/dda/step/base_response.h>
 #include <hybrid/scene/types.h>
 
 #include <vector>

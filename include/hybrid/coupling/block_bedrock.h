@@ -3,8 +3,8 @@
 
 #include <hybrid/continuum/free_field_column.h>
 #include <hybrid/coupling/rigid_base.h>
-#include <hybrid/dda/boundary_edge.h>
-#include <hybrid/scene/scene_parameters.h>
+#include <hybrid/dda/block/boundary_edge.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <vector>
 

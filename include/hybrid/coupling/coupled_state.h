@@ -2,7 +2,7 @@
 #pragma once
 
 #include <hybrid/continuum/continuum.h>
-#include <hybrid/dda/state.h>
+#include <hybrid/dda/model/state.h>
 
 namespace hybrid::coupling
 {

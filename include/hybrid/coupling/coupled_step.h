@@ -3,7 +3,7 @@
 
 #include <hybrid/coupling/base.h>
 #include <hybrid/coupling/coupled_state.h>
-#include <hybrid/dda/block_solver.h>
+#include <hybrid/dda/step/block_solver.h>
 
 namespace hybrid::coupling
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <hybrid/coupling/base.h>
-#include <hybrid/scene/ground_motion.h>
+#include <hybrid/scene/motion/ground_motion.h>
 
 namespace hybrid::coupling
 {

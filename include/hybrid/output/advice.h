@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/model.h>
-#include <hybrid/scene/scene_parameters.h>
+#include <hybrid/dda/model/model.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <string>
 

@@ -3,7 +3,7 @@
 
 #include <hybrid/continuum/continuum.h>
 #include <hybrid/coupling/coupled_state.h>
-#include <hybrid/dda/model.h>
+#include <hybrid/dda/model/model.h>
 #include <hybrid/output/history_file.h>
 
 #include <string>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/model.h>
+#include <hybrid/dda/model/model.h>
 #include <hybrid/output/history_file.h>
-#include <hybrid/scene/scene_parameters.h>
-#include <hybrid/scene/spectrum_motion.h>
+#include <hybrid/scene/motion/spectrum_motion.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 /**
  * @file Tables of run.h5 that say what went into a run, each only if the scene has the effect; see

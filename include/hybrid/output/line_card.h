@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/scene/scene_parameters.h>
-#include <hybrid/scene/section_mesh.h>
+#include <hybrid/scene/mesh/section_mesh.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <string>
 

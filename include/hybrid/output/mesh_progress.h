@@ -3,8 +3,8 @@
 
 #include <hybrid/output/heartbeat.h>
 #include <hybrid/output/log.h>
-#include <hybrid/scene/scene_parameters.h>
-#include <hybrid/scene/section_mesh.h>
+#include <hybrid/scene/mesh/section_mesh.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <memory>
 

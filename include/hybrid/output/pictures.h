@@ -2,7 +2,7 @@
 #pragma once
 
 #include <hybrid/coupling/coupled_state.h>
-#include <hybrid/dda/model.h>
+#include <hybrid/dda/model/model.h>
 #include <hybrid/output/pvd_series.h>
 
 #include <memory>

@@ -4,8 +4,8 @@
 #include <hybrid/continuum/continuum.h>
 #include <hybrid/coupling/base.h>
 #include <hybrid/coupling/coupled_state.h>
-#include <hybrid/dda/model.h>
-#include <hybrid/scene/scene_parameters.h>
+#include <hybrid/dda/model/model.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <string>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/open_close_iteration.h>
+#include <hybrid/dda/step/open_close_iteration.h>
 #include <hybrid/output/bedding_recorder.h>
 #include <hybrid/output/energy_ledger.h>
 #include <hybrid/output/history_file.h>
@@ -9,10 +9,10 @@
 #include <hybrid/output/probes.h>
 #include <hybrid/output/slip_recorder.h>
 #include <hybrid/output/summary.h>
-#include <hybrid/scene/ground_motion.h>
-#include <hybrid/scene/scene_parameters.h>
-#include <hybrid/scene/section_mesh.h>
-#include <hybrid/scene/spectrum_motion.h>
+#include <hybrid/scene/mesh/section_mesh.h>
+#include <hybrid/scene/motion/ground_motion.h>
+#include <hybrid/scene/motion/spectrum_motion.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <chrono>
 #include <memory>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <hybrid/continuum/continuum.h>
-#include <hybrid/dda/model.h>
-#include <hybrid/scene/motion.h>
-#include <hybrid/scene/scene_parameters.h>
+#include <hybrid/dda/model/model.h>
+#include <hybrid/scene/motion/motion.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <string>
 #include <vector>

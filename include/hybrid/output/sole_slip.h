@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/model.h>
-#include <hybrid/dda/state.h>
+#include <hybrid/dda/model/model.h>
+#include <hybrid/dda/model/state.h>
 #include <hybrid/restart/archive_forward.h>
 
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/static_stage.h>
+#include <hybrid/dda/statics/static_stage.h>
 
 #include <functional>
 #include <ostream>

@@ -3,8 +3,9 @@
 
 #include <hybrid/coupling/block_bedrock.h>
 #include <hybrid/coupling/coupled_step.h>
-#include <hybrid/dda/bedrock_blocks.h>
-#include <hybrid/dda/static_stage.h>
+#include <hybrid/dda/model/bedrock_blocks.h>
+#include <hybrid/dda/statics/static_stage.h>
+#include <hybrid/dda/step/initial_state.h>
 #include <hybrid/scene/input_error.h>
 
 #include <gtest/gtest.h>

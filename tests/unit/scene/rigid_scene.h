@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/scene/scene_parameters.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 namespace hybrid::scene::test
 {

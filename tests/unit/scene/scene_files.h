@@ -2,7 +2,7 @@
 #pragma once
 
 #include <hybrid/scene/input_error.h>
-#include <hybrid/scene/scene_reader.h>
+#include <hybrid/scene/parameters/scene_reader.h>
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/block/block_motion.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace hybrid::dda
+{
+  /// Water at rest below a level.
+  struct Water
+  {
+    enum class Action
+    {
+      none,     ///< no force
+      buoyancy, ///< of the submerged part of each block
+      pressures ///< on the faces of each block, and pore pressure inside
+    };
+
+    Action action      = Action::none;
+    double level       = 0.; ///< [m]
+    double unit_weight = 0.; ///< rho_w g [N/m3]
+  };
+
+
+  /// Outline of a block in a trial: where its vertices were and how far they have moved.
+  struct MovedOutline
+  {
+    const Vec2 *vertices;      ///< [m], counter-clockwise
+    const Vec2 *displacements; ///< [m]; nullptr: none
+    int         n;
+
+    Vec2 at(const int k) const
+    {
+      return displacements == nullptr ? vertices[k] : Vec2(vertices[k] + displacements[k]);
+    }
+  };
+
+
+  /// What the water does to a block.
+  struct WaterLoad
+  {
+    Vec6   force     = Vec6::Zero(); ///< generalised [N/m, N]
+    double potential = 0.;           ///< [J/m]; only differences between places of one block count
+    bool   full      = false;        ///< all of the block is below the level
+  };
+
+
+  /**
+   * Load of still water on a saturated block (mass and weight of the block are total: with its pore
+   * water).
+   *
+   * With pore pressure p = rho_w g (level - y) below the level and Terzaghi's effective stress the
+   * water's virtual work is
+   *   - int_faces p n . du ds + int_block p div(du) dA = int_submerged rho_w g du_y dA.
+   * `pressures` computes the left side, face by face (outer faces, joints, cracks and contacts
+   * alike: what joints and contacts carry is effective); `buoyancy` the right side. Both refer to
+   * the block's first area A_0, as a drained block takes up or gives off water while it is
+   * strained; so the force has the potential
+   *   U = A_0/A int_submerged rho_w g (level - y) dA.
+   *
+   * @param first_area A_0 [m2].  @param motion of the step, from the outline's places.
+   */
+  WaterLoad water_load(const Water        &water,
+                       double              first_area,
+                       const BlockMotion  &motion,
+                       const MovedOutline &outline);
+
+
+  /// U after less U before, of a block whose centroid rose by @p rise [m]: without cancellation
+  /// where it stays below the level.
+  double potential_change(const WaterLoad &before, const WaterLoad &after, double rise);
+
+
+  /// Hydrostatic force on the nodes of the bedrock's surface (x0, y0, x1, ...) [N/m].
+  Eigen::VectorXd water_on_surface(const Water &water, const std::vector<Vec2> &nodes);
+} // namespace hybrid::dda

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/geometry/geometry.h>
+#include <hybrid/dda/joint/contact_state.h>
+
+namespace hybrid::dda
+{
+  /**
+   * A vertex of one body in front of an edge of another.
+   *
+   * The gap is the distance of the vertex from the edge's line along the
+   * edge's outward normal (positive when open). Slip is the displacement of
+   * the vertex along the edge's direction (from first to second end), summed
+   * over the life of the contact, also across collinear edges.
+   */
+  struct Contact
+  {
+    int vertex_body; ///< block of the vertex, or base_body
+    int vertex;      ///< index in Geometry::vertices, or base node
+    int edge_body;   ///< block of the edge, or base_body
+    int edge; ///< index of the edge's first end in Geometry::vertices, or first base node of the
+              ///< segment
+
+    double edge_position = 0.; ///< projection of the vertex on the edge when last accepted, 0..1
+                               ///< from first to second end [-]
+    double slip = 0.;          ///< slip at edge_position [m]
+    double plastic_slip =
+      0.; ///< part of the slip that friction has taken; shear force = -k_s (slip - plastic_slip)
+    ContactState state = ContactState::open; ///< when last accepted
+    double       rest_gap =
+      0.; ///< gap above which it carries nothing, <= 0 [m]: the overlap that neighbours of the mesh
+          ///< had when they first looked at each other, and a little more, or that with which it
+          ///< was found (contact_load.h), less that of a released joint; 0 once they part
+  };
+} // namespace hybrid::dda

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/contact/awake.h>
+#include <hybrid/dda/geometry/cell_grid.h>
+#include <hybrid/dda/geometry/geometry.h>
+
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace hybrid::dda
+{
+  /// A vertex near a block (edge = -1: any edge of it), one edge of it, or one of a surface.
+  struct ContactCandidate
+  {
+    int vertex_body; ///< block, or base_body
+    int vertex;      ///< vertex or base node
+    int edge_body;   ///< block, or base_body
+    int edge;        ///< its first vertex or base node, or -1
+  };
+
+
+  /// An edge of a surface that a block of the mass is bonded to.
+  struct BondedEdge
+  {
+    int block;
+    int body; ///< base_body, or block of the bedrock
+    int edge; ///< its first vertex or base node
+
+    friend bool operator<(const BondedEdge &a, const BondedEdge &b)
+    {
+      return std::tie(a.block, a.body, a.edge) < std::tie(b.block, b.body, b.edge);
+    }
+
+    friend bool operator==(const BondedEdge &a, const BondedEdge &b)
+    {
+      return a.block == b.block && a.body == b.body && a.edge == b.edge;
+    }
+  };
+
+
+  /// Pairs of bodies that are no candidates. Empty lists skip nothing.
+  struct SkippedPairs
+  {
+    std::vector<std::pair<int, int>>
+      bonded; ///< blocks of the mass with an unreleased joint between them: never candidates
+    std::vector<BondedEdge> surface; ///< with an unreleased joint: never candidates
+    std::vector<Awake>      awake;   ///< per block; empty: all look at everything
+    std::vector<char> held_off{};    ///< per block: does not look at a surface unless awake to all;
+                                     ///< empty: none
+  };
+
+
+  /**
+   * All (vertex, body) pairs closer than a distance, kept in a Verlet list.
+   *
+   * The list holds pairs closer than distance + margin and is good until some
+   * point has moved by margin / 2, less what all points have moved together (an
+   * earthquake carries the whole mass along). With each pair goes its distance d
+   * when the list was built: while no point has moved by more than m, it is at
+   * least d - 2 m, so a pair with d - 2 m above the distance is asleep: no
+   * contact can arise there. Pairs of one block with itself are left out, and
+   *   - bonded pairs of blocks: their joint carries the load;
+   *   - blocks that joints hold beside each other (held_neighbours.h), unless one of them is
+   *     awake: an intact mass has thousands of these, all at distance zero;
+   *   - edges (and their ends) of a surface to which a block is bonded;
+   *   - a block that is held off (bonded to the surface, or touching it with corners
+   *     only while its neighbours hold it) with the whole surface, until it is awake to all.
+   *     A belt slides for centimetres over the bends of a base of straight segments,
+   *     where corners would catch: a joint that has given way does not wake a block
+   *     on the belt to the surface. A block that touches it with a corner only is
+   *     woken: it may be squeezed into it.
+   * Surfaces are the base and the outline of bedrock made of blocks (BedrockSurface); they
+   * never meet each other. Every place of a surface is a vertex, as it may bend.
+   *
+   * Candidates are sorted by vertex_body, vertex, edge_body, edge, so results
+   * do not depend on when the list was built.
+   */
+  class ContactCandidates
+  {
+  public:
+    /// @param distance [m] within which no pair may be missed. @param margin [m] of the Verlet
+    /// list.
+    ContactCandidates(double distance, double margin);
+
+    /// Blocks that joints hold beside each other, as compressed rows; the row of block b is
+    /// list[offset[b]] .. list[offset[b + 1] - 1]. The relation is symmetric.
+    void set_neighbours(const std::vector<int> &offset, const std::vector<int> &list);
+
+    /// The list is built again at the next update() only if @p skipped differs from the last one.
+    void set_skipped_pairs(const SkippedPairs &skipped);
+
+    /// Build the list if it is no longer good. Returns true if it was built.
+    bool update(const Geometry &geometry);
+
+    /// @param awake_then per block: at the search before; empty: all looked at everything.
+    void set_was_awake(const std::vector<Awake> &awake_then)
+    {
+      was_awake.assign(awake_then.begin(), awake_then.end());
+    }
+
+    /// For a pair of the list: true if neighbours of the mesh, or a block that was held off and a
+    /// surface, look at each other for the first time.
+    bool is_first_look(int body, int other) const;
+
+    /// Pairs of the list that are not asleep, sorted: all that are within the distance, and some
+    /// more.
+    const std::vector<ContactCandidate> &awake() const
+    {
+      return awake_pairs;
+    }
+
+    /// Pairs of the list, awake or asleep.
+    std::size_t size() const
+    {
+      return candidates.size();
+    }
+
+    /// Distances computed by the last build.
+    long n_distance_tests() const
+    {
+      return distance_tests;
+    }
+
+  private:
+    /// Largest movement of a point since the list was built, less the movement of all [m].
+    double movement(const Geometry &geometry) const;
+
+    void build(const Geometry &geometry);
+
+    void list_boxes(const Geometry &geometry);
+
+    void add_candidates(const Geometry &geometry, int body, int vertex);
+
+    void add_edge_of_surface(const Geometry &geometry, int block, int vertex, int number);
+
+    void add_block(const Geometry &geometry, int body, int vertex, int block);
+
+    /// The edges of a large outline near @p point, or @p any_edge if it is deep inside.
+    void
+    add_near_edges(const Geometry &geometry, const ContactCandidate &any_edge, const Vec2 &point);
+
+    void add(const ContactCandidate &pair, double apart);
+
+    void wake(double moved);
+
+    bool are_neighbours(int block, int other) const;
+
+    bool is_skipped_pair(int block, int other) const;
+
+    bool is_skipped_edge(const BondedEdge &pair) const;
+
+    bool is_held_off(int block) const;
+
+    const double distance;
+    const double margin;
+
+    std::vector<int>   neighbour_offset, neighbours; ///< rows sorted
+    SkippedPairs       skipped;                      ///< as given
+    SkippedPairs       lookup;                       ///< pairs sorted, blocks in both orders
+    std::vector<Awake> was_awake;                    ///< per block; empty: all
+    bool               is_outdated = true;
+
+    std::vector<ContactCandidate> candidates, awake_pairs;
+    std::vector<double>           apart_when_built; ///< per candidate [m]; 0 inside the body
+    double            awake_for = -1.; ///< movement for which the awake pairs were chosen [m]
+    std::vector<Vec2> built_vertices, built_nodes; ///< positions at the last build [m]
+    CellGrid          grid;
+    std::vector<Box>  boxes; ///< of bodies: base segments, blocks of the mass, edges of bedrock
+    std::vector<std::pair<int, int>> bodies;            ///< body and edge (-1: any) of each box
+    int                              first_bedrock = 0; ///< BedrockSurface::first_block
+    std::vector<int>                 found;
+    long                             distance_tests = 0;
+  };
+} // namespace hybrid::dda

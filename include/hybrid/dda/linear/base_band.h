@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/linear/block_matrix.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace hybrid::dda
+{
+  /**
+   * The base's own stiffness S in the tangent, as a band, and a factor that preconditions
+   * the base nodes: of S + P, where P is the symmetric part of what joints and
+   * contacts add (BlockMatrix's K_nn) if that matters beside S, else zero.
+   */
+  class BaseBand
+  {
+  public:
+    /// @p stiffness (n x n, symmetric positive definite) for the next steps; nullptr: none. Entries
+    /// far from the diagonal that would not change the tangent by 1e-8 are dropped. Nothing is done
+    /// if it is the same as before.
+    void set(const Eigen::MatrixXd *stiffness);
+
+    /// Choose and factor P anew.
+    void matrix_changed(const BlockMatrix &matrix);
+
+    bool exists() const
+    {
+      return source != nullptr;
+    }
+
+    /// Row of S times x (n entries) to round-off, for residuals.
+    double row_product(int row, const Eigen::VectorXd &x) const;
+
+    /// y += S x for n entries, as the tangent knows S.
+    void add_product(const double *x, double *y) const;
+
+    /// y += sign P x for n entries.
+    void add_nodes(const double *x, double *y, double sign) const;
+
+    /// @param d receives the diagonal of S + P; that of the unit matrix without a base.
+    void diagonal(Eigen::Ref<Eigen::VectorXd> d) const;
+
+    /// x = (S + P)^-1 x for n entries; without a base x stays.
+    void solve(double *x) const;
+
+  private:
+    const Eigen::MatrixXd *source = nullptr;
+    std::vector<double> key; ///< a few entries of S, to notice another matrix at the same address
+    int                 size  = 0;
+    int                 width = 0;      ///< half band width of the tangent's S, at least that of P
+    int                 reach = 0;      ///< half band width of S to round-off
+    Eigen::MatrixXd     band;           ///< rows 0..width: S(j + r, j), LAPACK lower band storage
+    Eigen::MatrixXd     base_factor;    ///< Cholesky factor of S, same storage
+    Eigen::MatrixXd     joined_factor;  ///< of S + P
+    bool                joined = false; ///< P is not zero
+    std::vector<Eigen::Matrix2d> own, next; ///< P between a node and itself or the next
+
+    bool factorize(Eigen::MatrixXd &matrix) const;
+  };
+} // namespace hybrid::dda

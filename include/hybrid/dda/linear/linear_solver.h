@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/linear/base_band.h>
+#include <hybrid/dda/linear/block_matrix.h>
+#include <hybrid/dda/linear/sparse_factor.h>
+#include <hybrid/dda/linear/swept_system.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace hybrid::dda
+{
+  /**
+   * Krylov solver for blocks and base nodes: conjugate gradients while the
+   * matrix is symmetric, BiCGStab (van der Vorst 1992) while joints slide with
+   * friction or soften.
+   *
+   * Preconditioner: a symmetric Gauss-Seidel sweep where inertia dominates (small
+   * steps, soft joints), or a sparse factor of an earlier matrix, kept until it
+   * serves badly (static stage, stiff joints); where hundreds of contacts change from one
+   * matrix to the next an old factor is mostly passed over, and sweeps are tried again now and
+   * then. The choice follows iteration counts only, so results are deterministic. Preconditioner
+   * of the base: BaseBand, before the blocks with sweeps, after them with a factor.
+   */
+  class LinearSolver
+  {
+  public:
+    struct Result
+    {
+      bool converged  = false;
+      int  iterations = 0;
+      bool factored   = false; ///< a new sparse factor was made
+    };
+
+    /// The base's own stiffness S (n x n, symmetric positive definite) for the next solves;
+    /// nullptr: none.
+    void set_base_stiffness(const Eigen::MatrixXd *stiffness)
+    {
+      base.set(stiffness);
+    }
+
+    /// The base's own stiffness.
+    const BaseBand &base_stiffness() const
+    {
+      return base;
+    }
+
+    /// Slices of the blocks that threads share out, see SweptSystem.
+    void set_slices(const std::vector<int> &slice_of_block)
+    {
+      swept.set_slices(slice_of_block);
+    }
+
+    /// The matrix has changed in the rows of these blocks and in any of nodes: a sparse factor may
+    /// be kept.
+    void matrix_changed(const BlockMatrix &matrix, const std::vector<int> &blocks);
+
+    /// What is kept from one step to the next, for the checkpoint; after the matrix.
+    void serialize(restart::Archive &archive, const BlockMatrix &matrix);
+
+    /// The matrix is that of a checkpoint, and set_base_stiffness() has been called: make again
+    /// what depends on both.
+    void matrix_restored(const BlockMatrix &matrix);
+
+    /// y = (K + S) x.
+    void multiply(const BlockMatrix &matrix, const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
+
+    /// Solve (K + S) x = b from x = 0 to |residual| <= tolerance (absolute, weighted by @p scale).
+    Result solve(const BlockMatrix     &matrix,
+                 const Eigen::VectorXd &b,
+                 const Eigen::VectorXd &scale,
+                 double                 tolerance,
+                 Eigen::VectorXd       &x);
+
+  private:
+    /// When to stop.
+    struct Target
+    {
+      const Eigen::VectorXd &scale;
+      double                 tolerance;
+      int                    limit; ///< of iterations
+
+      bool met_by(const Eigen::VectorXd &residual) const
+      {
+        return residual.cwiseQuotient(scale).norm() <= tolerance;
+      }
+    };
+
+    BaseBand        base;
+    SweptSystem     swept;
+    SparseFactor    factor;
+    bool            use_factor        = false;
+    bool            factor_is_current = false;
+    int             failures          = 0; ///< of old factors, in a row
+    int             passed_over       = 0; ///< old factors since one was last tried
+    int             patience          = 4; ///< factors to be made before sweeps are tried again
+    int             factors           = 0; ///< made since sweeps were last tried
+    Eigen::VectorXd unknown, r, dual_r, p, dual_p, q, t, dual_t, shadow, z; ///< work
+
+    void precondition(const BlockMatrix &matrix, const Eigen::VectorXd &residual);
+
+    struct Swept;    ///< swept system, as conjugate_gradients() and stabilised_gradients() see it
+    struct Factored; ///< system with the factor, likewise
+
+    // Both start from unknown = 0 and r. A system has a product (multiply), a scalar product (dual)
+    // and knows when the residual of the original system is small enough (solved).
+    Result conjugate_gradients(Swept &system, int limit); ///< symmetric matrices only
+    template <typename System>
+    Result stabilised_gradients(System &system, int limit);
+
+    Result solve_swept(bool symmetric, const Target &target, Eigen::VectorXd &x);
+
+    /// True if so many factors had to be made that sweeps may serve better by now.
+    bool are_sweeps_due() const;
+
+    /// Sweeps were tried.
+    void judge_sweeps(bool served);
+
+    /// True if a try with the factor there is promises more than a new one.
+    bool is_worth_trying();
+
+    Result solve_with_factor(const BlockMatrix &matrix, const Target &target, Eigen::VectorXd &x);
+  };
+} // namespace hybrid::dda

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/scene/parameters/scene_parameters.h>
+#include <hybrid/scene/types.h>
+#include <hybrid/scene/weibull.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hybrid::dda
+{
+  /// Materials of the sliding mass and its belt, above and below the water level.
+  class BlockMaterials
+  {
+  public:
+    /// The scene must outlive this.
+    explicit BlockMaterials(const scene::SceneParameters &parameters)
+      : scene(parameters)
+    {}
+
+    /// @throws InputError if the scene has no such material.
+    const Material &operator()(const bool belt, const bool saturated) const
+    {
+      const scene::BlockParameters &b   = scene.blocks;
+      const std::string            &dry = belt ? b.belt_material : b.material;
+      const std::string            &wet = belt ? b.saturated_belt_material : b.saturated_material;
+      return scene.material(saturated && !wet.empty() ? wet : dry,
+                            belt ? "Blocks/Belt material" : "Blocks/Material");
+    }
+
+    /// Properties that scatter, each with numbers of its own.
+    static constexpr int modulus_number = 0, body_strength_number = 1, belt_strength_number = 2;
+
+    /// Factor of a property with Weibull's @p shape (0: 1) at a place.
+    double factor(const double shape, const int property, std::vector<Vec2> places) const
+    {
+      if (shape == 0.)
+        return 1.;
+      const std::uint64_t seed =
+        16 * static_cast<std::uint64_t>(scene.heterogeneity.seed) + property;
+      return scene::Weibull(shape).quantile(scene::number_of_place(seed, std::move(places)));
+    }
+
+    bool below_water(const Vec2 &x) const
+    {
+      return x.y() < scene.environment.water_level;
+    }
+
+  private:
+    const scene::SceneParameters &scene;
+  };
+} // namespace hybrid::dda

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/block/block.h>
+#include <hybrid/dda/contact/awake.h>
+#include <hybrid/dda/contact/contact.h>
+#include <hybrid/dda/contact/rest_state.h>
+#include <hybrid/dda/geometry/geometry.h>
+#include <hybrid/dda/joint/joint_law.h>
+#include <hybrid/restart/archive_forward.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace hybrid::dda
+{
+  /// How a joint failed.
+  enum class FailureKind
+  {
+    none,
+    tensile,
+    shear
+  };
+
+
+  /// What a spring (joint point or contact) carried when the step was accepted.
+  struct SpringState
+  {
+    JointHistory history;
+    Vec2   jump   = Vec2::Zero(); ///< place of the other side's point relative to this side's [m]
+    double gap    = 0.;           ///< [m]
+    double slip   = 0.;           ///< [m]
+    double normal = 0.; ///< total normal traction, damping included [Pa], compression positive
+    double shear  = 0.; ///< total shear traction, damping included [Pa]
+    double elastic_normal = 0.; ///< without damping [Pa]
+    double elastic_shear  = 0.; ///< without damping [Pa]
+    ContactState state    = ContactState::locked;
+  };
+
+
+  /// State of one joint.
+  struct JointState
+  {
+    SpringState points[2];
+    FailureKind failure      = FailureKind::none;
+    double      failure_time = 0.; ///< [s]; negative: in the static stage
+    bool        loosened = false;  ///< its blocks look at all their neighbours, see joint_failure.h
+    bool        released = false;  ///< slid or opened so far that vertex contacts took over
+    bool        handed_over = false; ///< released, and its contacts have its load: joint_release.h
+    bool        parted[2]   = {false, false}; ///< ends of a released belt that have lost their
+                                              ///< cohesion for good: belt_parting.h
+    double rest_slip[2] = {0., 0.}; ///< slip of the ends at rest, from which slip counts [m]
+  };
+
+
+  /// Energy of the blocks [J/m]; losses and work are sums since the dynamic stage began.
+  struct BlockEnergy
+  {
+    double kinetic          = 0.; ///< 1/2 v M v, now
+    double strain           = 0.; ///< of the blocks, now
+    double gravity          = 0.; ///< potential of weight and water relative to the start, now
+    double springs          = 0.; ///< stored in joints and contacts, now
+    double friction_loss    = 0.; ///< plastic slip
+    double bedding_loss     = 0.; ///< slip and breaking of bedding planes
+    double fracture_loss    = 0.; ///< tensile cracking
+    double damping_loss     = 0.; ///< stiffness-proportional damping and dynamic coefficient
+    double integration_loss = 0.; ///< Newmark's own dissipation, springs included
+    double switch_loss      = 0.; ///< stored energy that vanished when springs were replaced
+    double base_work        = 0.; ///< done by the base on the blocks
+    double boundary_loss    = 0.; ///< dashpots on edges of the bedrock's blocks
+    double input_work       = 0.; ///< done by what comes in through them
+    double static_work      = 0.; ///< against the static forces that the bedrock bears
+    double edge_load_work   = 0.; ///< done by tractions on the blocks' edges
+
+    /// Energy now held plus energy lost, less the work received: constant if nothing is created
+    /// [J/m].
+    double balance() const
+    {
+      return kinetic + strain + gravity + springs + friction_loss + bedding_loss + fracture_loss +
+             damping_loss + integration_loss + switch_loss - base_work + boundary_loss -
+             input_work + static_work - edge_load_work;
+    }
+  };
+
+
+  /// All mutable state of the blocks: copied for roll-back, written for restart.
+  struct DdaState
+  {
+    double                  time = 0.; ///< [s]
+    Geometry                geometry;
+    std::vector<BlockState> blocks;
+    std::vector<JointState> joints;
+    std::vector<Contact>    contacts;
+    std::vector<Awake>      awake;              ///< per block, at the last search
+    RestState               rest;               ///< what lies still
+    Eigen::VectorXd         base_displacement;  ///< (x0, y0, x1, ...) [m], since the static state
+    Eigen::VectorXd         base_force;         ///< on the base nodes [N/m], now
+    Eigen::VectorXd         base_contact_force; ///< contacts' part of it [N/m], see Springs
+    Eigen::VectorXd static_force; ///< on the base nodes at the end of the static stage [N/m]
+    Eigen::VectorXd static_contact_force; ///< contacts' part of it [N/m]
+    Eigen::VectorXd bedrock_static_force; ///< on the bedrock's blocks then, six each; empty: none
+    Eigen::VectorXd boundary_force;       ///< incoming, see ViscousBoundary [N/m], now
+    BlockEnergy     energy;
+  };
+
+
+  // All members, for the checkpoint (restart/archive.h).
+  void serialize(restart::Archive &archive, SpringState &spring);
+  void serialize(restart::Archive &archive, JointState &joint);
+  void serialize(restart::Archive &archive, Contact &contact);
+  void serialize(restart::Archive &archive, BlockState &block);
+  void serialize(restart::Archive &archive, BlockEnergy &energy);
+  void serialize(restart::Archive &archive, Geometry &geometry);
+  void serialize(restart::Archive &archive, RestState &rest);
+  void serialize(restart::Archive &archive, DdaState &state);
+} // namespace hybrid::dda

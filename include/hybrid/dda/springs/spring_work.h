@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/springs/springs.h>
+
+namespace hybrid::dda
+{
+  /// An accepted step of the springs.
+  struct SpringStep
+  {
+    const Model    &model;
+    const DdaState &before; ///< state when the step began
+    const Trial    &trial;
+    const Springs  &springs;
+  };
+
+
+  /**
+   * What a change of tractions of a spring from @p start to @p end does on the bodies' increments
+   * beyond what it does on gap and slip [J/m].
+   *
+   * The force turns with its bodies, while each body's increment is one vector for the whole step:
+   * of a body that spins with W, -F ds W dt for a force F towards the axis and an arc ds. The mean
+   * of the forces at both ends is free of it; weights w at the end and 1 - w at the start take
+   * w - 1/2 of it from the motion, which is how Newmark's dissipative pairs slow a spinning bonded
+   * body: dW/dt = -(gamma - 1/2) dt W^3 for masses far from each other.
+   */
+  double turning_work(const SpringStep        &step,
+                      std::size_t              number,
+                      const Springs::Traction &start,
+                      const Springs::Traction &end);
+} // namespace hybrid::dda

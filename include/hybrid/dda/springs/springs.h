@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/block/block_motion.h>
+#include <hybrid/dda/linear/block_matrix.h>
+#include <hybrid/dda/model/model.h>
+#include <hybrid/dda/model/state.h>
+#include <hybrid/dda/springs/bonded_area.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <vector>
+
+namespace hybrid::dda
+{
+  /// A trial of the step: where the unknowns would take all bodies.
+  struct Trial
+  {
+    double                   dt = 0.;      ///< [s]
+    std::vector<Vec6>        increment;    ///< d of each block
+    std::vector<Vec6>        rate;         ///< velocity of each block at the end of the step
+    std::vector<BlockMotion> motion;       ///< finite motion of each block
+    std::vector<Vec2>        displacement; ///< of each vertex over the step [m]
+    Eigen::VectorXd          base;         ///< displacement of the base nodes at the end [m]
+  };
+
+
+  /**
+   * The springs of one time step: the ends of unreleased joints and the
+   * vertex-edge contacts, all seen as pairs of points P (on a block) and Q (on
+   * another block or the base) with a normal from P to Q. The force on Q is
+   * N n + T t times the length, the opposite acts on P, both at one place, so
+   * action equals reaction in force and moment.
+   *
+   * Contacts, and ends of joints torn for good, are integrated implicitly:
+   * their force at the end of the step acts on the blocks through the whole
+   * step, d = ... + dt^2/2 M^-1 F, v = ... + dt M^-1 F, and is gone when the
+   * step is over. In Newmark's own weights the force that a contact had when
+   * the step began would go on pushing while it opens, and give back more than
+   * the spring stored (after Kane, Repetto, Ortiz and Marsden 1999).
+   *
+   * A joint with the damage D is both, side by side: a bond of the part 1 - D,
+   * with (1 - D) k_n open or closed, and a contact of the part D, which presses
+   * with D k_n when it is closed. Each part of the force is integrated as what
+   * it is; of the shear the same parts. All of it in Newmark's weights would
+   * give D k_n |g_0 g_1| / 2 in each step that takes the joint from the overlap
+   * g_0 to the opening g_1 with gamma = 1/2.
+   */
+  class Springs
+  {
+  public:
+    /// Normal traction, compression positive, and shear traction [Pa].
+    struct Traction
+    {
+      double normal, shear;
+    };
+
+    /// Fixed data of one spring during a step.
+    struct Spring
+    {
+      int    block;                      ///< of P
+      int    other;                      ///< block of Q, or base_body
+      int    node[2]         = {0, 0};   ///< base nodes of Q
+      int    slot[2]         = {-1, -1}; ///< in the block matrix: pair of blocks, or block and node
+      int    joint           = -1;       ///< number of the joint, or -1
+      int    contact         = -1;       ///< number of the contact, or -1
+      int    end             = 0;        ///< of the joint
+      double contact_part    = 0.;       ///< that acts as a contact [-]: 1, or the joint's damage
+      const JointLaw *law    = nullptr;
+      double          length = 0.;   ///< [m]
+      double          cohesive = 1.; ///< see JointKinematics [-]
+      SpringState     old;           ///< when the step began
+
+      /// What acts as a contact at the start or end of the step.
+      Traction contact_traction(const SpringState &state) const
+      {
+        return Springs::contact_traction(state, contact_part);
+      }
+    };
+
+    /// What the part that is a contact bears.
+    static Traction contact_traction(const SpringState &state, const double part)
+    {
+      return {part * std::max(0., state.elastic_normal), part * state.shear};
+    }
+
+    /// Generalised forces on both bodies.
+    struct Forces
+    {
+      Vec6 on_block, on_other;
+    };
+
+    /// What a trial makes of one spring.
+    struct Response
+    {
+      Vec2        normal, tangent;          ///< unit vectors; normal from P to Q
+      Vec2        place;                    ///< where the force acts [m]
+      double      weight[2]     = {1., 0.}; ///< of the base nodes
+      double      edge_position = 0.;       ///< projection on the contact's edge [-]
+      SpringState now;                      ///< if the step is accepted
+      double      slid = 0.;    ///< shear traction in the trial of remember() if it slid there [Pa]
+      bool        held = false; ///< locked beyond its strength, see ReversedSlip::locks
+      Forces      force;        ///< without sense if there is no traction
+      Forces contact; ///< of a joint's part that is a contact; without sense if it is all or none
+      double normal_by_gap = 0., shear_by_slip = 0., shear_by_gap = 0.; ///< tangents [Pa/m]
+    };
+
+    /// What becomes of a joint or contact that slid one way in the trial remembered and slides the
+    /// other way now.
+    enum class ReversedSlip
+    {
+      slides, ///< the law is followed: its friction turns round
+      locks   ///< it is held, as in Shi's (1988) open-close iteration: between the two it sticks
+    };
+
+    /// Collect the springs of the step that starts from @p state.
+    void collect(const Model &model, const DdaState &state);
+
+    /// Set the matrix pattern that these springs need (kept if it holds them already) and find the
+    /// slots.
+    void connect(const Model &model, BlockMatrix &matrix);
+
+    /// Keep which way every spring slides in the trial that was evaluated last, for
+    /// ReversedSlip::locks.
+    void remember();
+
+    /// Forces of the springs in a trial: of that trial alone, and with ReversedSlip::locks of the
+    /// one that remember() kept. Same bits for any number of threads.
+    void evaluate(const Model       &model,
+                  const DdaState    &state,
+                  const Trial       &trial,
+                  const ReversedSlip reversed = ReversedSlip::slides);
+
+    /// True if a contact is held: the forces are not those of its law.
+    bool any_held() const;
+
+    /// Add forces on blocks and base nodes, of bonds and of contacts apart, and their absolute
+    /// values to @p absolute.
+    void
+    add_forces(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts, Eigen::VectorXd &absolute) const;
+
+    /// Generalised forces that a traction of one spring makes in the trial evaluated last.
+    Forces forces_of(const Trial &trial, std::size_t number, const Traction &traction) const;
+
+    /// Add what a traction of one spring does on its blocks or base nodes.
+    void add_force(const Trial     &trial,
+                   std::size_t      number,
+                   const Traction  &traction,
+                   Eigen::VectorXd &forces) const;
+
+    int n_blocks() const
+    {
+      return static_cast<int>(block_begin.size()) - 2;
+    }
+
+    /// A part of a list.
+    struct Range
+    {
+      const int *first, *last;
+
+      bool empty() const
+      {
+        return first == last;
+      }
+
+      const int *begin() const
+      {
+        return first;
+      }
+
+      const int *end() const
+      {
+        return last;
+      }
+    };
+
+    /// Springs of a block: twice the spring's number, plus 1 if the block is its other.
+    Range of_block(const int block) const
+    {
+      return {block_springs.data() + block_begin[block],
+              block_springs.data() + block_begin[block + 1]};
+    }
+
+    /// Springs between a block and the base, ascending.
+    const std::vector<int> &on_base() const
+    {
+      return base_springs;
+    }
+
+    std::vector<Spring>   springs;
+    std::vector<Response> responses;
+
+  private:
+    void collect_joints(const Model &model, const DdaState &state);
+
+    void collect_contacts(const Model &model, const DdaState &state);
+
+    /// List the springs of each block and of the base.
+    void sort_by_block(int n_blocks);
+
+    /// Generalised forces of one spring on its bodies.
+    void set_forces(const Trial &trial, std::size_t s);
+
+    void add_force_on_base(std::size_t s, const Forces &force, Eigen::VectorXd &forces) const;
+
+    void add_forces_on_base(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts) const;
+
+    void evaluate_joint(const Model    &model,
+                        const DdaState &state,
+                        const Trial    &trial,
+                        std::size_t     s,
+                        ReversedSlip    reversed);
+
+    void evaluate_contact(const DdaState &state,
+                          const Trial    &trial,
+                          std::size_t     s,
+                          ReversedSlip    reversed);
+
+    BondedArea                     bonded_area;             ///< when the step began
+    std::vector<BlockMatrix::Pair> block_pairs, node_pairs; ///< of these springs
+    std::vector<int>               block_begin;             ///< CSR over blocks of block_springs
+    std::vector<int>               block_springs;           ///< of_block(), one after the other
+    std::vector<int>               base_springs;            ///< on_base()
+  };
+} // namespace hybrid::dda

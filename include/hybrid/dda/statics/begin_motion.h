@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/model/model.h>
+#include <hybrid/dda/model/state.h>
+
+namespace hybrid::dda
+{
+  /**
+   * From now on the bedrock's blocks bear what the springs of @p state put on them, and feel
+   * changes only; and set all accelerations.
+   *
+   * @param held the mass was @p held with unlimited strengths: the bedrock bears what it held.
+   * Contacts act with the forces at a step's end, bonds with those at both ends: bonds are let go
+   * over the first step, and begin with what they held.
+   */
+  void begin_motion(const Model &model, DdaState &state, bool held);
+
+
+  /// The same, and the base's forces, after joints of the bedrock were given tractions.
+  void bear_rest(const Model &model, DdaState &state, bool held);
+} // namespace hybrid::dda

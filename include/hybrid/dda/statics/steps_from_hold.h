@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/step/block_solver.h>
+
+namespace hybrid::dda
+{
+  /**
+   * Static steps for loose masses in which hundreds of contacts reach their friction limit at once.
+   *
+   * Each begins where contacts that never slide would bring the blocks, sliding is eased
+   * (SlidingShare), and only steps near rest are solved to the problem's tolerance: the slip of the
+   * others is that of steps whose residual is a thousandth of the last one's. They are great from
+   * the start: on the way of small ones the upper blocks hardly weigh on the lower ones, and
+   * contacts without force open and close.
+   */
+  class StepsFromHold
+  {
+  public:
+    /// @param watch may be empty
+    StepsFromHold(const Model &problem, const OpenCloseIteration::Watch &watch);
+
+    // The solvers refer to the models beside them.
+    StepsFromHold(const StepsFromHold &)            = delete;
+    StepsFromHold &operator=(const StepsFromHold &) = delete;
+
+    /// Find where contacts that never slide would bring the blocks. @return how it went
+    StepResult hold(const DdaState &state, const BaseResponse &base, double dt);
+
+    /// Solve the step from there. @param residual of the state [-]
+    StepResult solve(DdaState &state, const BaseResponse &base, double dt, double residual);
+
+    /// Make the solved step the new state.
+    void accept(DdaState &state) const
+    {
+      solver.accept(state);
+    }
+
+  private:
+    Model       held, eased;
+    double      tolerance; ///< of the problem [-]
+    BlockSolver hold_solver, solver;
+    bool        has_guess = false; ///< the hold of this step converged
+  };
+} // namespace hybrid::dda

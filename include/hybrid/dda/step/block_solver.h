@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/contact/contact_detection.h>
+#include <hybrid/dda/failure/belt_parting.h>
+#include <hybrid/dda/springs/contact_load.h>
+#include <hybrid/dda/step/open_close_iteration.h>
+
+namespace hybrid::dda
+{
+  /**
+   * Steps the blocks: contact search at the start of a step, open-close
+   * iteration, acceptance. The model must outlive the solver.
+   */
+  class BlockSolver
+  {
+  public:
+    explicit BlockSolver(const Model &block_model);
+
+    /// Solve the step from @p state (whose contact list and awake blocks are brought up to date;
+    /// nothing else changes). @p guess: see OpenCloseIteration.
+    StepResult solve(DdaState                &state,
+                     const BaseResponse      &base,
+                     double                   dt,
+                     const std::vector<Vec6> *guess = nullptr);
+
+    /// Let @p watch be asked before every open-close iteration whether to go on.
+    void set_watch(OpenCloseIteration::Watch watch)
+    {
+      iteration.set_watch(std::move(watch));
+    }
+
+    /// Make the solved step the new state.
+    void accept(DdaState &state) const
+    {
+      iteration.accept(model, state);
+    }
+
+    /// What is kept from one step to the next, for the checkpoint.
+    void serialize(restart::Archive &archive);
+
+    /// The solved step: displacement of the base nodes [m] and force increments on them [N/m].
+    const OpenCloseIteration &solved_step() const
+    {
+      return iteration;
+    }
+
+    /// What contact search has done and cost since the run began (a run that is resumed builds one
+    /// list more).
+    struct SearchSummary
+    {
+      long   steps    = 0;  ///< steps tried
+      long   searches = 0;  ///< of them, those in which the search did not sleep
+      long   lists    = 0;  ///< lists of near pairs built
+      double time     = 0.; ///< wall time [s]
+    };
+
+    const SearchSummary &search() const
+    {
+      return search_summary;
+    }
+
+    /// Vertices found deeper inside another block than any contact explains, at the last step.
+    int lost_vertices() const
+    {
+      return detection.report().lost;
+    }
+
+  private:
+    const Model         &model;
+    ContactDetection     detection;
+    OpenCloseIteration   iteration;
+    ContactLoads         loads;
+    BeltParting          belt_parting;
+    std::vector<Contact> contacts_before; ///< of the last step, for the loads
+    std::vector<char>    is_on_belt;      ///< per block: bonded to a surface
+    std::vector<char>    held_off;        ///< per block, see SkippedPairs
+    int changes = -1; ///< loosened, failed and released joints when the skip lists were made
+    std::vector<Awake> awake; ///< per block, now
+
+    SearchSummary search_summary;
+
+    std::vector<Awake> awake_blocks(const DdaState &state) const;
+
+    /// Sets is_on_belt and held_off.
+    void find_blocks_on_surface();
+
+    /// @return whether joints have given way, failed or been released since the last call.
+    bool update_skipped_pairs(const DdaState &state);
+
+    /// Bring the contact list of @p state up to date.
+    void search_contacts(DdaState &state);
+  };
+} // namespace hybrid::dda

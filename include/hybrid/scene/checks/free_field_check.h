@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/scene/mesh/section_mesh.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace hybrid::scene
+{
+  /**
+   * Where the ground beside a free-field side is higher or lower than the column of that side, one
+   * sentence each. The column is as high as the line left or right, and stands for level ground:
+   * blocks on top of the bedrock at the side, or a slope that begins there, are not in it, and what
+   * it sends in is another motion than the model has.
+   *
+   * At the side itself every difference counts (a thousandth of the column's height), within a
+   * quarter of the column's height from it one of more than a twentieth.
+   */
+  std::vector<std::string> free_field_warnings(const SectionMesh     &mesh,
+                                               const SceneParameters &scene);
+} // namespace hybrid::scene

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/scene/mesh/section_mesh.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace hybrid::scene
+{
+  /**
+   * Geometry that can be computed with but is hardly meant, one sentence each with coordinates:
+   * blocks that are to find their equilibrium but neither touch the base nor lie on blocks that do
+   * (a gap at the surface, a mass beside the base), blocks a thousand times longer than thick, and
+   * water far above the section.
+   */
+  std::vector<std::string> geometry_warnings(const SectionMesh &mesh, const SceneParameters &scene);
+} // namespace hybrid::scene

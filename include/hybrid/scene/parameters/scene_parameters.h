@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/scene/material.h>
+#include <hybrid/scene/newmark.h>
+#include <hybrid/scene/parameters/checkpoint_parameters.h>
+#include <hybrid/scene/parameters/load_parameters.h>
+#include <hybrid/scene/parameters/start_parameters.h>
+#include <hybrid/scene/types.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+/**
+ * @file The parameters of a scene as plain structs, one per section of the parameter file.
+ * Defaults stand here; names, units, ranges and help are declared next to each other in
+ * src/scene/<section>_parameters.cc. SI units inside; other units only at the parameter boundary.
+ */
+namespace hybrid::scene
+{
+  /// Section "Time".
+  struct TimeParameters
+  {
+    double      end_time         = 1.;          ///< duration of the dynamic stage [s], >= 0
+    double      time_step        = 1e-3;        ///< dt [s], > 0
+    int         maximum_halvings = 16;          ///< smallest step is dt / 2^this [-], 0..20
+    std::string scheme           = "automatic"; ///< automatic | dissipative | trapezoidal | shi
+    Newmark     newmark;                        ///< what the scheme stands for in this scene
+    double      maximum_displacement_ratio =
+      0.05; ///< largest block displacement per step over block size [-]
+    double dynamic_coefficient =
+      1.; ///< k01 of the paper: factor on the velocity at the start of each step, (0, 1]
+  };
+
+  /// Section "Mesh".
+  struct MeshParameters
+  {
+    std::string file; ///< .geo or .msh; resolved path
+    std::vector<std::pair<std::string, double>>
+      numbers; ///< ONELAB numbers set before meshing, "Resolution/h" -> 4
+    std::string
+      polygons_file; ///< CSV block,x,y: blocks as polygons instead of the mesh's; resolved path
+    std::string
+      surface_file; ///< CSV x,y: polyline of a rigid base instead of the mesh's; resolved path
+  };
+
+  /// How the bedrock is modelled: section "Model", parameter "Continuum".
+  enum class ContinuumModel
+  {
+    elastic, ///< deal.II finite elements
+    none ///< rigid base with the prescribed motion (pure DDA), or nothing when there is no surface
+  };
+
+  /// What the bedrock is made of: section "Model", parameter "Bedrock".
+  enum class BedrockModel
+  {
+    automatic, ///< continuum, or rigid if "Continuum" is none
+    continuum, ///< deal.II finite elements
+    layers,    ///< one block per layer between bedding planes; the lowest moves as prescribed
+    triangles, ///< bonded triangular blocks that carry the waves
+    rigid      ///< a rigid base with the prescribed motion
+  };
+
+  /// Sides of the bedrock.
+  enum class SideBoundary
+  {
+    viscous,    ///< Lysmer dashpots
+    free_field, ///< dashpots and tractions relative to a 1D column solved beside the model
+    roller,     ///< normal displacement zero
+    fixed       ///< displacement zero
+  };
+
+  /// Base of the bedrock.
+  enum class BaseBoundary
+  {
+    compliant, ///< dashpots over a half space through which the motion arrives
+    rigid,     ///< displacement prescribed: the motion itself
+    fixed      ///< displacement zero
+  };
+
+  /// Section "Continuum".
+  struct ContinuumParameters
+  {
+    int                                degree = 2;      ///< polynomial degree of FE_Q, 1..8
+    std::map<std::string, std::string> region_material; ///< region name ("bedrock") -> material
+                                                        ///< name; "*": every region without its own
+    BaseBoundary base  = BaseBoundary::compliant;
+    SideBoundary sides = SideBoundary::viscous;
+    std::string
+           half_space_material; ///< rock below the base; empty: that of the cells along the base
+    double rayleigh_mass      = 0.;    ///< alpha_M [1/s], C = alpha_M M + beta_K K
+    double rayleigh_stiffness = 0.;    ///< beta_K [s]
+    bool   boundary_springs   = false; ///< springs beside the dashpots of base and sides
+    double normal_spring      = 1.;    ///< alpha_n of k_n = alpha_n G / r [-]
+    double tangential_spring  = 0.5;   ///< alpha_t of k_t = alpha_t G / r [-]
+    double spring_distance    = 0.;    ///< r [m]; 0: of each face from the middle of the top
+  };
+
+  /// Section "Bedding planes".
+  struct BeddingParameters
+  {
+    std::vector<std::string>
+           names; ///< lines of the mesh that are elastic joints; empty: all planes are welded
+    double normal_stiffness      = 8e9;   ///< k_n [Pa/m]
+    double shear_stiffness       = 3e9;   ///< k_s [Pa/m]
+    bool   slips                 = false; ///< Mohr-Coulomb strength; else the joints are elastic
+    double friction_angle        = 0.;    ///< [deg]
+    double cohesion              = 0.;    ///< [Pa]
+    double tensile_strength      = 0.;    ///< [Pa]
+    double initial_normal_stress = 0.;    ///< compression besides that of gravity [Pa]
+  };
+
+  /// Section "Blocks".
+  struct BlockParameters
+  {
+    bool        enabled = true;     ///< section "Model", parameter "Blocks" (bonded | none)
+    std::string material;           ///< blocks and body joints above the water level
+    std::string saturated_material; ///< same below; empty: same as material
+    std::string belt_material;      ///< joints on the sliding surface; empty: unbonded frictional
+                                    ///< contact of the block material
+    std::string
+           saturated_belt_material; ///< same below the water level; empty: same as belt_material
+    bool   bonded          = true;  ///< edges shared by blocks are artificial joints
+    double penalty_ratio   = 40.;   ///< alpha: joint stiffness k_n = alpha E / h [-], > 1
+    double shear_ratio     = 1.;    ///< k_s / k_n [-], (0, 1]
+    double fracture_energy = 10.;   ///< G_f [N/m] (J/m2), >= 0; 0 is brittle
+    double softening_slip = 0.1; ///< slip over which shear strength falls to its residual [m], >= 0
+    double damping_ratio  = 0.;  ///< stiffness-proportional damping of blocks and joints [-]
+    double damping_frequency = 2.; ///< frequency at which it holds [Hz], > 0
+    double loose_damping =
+      1.; ///< of the shape of a block that no joint holds, of critical [-], >= 0
+    bool stiffness_correction =
+      true; ///< take the joints' compliance off the blocks' (design: bonds cost stiffness)
+    int    maximum_iterations = 40;   ///< of the open-close iteration before the step is cut [-]
+    double tolerance          = 1e-8; ///< relative force residual of the open-close iteration [-]
+    std::vector<InitialVelocity> initial_velocities; ///< of blocks that do not start from rest
+  };
+
+  /// What happens before the dynamic stage.
+  enum class StaticStage
+  {
+    equilibrium, ///< blocks settle with their strengths active, and the run ends if they cannot
+    move,        ///< the same, but what cannot stand starts from where it has got to
+    held,        ///< blocks settle with unlimited friction and bonds, which become active at t = 0
+    none         ///< the dynamic stage starts unloaded
+  };
+
+  /// Section "Heterogeneity": factors of mean 1 with Weibull's distribution.
+  struct HeterogeneityParameters
+  {
+    double modulus_shape = 0.; ///< m of the blocks' Young modulus [-], > 0; 0: uniform
+    double strength_shape =
+      0.; ///< m of the joints' cohesion and tensile strength [-], > 0; 0: uniform
+    int seed = 1;
+  };
+
+  /// What the water below its level does: section "Water", parameter "Method".
+  enum class WaterMethod
+  {
+    paper,     ///< nothing but the saturated materials, whose weight is as given
+    submerged, ///< buoyancy of the submerged part of each block
+    pressures  ///< hydrostatic pressure on all faces and in all joints; the bedrock carries it too
+  };
+
+  /// Section "Water" and section "Gravity".
+  struct EnvironmentParameters
+  {
+    double      gravity         = 9.81; ///< downward acceleration [m/s2], >= 0
+    StaticStage static_stage    = StaticStage::equilibrium;
+    bool        reset_softening = true; ///< slip at rest takes nothing of strengths
+    double water_level = -1e300; ///< elevation [m]; below it the saturated materials hold (initial
+                                 ///< position of the block)
+    WaterMethod water_method  = WaterMethod::paper;
+    double      water_density = 1000.; ///< [kg/m3], > 0
+  };
+
+  /// Section "Motion".
+  struct MotionParameters
+  {
+    std::string type = "none"; ///< none | ricker | sine | synthetic | spectrum | text | at2
+    std::string file;          ///< for text and at2; resolved path
+    double file_unit = 1.; ///< of acceleration in text and spectrum files [m/s2] (parameter "Unit":
+                           ///< m/s2 | g | cm/s2)
+    bool   file_unit_is_set = false; ///< by the user
+    double peak = -1.; ///< scale to this outcrop/incident peak acceleration [m/s2]; < 0: as it is
+    bool   peak_has_unit = false; ///< the user wrote the unit
+    bool   outcrop =
+      true; ///< the motion is the outcrop motion (twice the upgoing wave); false: the upgoing wave
+    double angle =
+      0.; ///< direction of shaking [deg] from +x: 0 = S wave (horizontal), 90 = P wave (vertical)
+    double      start     = 0.;  ///< the motion starts at this time [s]
+    double      frequency = 2.;  ///< ricker: dominant; sine: its own; synthetic: predominant [Hz]
+    double      cycles    = 10.; ///< sine: number of cycles [-], > 0
+    double      taper     = 2.;  ///< sine: cycles over which it rises, and falls [-], >= 0
+    double      lowest_frequency  = 0.3;  ///< synthetic and spectrum: lowest [Hz]
+    double      highest_frequency = 8.;   ///< synthetic and spectrum: highest [Hz]
+    double      duration          = 12.;  ///< synthetic and spectrum [s]
+    int         seed              = 1;    ///< synthetic and spectrum
+    std::string spectrum_file;            ///< spectrum: the target, two columns; resolved path
+    bool   spectrum_by_frequency = false; ///< its first column is frequency [Hz]; else period [s]
+    double spectrum_damping      = 0.05;  ///< of critical [-], (0, 1)
+    bool   baseline_correction =
+      true; ///< make velocity and displacement end at zero (all types but ricker, which does)
+  };
+
+  /// A named point whose motion is recorded.
+  struct Monitor
+  {
+    std::string name;
+    Vec2        position; ///< initial position [m]
+  };
+
+  /// A named vertical line along which displacement is recorded.
+  struct Borehole
+  {
+    std::string         name;
+    Vec2                top;    ///< [m]
+    Vec2                bottom; ///< [m]
+    int                 samples = 21;
+    std::vector<double> measured_depth; ///< depths of measured values below the top [m]
+    std::vector<double> measured_mm;    ///< measured downhill displacements there [mm]; only drawn
+  };
+
+  /// Section "Monitors" and section "Boreholes".
+  struct MonitorParameters
+  {
+    std::vector<Monitor> monitors;
+    std::string          file; ///< CSV name,x,z that some of them come from; resolved path
+    std::string base_monitor;  ///< displacement is reported relative to this one; empty: absolute
+    std::vector<Borehole> boreholes;
+    int                   borehole_samples = 21; ///< points of each borehole
+    double filter_frequency = 25.; ///< zero-phase low-pass for peaks and amplification [Hz]; 0: off
+  };
+
+  /// Section "Output".
+  struct OutputParameters
+  {
+    std::string directory   = "output"; ///< resolved against the working directory
+    double picture_interval = 0.1; ///< simulated time between VTU files [s]; 0: only first and last
+    double flush_interval   = 2.;  ///< wall time between flushes of run.h5 [s]
+    double audit_interval   = 0.01; ///< simulated time between energy audits [s]
+    double energy_warning   = 0.01; ///< residual of the audit from which it is said; 0: never [-]
+    double energy_limit     = 0.05; ///< residual at which the run stops; 0: never [-]
+  };
+
+  /// Everything a scene says.
+  struct SceneParameters
+  {
+    std::string                     title;
+    TimeParameters                  time;
+    MeshParameters                  mesh;
+    ContinuumModel                  continuum_model = ContinuumModel::elastic;
+    BedrockModel                    bedrock = BedrockModel::automatic; ///< resolved by read_scene()
+    ContinuumParameters             continuum;
+    BeddingParameters               bedding;
+    BlockParameters                 blocks;
+    HeterogeneityParameters         heterogeneity;
+    EnvironmentParameters           environment;
+    MotionParameters                motion;
+    PointLoadParameters             point_loads;
+    EdgeLoadParameters              edge_loads;
+    InitialWaveParameters           initial_wave;
+    MonitorParameters               monitors;
+    OutputParameters                output;
+    CheckpointParameters            checkpoint;
+    std::map<std::string, Material> materials;
+    int                             threads = 1;
+    std::string used_prm; ///< the scene with every parameter, as a valid parameter file
+
+    /// The bedrock is blocks.
+    bool has_bedrock_blocks() const
+    {
+      return bedrock == BedrockModel::layers || bedrock == BedrockModel::triangles;
+    }
+
+    /// Any block at all: the sliding mass or the bedrock.
+    bool has_blocks() const
+    {
+      return blocks.enabled || has_bedrock_blocks();
+    }
+
+    /// Material of the bedrock's region @p name. @throws InputError if it has none.
+    const Material &bedrock_material(const std::string &region) const;
+
+    /// @throws InputError naming section and parameter @p where if @p name is not in the table.
+    const Material &material(const std::string &name, const std::string &where) const;
+  };
+} // namespace hybrid::scene

@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/contact/contact_detection.h>
+#include <hybrid/dda/geometry/polygon.h>
+
+#include <algorithm>
+#include <cassert>
+#include <tuple>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    ContactTolerances make_tolerances(const ContactDetection::Parameters &parameters)
+    {
+      ContactTolerances t;
+      t.reach     = parameters.reach;
+      t.max_depth = parameters.max_depth < 0. ? parameters.reach : parameters.max_depth;
+      return t;
+    }
+
+    /// A vertex farther than this from an edge is no partner: the allowed overhangs add less than 5
+    /// %.
+    double search_distance(const ContactTolerances &t)
+    {
+      return 1.05 * std::max(t.reach, t.max_depth) + t.extension();
+    }
+
+    bool contact_order(const Contact &a, const Contact &b)
+    {
+      return std::tie(a.vertex_body, a.vertex, a.edge_body, a.edge) <
+             std::tie(b.vertex_body, b.vertex, b.edge_body, b.edge);
+    }
+
+    /// Before all contacts of the vertex.
+    Contact first_of(const ContactCandidate &pair)
+    {
+      return {pair.vertex_body, pair.vertex, base_body, -1};
+    }
+
+    bool is_of(const Contact &contact, const ContactCandidate &pair)
+    {
+      return contact.vertex_body == pair.vertex_body && contact.vertex == pair.vertex;
+    }
+
+    bool same_vertex(const ContactCandidate &a, const ContactCandidate &b)
+    {
+      return a.vertex_body == b.vertex_body && a.vertex == b.vertex;
+    }
+  } // namespace
+
+
+  ContactDetection::ContactDetection(const Parameters &parameters)
+    : smooth_angle(parameters.smooth_angle)
+    , tolerances(make_tolerances(parameters))
+    , candidates(search_distance(tolerances), parameters.margin)
+    , selection(tolerances)
+    , watch(tolerances.coincidence())
+  {
+    assert(parameters.reach > 0. && parameters.margin >= 0.);
+  }
+
+
+
+  void ContactDetection::update(const Geometry       &geometry,
+                                std::vector<Contact> &contacts,
+                                RestState            &rest)
+  {
+    assert(std::is_sorted(contacts.begin(), contacts.end(), contact_order));
+    last.builds += candidates.update(geometry) ? 1 : 0;
+    last.lost       = 0;
+    last.edge_tests = 0;
+    if (candidates.awake().empty()) // the search sleeps
+      {
+        contacts.clear();
+        return;
+      }
+    watch.look(geometry, rest);
+    if (is_all_settled(contacts, rest))
+      return;
+    ++last.searches;
+    find_near_blocks(geometry, contacts);
+    frames.update(geometry, smooth_angle, near_blocks);
+
+    previous.assign(contacts.begin(), contacts.end());
+    select(geometry, rest);
+    resolve_corners(geometry);
+
+    contacts.clear();
+    for (std::size_t i = 0; i < trials.size(); ++i)
+      if (!dropped[i])
+        {
+          Contact &contact = trials[i].contact;
+          if (trials[i].history == ContactTrial::History::none &&
+              candidates.is_first_look(contact.vertex_body, contact.edge_body))
+            contact.rest_gap = std::min(0., trials[i].gap - tolerances.extension());
+          contacts.push_back(contact);
+        }
+    settle(contacts, rest);
+    last.edge_tests = selection.n_edge_tests();
+  }
+
+
+
+  ContactDetection::Group ContactDetection::group_at(const std::size_t begin) const
+  {
+    const std::vector<ContactCandidate> &list = candidates.awake();
+    Group                                group{begin, begin + 1};
+    while (group.end < list.size() && same_vertex(list[begin], list[group.end]))
+      ++group.end;
+    return group;
+  }
+
+
+
+  bool ContactDetection::group_rests(const Group &group) const
+  {
+    for (std::size_t i = group.begin; i < group.end; ++i)
+      {
+        const ContactCandidate &pair = candidates.awake()[i];
+        if (!watch.rests(pair) || candidates.is_first_look(pair.vertex_body, pair.edge_body))
+          return false;
+      }
+    return true;
+  }
+
+
+
+  bool ContactDetection::is_all_settled(const std::vector<Contact> &contacts, RestState &rest) const
+  {
+    const std::vector<ContactCandidate> &list = candidates.awake();
+    std::size_t kept = 0; // contacts of vertices in the list: the others go
+    Group       group;
+    for (std::size_t i = 0; i < list.size(); i = group.end)
+      {
+        group = group_at(i);
+        if (!RestWatch::settled(rest, list[i].vertex_body, list[i].vertex) || !group_rests(group))
+          return false;
+        while (kept < contacts.size() && is_of(contacts[kept], list[i]))
+          ++kept;
+      }
+    return kept == contacts.size();
+  }
+
+
+
+  void ContactDetection::settle(const std::vector<Contact> &contacts, RestState &rest)
+  {
+    const std::vector<ContactCandidate> &list = candidates.awake();
+    auto                                 then = previous.cbegin();
+    auto                                 now  = contacts.cbegin();
+    Group                                group;
+    for (std::size_t i = 0; i < list.size(); i = group.end)
+      {
+        group = group_at(i);
+        while (then != previous.cend() && contact_order(*then, first_of(list[i])))
+          ++then;
+        bool is_same = true;
+        for (; now != contacts.cend() && is_of(*now, list[i]); ++now)
+          {
+            is_same = is_same && then != previous.cend() && is_of(*then, list[i]) &&
+                      then->edge_body == now->edge_body && then->edge == now->edge;
+            if (is_same)
+              ++then;
+          }
+        is_same = is_same && (then == previous.cend() || !is_of(*then, list[i]));
+        if (!is_same || !group_rests(group))
+          RestWatch::settled(rest, list[i].vertex_body, list[i].vertex) = 0;
+      }
+  }
+
+
+
+  void ContactDetection::find_near_blocks(const Geometry             &geometry,
+                                          const std::vector<Contact> &contacts)
+  {
+    is_near.assign(geometry.n_blocks(), 0);
+    near_blocks.clear();
+    const auto add = [this](const int body) {
+      if (body == base_body || is_near[body])
+        return;
+      is_near[body] = 1;
+      near_blocks.push_back(body);
+    };
+    const auto add_with_surface = [&](const int body, const int edge) {
+      add(body);
+      if (body < geometry.bedrock.first_block)
+        return;
+      for (const int beside : {geometry.bedrock.previous[edge], geometry.bedrock.next[edge]})
+        if (beside >= 0)
+          add(geometry.block_of[beside]);
+    };
+    for (const ContactCandidate &pair : candidates.awake())
+      {
+        add_with_surface(pair.vertex_body, pair.vertex);
+        add_with_surface(pair.edge_body, pair.edge);
+      }
+    for (const Contact &contact : contacts)
+      {
+        add_with_surface(contact.vertex_body, contact.vertex);
+        add_with_surface(contact.edge_body, contact.edge);
+      }
+  }
+
+
+
+  void ContactDetection::select(const Geometry &geometry, RestState &rest)
+  {
+    const std::vector<ContactCandidate> &list = candidates.awake();
+
+    trials.clear();
+    first_of_vertex.assign(geometry.vertices.size(), -1);
+    first_of_node.assign(geometry.base_nodes.size(), -1);
+    selection.begin_step(geometry, frames);
+    auto  old = previous.begin();
+    Group group;
+    for (std::size_t i = 0; i < list.size(); i = group.end)
+      {
+        group          = group_at(i);
+        const int body = list[i].vertex_body, vertex = list[i].vertex;
+        char     &settled = RestWatch::settled(rest, body, vertex);
+        if (frames.corner(body, vertex) != Corner::convex && !is_surface(geometry, body))
+          {
+            settled = 1;
+            continue;
+          }
+        old          = std::lower_bound(old, previous.end(), first_of(list[i]), contact_order);
+        auto old_end = old;
+        while (old_end != previous.end() && is_of(*old_end, list[i]))
+          ++old_end;
+        const Contact    *olds  = previous.data() + (old - previous.begin());
+        const int         n_old = static_cast<int>(old_end - old);
+        const std::size_t first = trials.size();
+
+        if (settled && group_rests(group))
+          keep(geometry, olds, n_old);
+        else
+          settled = search(geometry, group, olds, n_old);
+        if (trials.size() > first)
+          (body == base_body ? first_of_node : first_of_vertex)[vertex] = static_cast<int>(first);
+      }
+  }
+
+
+
+  void
+  ContactDetection::keep(const Geometry &geometry, const Contact *old_contacts, const int n_old)
+  {
+    for (int k = 0; k < n_old; ++k)
+      {
+        const Contact &c = old_contacts[k];
+        const Vec2     r =
+          position(geometry, c.vertex_body, c.vertex) - position(geometry, c.edge_body, c.edge);
+        const double gap = r.dot(frames.edge(c.edge_body, c.edge).normal);
+        trials.push_back({c, gap, 0., true, ContactTrial::History::same_edge, k});
+      }
+  }
+
+
+
+  bool ContactDetection::search(const Geometry &geometry,
+                                const Group    &group,
+                                const Contact  *old_contacts,
+                                const int       n_old)
+  {
+    const std::vector<ContactCandidate> &list = candidates.awake();
+    const int body = list[group.begin].vertex_body, vertex = list[group.begin].vertex;
+    selection.begin_vertex(body, vertex, old_contacts, n_old);
+    int n_lost = 0;
+    for (std::size_t j = group.begin; j < group.end; ++j)
+      {
+        add_body(geometry, list[j]);
+        if (j + 1 < group.end && is_same_body(geometry, list[j + 1].edge_body, list[j].edge_body))
+          continue;
+        const int n = selection.end_body();
+        if (n == 0 && list[j].edge < 0 && is_lost(geometry, body, vertex, list[j].edge_body))
+          ++n_lost;
+      }
+    selection.end_vertex(trials);
+    last.lost += n_lost;
+    return n_lost == 0;
+  }
+
+
+
+  void ContactDetection::add_body(const Geometry &geometry, const ContactCandidate &candidate)
+  {
+    const int body = candidate.edge_body;
+    if (candidate.edge >= 0)
+      selection.add_edge(body, candidate.edge);
+    else
+      for (int e = geometry.offset[body]; e < geometry.offset[body + 1]; ++e)
+        selection.add_edge(body, e);
+  }
+
+
+
+  bool ContactDetection::is_lost(const Geometry &geometry,
+                                 const int       vertex_body,
+                                 const int       vertex,
+                                 const int       block) const
+  {
+    const Vec2 *outline = &geometry.vertices[geometry.offset[block]];
+    const int   n       = geometry.offset[block + 1] - geometry.offset[block];
+    const Vec2 &point   = position(geometry, vertex_body, vertex);
+    return contains(outline, n, point) &&
+           distance_to_outline(outline, n, point) > tolerances.max_depth;
+  }
+
+
+
+  void ContactDetection::resolve_corners(const Geometry &geometry)
+  {
+    dropped.assign(trials.size(), 0);
+    for (std::size_t i = 0; i < trials.size(); ++i)
+      if (is_above_seam(geometry, i) || (trials[i].gap < 0. && loses_corner(geometry, i)))
+        dropped[i] = 1;
+  }
+
+
+
+  ContactDetection::Range ContactDetection::trials_of(const int body, const int vertex) const
+  {
+    const int first = body == base_body ? first_of_node[vertex] : first_of_vertex[vertex];
+    Range     range;
+    range.first  = first < 0 ? trials.end() : trials.begin() + first;
+    range.second = range.first;
+    // vertices of the base have numbers of their own
+    while (range.second != trials.end() &&
+           (range.second->contact.vertex_body == base_body) == (body == base_body) &&
+           range.second->contact.vertex == vertex)
+      ++range.second;
+    return range;
+  }
+
+
+
+  /// The side above a seam, seen from the row: the edge's end slides on a third body, and its
+  /// support goes on along one of the two edges of the vertex.
+  bool ContactDetection::is_above_seam(const Geometry &geometry, const std::size_t i) const
+  {
+    if (trials[i].history == ContactTrial::History::same_edge)
+      return false;
+    const Contact &c    = trials[i].contact;
+    const Vec2    &p    = position(geometry, c.vertex_body, c.vertex);
+    const Vec2    &mine = frames.edge(c.edge_body, c.edge).normal;
+    for (const int end : {c.edge, end_place(geometry, c.edge_body, c.edge)})
+      {
+        if (end < 0)
+          continue;
+        const Vec2  &q     = position(geometry, c.edge_body, end);
+        const double along = std::abs(frames.edge(c.edge_body, c.edge).direction.dot(p - q));
+        if (along > 0.1 * tolerances.reach)
+          continue;
+        const Range support = trials_of(c.edge_body, end);
+        for (auto k = support.first; k != support.second; ++k)
+          for (const int g : {edge_before(geometry, c.vertex_body, c.vertex),
+                              edge_after(geometry, c.vertex_body, c.vertex)})
+            {
+              if (g < 0)
+                continue;
+              const Vec2  &normal = frames.edge(c.vertex_body, g).normal;
+              const double height = tolerances.hysteresis() + 0.5 * std::max(0., -k->gap);
+              if (!is_same_body(geometry, k->contact.edge_body, c.vertex_body) &&
+                  -mine.dot(normal) < tolerances.continuing_cosine &&
+                  normal.dot(frames.edge(k->contact.edge_body, k->contact.edge).normal) >=
+                    tolerances.continuing_cosine &&
+                  std::abs(normal.dot(q - p) - k->gap) <= height)
+                return true;
+            }
+      }
+    return false;
+  }
+
+
+
+  /// True if the opposite contact of the two corners is the better one; both decide alike.
+  bool ContactDetection::loses_corner(const Geometry &geometry, const std::size_t i) const
+  {
+    const ContactTrial &mine = trials[i];
+    const Contact      &c    = mine.contact;
+    const Vec2         &n    = frames.edge(c.edge_body, c.edge).normal;
+
+    for (const int corner : {c.edge, end_place(geometry, c.edge_body, c.edge)})
+      {
+        if (corner < 0)
+          continue;
+        const Range opposite = trials_of(c.edge_body, corner);
+        for (auto it = opposite.first; it != opposite.second; ++it)
+          {
+            const int edge = it->contact.edge;
+            // segments of the base have numbers of their own
+            if (it->gap >= 0. || !is_same_body(geometry, it->contact.edge_body, c.vertex_body) ||
+                (edge != edge_after(geometry, c.vertex_body, c.vertex) &&
+                 edge != edge_before(geometry, c.vertex_body, c.vertex)) ||
+                -n.dot(frames.edge(c.vertex_body, edge).normal) >= tolerances.continuing_cosine)
+              continue;
+            const auto mine_key =
+              std::make_tuple(mine.history, mine.gap, -c.vertex_body, -c.vertex);
+            const auto theirs_key =
+              std::make_tuple(it->history, it->gap, -it->contact.vertex_body, -it->contact.vertex);
+            if (mine_key < theirs_key)
+              return true;
+          }
+      }
+    return false;
+  }
+} // namespace hybrid::dda

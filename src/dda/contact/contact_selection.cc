@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/contact/contact_selection.h>
+#include <hybrid/dda/geometry/polygon.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    using History = ContactTrial::History;
+
+    constexpr double same_cosine = 1e-6; ///< directions nearer than this are the same [-]
+
+    bool edge_order(const ContactTrial &a, const ContactTrial &b)
+    {
+      return std::make_pair(a.contact.edge_body, a.contact.edge) <
+             std::make_pair(b.contact.edge_body, b.contact.edge);
+    }
+
+    using Segment = std::array<Vec2, 2>;
+
+    /// True if they cross between their ends.
+    bool segments_cross(const Segment &a, const Segment &b)
+    {
+      const auto parts = [](const Segment &s, const Segment &ends) {
+        const Vec2 along = s[1] - s[0];
+        return cross(along, ends[0] - s[0]) * cross(along, ends[1] - s[0]) < 0.;
+      };
+      return parts(a, b) && parts(b, a);
+    }
+
+    /// What is to be found of the gap.
+    enum class Carries
+    {
+      least_penetration, ///< on one body
+      highest            ///< at a seam: the solid that reaches higher
+    };
+
+
+    /// The edge below the vertex, then the edge it came through, then the gap. Gaps nearer than
+    /// @p same [m] are equal: then the edge that the sole runs along, then the lower one.
+    bool better(const ContactTrial &a, const ContactTrial &b, const Carries rule, const double same)
+    {
+      if (a.is_inside != b.is_inside)
+        return a.is_inside;
+      if (a.history != b.history)
+        return a.history > b.history;
+      if (std::abs(a.gap - b.gap) > same)
+        return (a.gap > b.gap) == (rule == Carries::least_penetration);
+      if (std::abs(a.below_sole - b.below_sole) > same_cosine)
+        return a.below_sole > b.below_sole;
+      if (std::abs(a.middle_height - b.middle_height) > same)
+        return a.middle_height < b.middle_height;
+      return edge_order(a, b);
+    }
+
+
+
+    /// The few trials of one vertex. With equal gaps the order need not be transitive, which this
+    /// sort bears.
+    template <typename Iterator>
+    void sort_by(const Iterator begin, const Iterator end, const Carries rule, const double same)
+    {
+      for (Iterator next = begin; next != end; ++next)
+        for (Iterator k = next; k != begin && better(*k, *(k - 1), rule, same); --k)
+          std::swap(*k, *(k - 1));
+    }
+  } // namespace
+
+
+  ContactSelection::ContactSelection(const ContactTolerances &tolerances_)
+    : tolerances(tolerances_)
+    , old(tolerances_)
+  {}
+
+
+
+  void ContactSelection::begin_step(const Geometry &geometry_, const OutlineFrames &frames_)
+  {
+    geometry   = &geometry_;
+    frames     = &frames_;
+    edge_tests = 0;
+  }
+
+
+
+  void ContactSelection::begin_vertex(const int      body,
+                                      const int      vertex_,
+                                      const Contact *old_contacts,
+                                      const int      n_old)
+  {
+    vertex_body = body;
+    vertex      = vertex_;
+    point       = position(*geometry, body, vertex);
+    // At an end of a surface the rock goes on straight.
+    const int after  = edge_after(*geometry, body, vertex),
+              before = edge_before(*geometry, body, vertex);
+    to_next          = frames->edge(body, after < 0 ? before : after).direction;
+    to_previous      = -frames->edge(body, before < 0 ? after : before).direction;
+
+    old.set(*geometry, *frames, point, old_contacts, n_old);
+    trials.clear();
+    body_begin = 0;
+  }
+
+
+
+  void ContactSelection::add_edge(const int body, const int edge)
+  {
+    ++edge_tests;
+    const EdgeFrame &frame = frames->edge(body, edge);
+    const Vec2       r     = point - position(*geometry, body, edge);
+    const double     gap   = r.dot(frame.normal);
+    if (!(gap <= tolerances.reach && gap >= -tolerances.max_depth) || frame.length == 0.)
+      return;
+
+    const double along = r.dot(frame.direction);
+    ContactTrial trial{{vertex_body, vertex, body, edge}, gap, 0., true, History::none, -1};
+    trial.overhang = std::max({0., -along, along - frame.length});
+    trial.origin   = old.find(body, edge);
+    if (trial.origin >= 0)
+      {
+        trial.history = History::same_edge;
+        trial.contact = old.contact(trial.origin);
+      }
+
+    const bool persists = trial.history == History::same_edge;
+    if (!passes_angle_test(frame.normal, persists ? tolerances.hold_sine : tolerances.entry_sine) ||
+        trial.overhang > allowed_overhang(trial, along))
+      return;
+    trial.is_inside =
+      trial.overhang <= (persists ? tolerances.hysteresis() : tolerances.coincidence());
+    if (!persists)
+      {
+        trial.contact.edge_position = along / frame.length;
+        trial.origin                = old.find_continued(frame.normal, gap);
+        if (trial.origin >= 0)
+          trial.history = History::continuing;
+      }
+    set_place(trial);
+    trials.push_back(trial);
+  }
+
+
+
+  void ContactSelection::set_place(ContactTrial &trial) const
+  {
+    const int  body = trial.contact.edge_body, edge = trial.contact.edge;
+    const Vec2 middle   = 0.5 * (position(*geometry, body, edge) +
+                               position(*geometry, body, second_end(*geometry, body, edge)));
+    const Vec2 way      = (middle - point).normalized();
+    trial.below_sole    = std::max(way.dot(to_next), way.dot(to_previous));
+    trial.middle_height = middle.y();
+  }
+
+
+
+  bool ContactSelection::passes_angle_test(const Vec2 &normal, const double sine) const
+  {
+    return normal.dot(to_next) >= -sine && normal.dot(to_previous) >= -sine;
+  }
+
+
+
+  /// How far the vertex may be beside the edge: the room between the normals of two edges of a
+  /// surface at a gentle ridge belongs to both of them, otherwise nobody would see a vertex there.
+  double ContactSelection::allowed_overhang(const ContactTrial &trial, const double along) const
+  {
+    const int    body = trial.contact.edge_body;
+    const double plain =
+      trial.history == History::same_edge ? tolerances.extension() : tolerances.coincidence();
+    if (!is_surface(*geometry, body) || trial.gap <= 0. || trial.overhang == 0.)
+      return plain;
+    const int edge  = trial.contact.edge;
+    const int other = along < 0. ? edge_before(*geometry, body, edge) : edge_following(body, edge);
+    if (other < 0)
+      return plain;
+    const Vec2  &normal = frames->edge(body, trial.contact.edge).normal;
+    const double cosine = normal.dot(frames->edge(body, other).normal);
+    if (cosine < tolerances.continuing_cosine)
+      return plain;
+    const double sine = std::abs(cross(normal, frames->edge(body, other).normal));
+    return std::max(plain, trial.gap * sine / cosine);
+  }
+
+
+
+  /// The edge that begins where @p edge ends, or -1.
+  int ContactSelection::edge_following(const int body, const int edge) const
+  {
+    const int end = end_place(*geometry, body, edge);
+    return end < 0 ? -1 : edge_after(*geometry, body, end);
+  }
+
+
+
+  /// The side below a seam: the vertex slides on an edge that the neighbour of this edge continues.
+  bool ContactSelection::is_below_seam(const ContactTrial &trial) const
+  {
+    if (trial.history == History::same_edge)
+      return false;
+    const int   body = trial.contact.edge_body, edge = trial.contact.edge;
+    const int   ends[2]{edge, end_place(*geometry, body, edge)};
+    const Vec2 &mine = frames->edge(body, trial.contact.edge).normal;
+    for (int i = 0; i < 2; ++i)
+      {
+        const int other = i == 0 ? edge_before(*geometry, body, edge) : edge_following(body, edge);
+        if (other < 0 || frames->corner(body, ends[i]) != Corner::convex)
+          continue;
+        const Vec2 &normal = frames->edge(body, other).normal;
+        if (normal.dot(mine) < tolerances.continuing_cosine &&
+            old.find_continued(normal, normal.dot(point - position(*geometry, body, other))) >= 0)
+          return true;
+      }
+    return false;
+  }
+
+
+
+  /// A new contact of a vertex exactly on a corner, where both edges of the corner would do.
+  bool ContactSelection::is_undecided(const ContactTrial &trial) const
+  {
+    if (trial.history != History::none || std::abs(trial.gap) > tolerances.coincidence())
+      return false;
+    const int body = trial.contact.edge_body, edge = trial.contact.edge;
+    const int ends[2]{edge, end_place(*geometry, body, edge)};
+    for (int i = 0; i < 2; ++i)
+      {
+        const int other = i == 0 ? edge_before(*geometry, body, edge) : edge_following(body, edge);
+        if (other < 0 || frames->corner(body, ends[i]) != Corner::convex ||
+            (position(*geometry, body, ends[i]) - point).norm() > 2. * tolerances.coincidence())
+          continue;
+        const Vec2 &normal = frames->edge(body, other).normal;
+        if (normal.dot(frames->edge(body, trial.contact.edge).normal) <
+              tolerances.continuing_cosine &&
+            passes_angle_test(normal, tolerances.entry_sine))
+          return true;
+      }
+    return false;
+  }
+
+
+
+  /// A new penetrating contact must be inside the block, not behind the line of a far edge.
+  bool ContactSelection::is_in_body(const ContactTrial &trial) const
+  {
+    const int b = trial.contact.edge_body;
+    if (trial.history == History::same_edge || trial.gap >= -tolerances.coincidence() ||
+        is_surface(*geometry, b))
+      return true;
+    const int first = geometry->offset[b];
+    return contains(&geometry->vertices[first], geometry->offset[b + 1] - first, point);
+  }
+
+
+
+  /// The corner at the near end of the edge and that of the vertex overlap although neither is in
+  /// the other's block: two tips that have passed each other. Each side of one crosses both of the
+  /// other's, but for two sides that lie on each other. In one step they have come no further than
+  /// the reach.
+  bool ContactSelection::has_crossed_corner(const ContactTrial &trial) const
+  {
+    const int body = trial.contact.edge_body;
+    if (is_surface(*geometry, vertex_body) || is_surface(*geometry, body))
+      return false;
+    const std::vector<Vec2> &v     = geometry->vertices;
+    const int                first = trial.contact.edge, second = geometry->next(first);
+    const bool               nearer = (point - v[first]).norm() <= (point - v[second]).norm();
+    const int                corner = nearer ? first : second;
+    const int                begin  = geometry->offset[vertex_body];
+    if (frames->corner(body, corner) != Corner::convex ||
+        (point - v[corner]).norm() > tolerances.reach ||
+        contains(&v[begin], geometry->offset[vertex_body + 1] - begin, v[corner]))
+      return false;
+    int crossings = 0;
+    for (const int e : {geometry->previous(corner), corner})
+      for (const int mine : {geometry->previous(vertex), vertex})
+        crossings +=
+          segments_cross({v[e], v[geometry->next(e)]}, {v[mine], v[geometry->next(mine)]}) ? 1 : 0;
+    return crossings >= 3;
+  }
+
+
+
+  /// Two edges of one body act together only where they face each other: in a notch.
+  bool ContactSelection::may_act_together(const ContactTrial &a, const ContactTrial &b) const
+  {
+    const auto middle = [this](const Contact &c) -> Vec2 {
+      return 0.5 * (position(*geometry, c.edge_body, c.edge) +
+                    position(*geometry, c.edge_body, second_end(*geometry, c.edge_body, c.edge)));
+    };
+    const EdgeFrame &fa = frames->edge(a.contact.edge_body, a.contact.edge);
+    const EdgeFrame &fb = frames->edge(b.contact.edge_body, b.contact.edge);
+    const Vec2       ab = middle(b.contact) - middle(a.contact);
+    return a.is_inside && b.is_inside && fa.normal.dot(fb.normal) < tolerances.continuing_cosine &&
+           fa.normal.dot(ab) > 0. && fb.normal.dot(ab) < 0.;
+  }
+
+
+
+  int ContactSelection::end_body()
+  {
+    const auto begin = trials.begin() + body_begin;
+    for (auto t = begin; t != trials.end(); ++t)
+      t->has_crossed = !is_in_body(*t) && has_crossed_corner(*t);
+    // decide before erasing: the rules look at one trial at a time
+    trials.erase(std::remove_if(begin,
+                                trials.end(),
+                                [this](const ContactTrial &t) {
+                                  return is_undecided(t) || is_below_seam(t) ||
+                                         !(t.has_crossed || is_in_body(t));
+                                }),
+                 trials.end());
+    sort_by(trials.begin() + body_begin,
+            trials.end(),
+            Carries::least_penetration,
+            tolerances.coincidence());
+
+    std::size_t kept = body_begin;
+    for (std::size_t i = body_begin; i < trials.size(); ++i)
+      {
+        bool acts = true;
+        for (std::size_t j = body_begin; j < kept && acts; ++j)
+          acts = may_act_together(trials[j], trials[i]);
+        if (acts)
+          trials[kept++] = trials[i];
+      }
+    trials.erase(trials.begin() + kept, trials.end());
+    const int n = static_cast<int>(kept - body_begin);
+    body_begin  = kept;
+    return n;
+  }
+
+
+
+  /// Not a seam: two edges that the vertex had at different heights before, and that meet now. It
+  /// is pinched between them or touches both; dropped, a tip between them would pass unseen.
+  bool ContactSelection::is_same_seam(const ContactTrial &a, const ContactTrial &b) const
+  {
+    if (a.history == History::same_edge && b.history == History::same_edge)
+      return false;
+    const Vec2  &na     = frames->edge(a.contact.edge_body, a.contact.edge).normal;
+    const Vec2  &nb     = frames->edge(b.contact.edge_body, b.contact.edge).normal;
+    const double height = tolerances.hysteresis() + 0.5 * std::max({0., -a.gap, -b.gap});
+    return !is_same_body(*geometry, a.contact.edge_body, b.contact.edge_body) &&
+           na.dot(nb) >= tolerances.continuing_cosine && std::abs(a.gap - b.gap) <= height;
+  }
+
+
+
+  void ContactSelection::end_vertex(std::vector<ContactTrial> &all)
+  {
+    sort_by(trials.begin(), trials.end(), Carries::highest, tolerances.coincidence());
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < trials.size(); ++i)
+      {
+        bool acts = true;
+        for (std::size_t j = 0; j < kept && acts; ++j)
+          acts = !is_same_seam(trials[j], trials[i]);
+        if (acts)
+          trials[kept++] = trials[i];
+      }
+    trials.erase(trials.begin() + kept, trials.end());
+    std::sort(trials.begin(), trials.end(), edge_order);
+
+    // Slip of an edge that the vertex has left goes to the first edge that continues it.
+    for (const ContactTrial &t : trials)
+      if (t.history == History::same_edge)
+        old.take(t.origin);
+    for (ContactTrial &t : trials)
+      if (t.history == History::continuing && old.take(t.origin))
+        old.hand_over(t.origin, t.contact);
+    all.insert(all.end(), trials.begin(), trials.end());
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/failure/joint_failure.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    /// Part of a joint's length: neighbours that do not look at each other before overlap by about
+    /// twice this at most, and elastic joints do not reach it.
+    constexpr double loosened_part = 0.0025;
+
+    /// Part of a joint's length: ends that are farther apart no longer stand for the contact.
+    constexpr double released_part = 0.1;
+
+
+
+    /// Slip that friction has taken, or opening [m].
+    double way_given(const SpringState &point)
+    {
+      return std::max(std::abs(point.history.plastic_slip), point.gap);
+    }
+
+
+
+    /// True if an end is torn and so wide open that the two edges have turned apart: between the
+    /// ends the bond is open everywhere but at the tip.
+    bool gapes(const Joint &joint, const JointState &state)
+    {
+      const auto wide = [&](const SpringState &point) {
+        return joint.law.broken_in_tension(point.history) &&
+               point.gap > released_part * joint.length;
+      };
+      return wide(state.points[0]) || wide(state.points[1]);
+    }
+  } // namespace
+
+
+
+  void update_failure(const Joint &joint, const double time, JointState &state)
+  {
+    if (joint.kind == JointKind::bedding)
+      return; // its own record says what it does (run.h5)
+    const auto broken = [&](const SpringState &point) {
+      return joint.law.broken_in_tension(point.history) || joint.law.broken_in_shear(point.history);
+    };
+    const bool ended = (broken(state.points[0]) && broken(state.points[1])) || gapes(joint, state);
+    if (state.failure == FailureKind::none && ended)
+      {
+        const bool tensile = joint.law.broken_in_tension(state.points[0].history) ||
+                             joint.law.broken_in_tension(state.points[1].history);
+        state.failure      = tensile ? FailureKind::tensile : FailureKind::shear;
+        state.failure_time = time;
+      }
+    const double given_way = std::max(way_given(state.points[0]), way_given(state.points[1]));
+    if (state.failure != FailureKind::none ||
+        (joint.kind == JointKind::body && given_way > loosened_part * joint.length))
+      state.loosened = true;
+    const double reach = released_part * joint.length;
+    if (state.failure != FailureKind::none && !joint.within_bedrock() &&
+        (std::max(state.points[0].jump.norm(), state.points[1].jump.norm()) > reach))
+      state.released = true;
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/contact/contact_frame.h>
+#include <hybrid/dda/failure/joint_release.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    using BodyPair = std::pair<int, int>; ///< the lower number first; base_body is the lowest
+
+    /// @param a, b bodies; all blocks of the bedrock are one.
+    BodyPair in_order(const Model &model, const int a, const int b)
+    {
+      const auto body = [&](const int c) { return std::min(c, model.n_mass()); };
+      return std::minmax(body(a), body(b));
+    }
+
+
+    /// Bodies of a released joint, and how far its springs overlapped [m].
+    struct Overlap
+    {
+      BodyPair bodies;
+      double   depth;
+    };
+
+    bool operator<(const Overlap &a, const Overlap &b)
+    {
+      return a.bodies < b.bodies;
+    }
+
+
+    std::vector<Overlap> take_released(const Model &model, DdaState &state)
+    {
+      std::vector<Overlap> overlaps;
+      for (std::size_t j = 0; j < model.joints.size(); ++j)
+        {
+          JointState &joint = state.joints[j];
+          if (!joint.released || joint.handed_over)
+            continue;
+          joint.handed_over   = true;
+          const double closed = -std::min(joint.points[0].gap, joint.points[1].gap);
+          overlaps.push_back(
+            {in_order(model, model.joints[j].block, model.joints[j].other), std::max(closed, 0.)});
+        }
+      std::sort(overlaps.begin(), overlaps.end());
+      return overlaps;
+    }
+
+
+    double gap(const Contact &contact, const Geometry &geometry)
+    {
+      const ContactPlaces place = places(contact, geometry);
+      return ContactFrame(contact, place.from_q(contact), place.second - place.first).gap;
+    }
+  } // namespace
+
+
+
+  void hand_over_released_joints(const Model &model, DdaState &state)
+  {
+    const std::vector<Overlap> overlaps = take_released(model, state);
+    if (overlaps.empty())
+      return;
+    for (Contact &contact : state.contacts)
+      {
+        const Overlap of_pair{in_order(model, contact.vertex_body, contact.edge_body), 0.};
+        const auto    found = std::equal_range(overlaps.begin(), overlaps.end(), of_pair);
+        for (auto joint = found.first; joint != found.second; ++joint)
+          contact.rest_gap =
+            std::max(contact.rest_gap, std::min(0., gap(contact, state.geometry) + joint->depth));
+      }
+  }
+} // namespace hybrid::dda

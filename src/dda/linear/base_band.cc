@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/base_band.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+extern "C"
+{
+  // LAPACK: Cholesky factorisation and solve of a symmetric band matrix.
+  void
+  dpbtrf_(const char *uplo, const int *n, const int *kd, double *ab, const int *ldab, int *info);
+  void dpbtrs_(const char   *uplo,
+               const int    *n,
+               const int    *kd,
+               const int    *nrhs,
+               const double *ab,
+               const int    *ldab,
+               double       *b,
+               const int    *ldb,
+               int          *info);
+}
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    /// Entries below this part of the diagonal are left out: the tangent may be as much off, as the
+    /// residual is not.
+    constexpr double small_part = 1e-8;
+
+    /// Joints and contacts softer than this part of the base are left out of its factor.
+    constexpr double soft_part = 0.1;
+
+
+
+    /// Distance from the diagonal beyond which no entry exceeds this @p part of the diagonal.
+    int half_band_width(const Eigen::MatrixXd &s, const double part)
+    {
+      const int n = static_cast<int>(s.rows());
+      for (int band = n - 1; band > 0; --band)
+        for (int j = 0; j + band < n; ++j)
+          if (std::abs(s(j + band, j)) > part * std::sqrt(s(j, j) * s(j + band, j + band)))
+            return band;
+      return 0;
+    }
+  } // namespace
+
+
+
+  void BaseBand::set(const Eigen::MatrixXd *stiffness)
+  {
+    std::vector<double> entries;
+    if (stiffness != nullptr && stiffness->rows() > 0)
+      entries = {static_cast<double>(stiffness->rows()),
+                 (*stiffness)(0, 0),
+                 stiffness->diagonal().sum(),
+                 (*stiffness)(stiffness->rows() - 1, stiffness->rows() - 1)};
+    if (stiffness == source && entries == key)
+      return;
+    source = stiffness;
+    key    = entries;
+    if (stiffness == nullptr)
+      return;
+
+    size  = static_cast<int>(stiffness->rows());
+    width = std::min(size - 1, std::max(3, half_band_width(*stiffness, small_part)));
+    // All entries beyond together are lost in the round-off of a row's product.
+    reach = half_band_width(*stiffness, std::numeric_limits<double>::epsilon() / size);
+    band  = Eigen::MatrixXd::Zero(width + 1, size);
+    for (int j = 0; j < size; ++j)
+      for (int below = 0; below <= width && j + below < size; ++below)
+        band(below, j) = (*stiffness)(j + below, j);
+    base_factor = band;
+    joined      = false;
+    if (!factorize(base_factor))
+      {
+        // The band is not definite by itself: fall back to the diagonal.
+        base_factor.setZero();
+        for (int j = 0; j < size; ++j)
+          base_factor(0, j) = std::sqrt((*stiffness)(j, j));
+      }
+  }
+
+
+
+  bool BaseBand::factorize(Eigen::MatrixXd &matrix) const
+  {
+    const int leading = width + 1;
+    int       info    = 0;
+    dpbtrf_("L", &size, &width, matrix.data(), &leading, &info);
+    return info == 0;
+  }
+
+
+
+  void BaseBand::matrix_changed(const BlockMatrix &matrix)
+  {
+    joined = false;
+    if (source == nullptr)
+      return;
+    const int m = matrix.n_nodes();
+    for (int k = 0; k < m; ++k)
+      for (int c = 0; c < 2; ++c)
+        joined = joined || matrix.node_diagonal[k](c, c) > soft_part * band(0, 2 * k + c);
+    if (!joined)
+      return;
+    own.resize(m);
+    next.resize(m);
+    joined_factor = band;
+    for (int k = 0; k < m; ++k)
+      {
+        const Eigen::Matrix2d &d = matrix.node_diagonal[k];
+        own[k]                   = 0.5 * (d + d.transpose());
+        joined_factor(0, 2 * k) += own[k](0, 0);
+        joined_factor(1, 2 * k) += own[k](1, 0);
+        joined_factor(0, 2 * k + 1) += own[k](1, 1);
+        next[k].setZero();
+        if (k + 1 == m)
+          continue;
+        next[k] = 0.5 * (matrix.node_next[k] + matrix.node_previous[k].transpose());
+        for (int c = 0; c < 2; ++c)
+          for (int r = 0; r < 2; ++r)
+            joined_factor(2 + r - c, 2 * k + c) += next[k](c, r);
+      }
+    joined = factorize(joined_factor); // not definite while joints soften: S alone
+  }
+
+
+
+  void BaseBand::add_product(const double *x, double *y) const
+  {
+    if (source == nullptr)
+      return;
+    for (int j = 0; j < size; ++j)
+      {
+        const double *column = band.data() + static_cast<std::ptrdiff_t>(j) * (width + 1);
+        const double  xj     = x[j];
+        const int     last   = std::min(width, size - 1 - j);
+        double        sum    = column[0] * xj;
+        for (int below = 1; below <= last; ++below)
+          {
+            sum += column[below] * x[j + below];
+            y[j + below] += column[below] * xj;
+          }
+        y[j] += sum;
+      }
+  }
+
+
+
+  double BaseBand::row_product(const int row, const Eigen::VectorXd &x) const
+  {
+    // S is symmetric: its columns are read, in their order in memory.
+    const int first = std::max(0, row - reach), n = std::min(size, row + reach + 1) - first;
+    return source->col(row).segment(first, n).dot(x.segment(first, n));
+  }
+
+
+
+  void BaseBand::add_nodes(const double *x, double *y, const double sign) const
+  {
+    if (!joined)
+      return;
+    for (std::size_t k = 0; k < own.size(); ++k)
+      {
+        const Eigen::Map<const Eigen::Vector2d> here(x + 2 * k);
+        Eigen::Map<Eigen::Vector2d>(y + 2 * k) += sign * own[k] * here;
+        if (k + 1 == own.size())
+          break;
+        const Eigen::Map<const Eigen::Vector2d> after(x + 2 * k + 2);
+        Eigen::Map<Eigen::Vector2d>(y + 2 * k) += sign * next[k] * after;
+        Eigen::Map<Eigen::Vector2d>(y + 2 * k + 2) += sign * next[k].transpose() * here;
+      }
+  }
+
+
+
+  void BaseBand::diagonal(Eigen::Ref<Eigen::VectorXd> d) const
+  {
+    d.setOnes();
+    if (source == nullptr)
+      return;
+    d = band.row(0).transpose();
+    if (joined)
+      for (std::size_t k = 0; k < own.size(); ++k)
+        d.segment<2>(2 * k) += own[k].diagonal();
+  }
+
+
+
+  void BaseBand::solve(double *x) const
+  {
+    if (source == nullptr || size == 0)
+      return;
+    const Eigen::MatrixXd &factor  = joined ? joined_factor : base_factor;
+    const int              leading = width + 1, one = 1;
+    int                    info = 0;
+    dpbtrs_("L", &size, &width, &one, factor.data(), &leading, x, &size, &info);
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/block_matrix.h>
+#include <hybrid/restart/archive.h>
+
+#include <algorithm>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    void sort_unique(std::vector<BlockMatrix::Pair> &pairs)
+    {
+      std::sort(pairs.begin(), pairs.end());
+      pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    }
+
+
+
+    /// Start of each row's entries in a list sorted by its first member.
+    std::vector<int> row_starts(const std::vector<BlockMatrix::Pair> &sorted, const int n_rows)
+    {
+      std::vector<int> begin(n_rows + 1, 0);
+      for (const auto &pair : sorted)
+        ++begin[pair[0] + 1];
+      for (int i = 0; i < n_rows; ++i)
+        begin[i + 1] += begin[i];
+      return begin;
+    }
+
+
+
+    int find(const std::vector<BlockMatrix::Pair> &sorted,
+             const std::vector<int>               &begin,
+             const BlockMatrix::Pair              &pair)
+    {
+      const auto first = sorted.begin() + begin[pair[0]],
+                 last  = sorted.begin() + begin[pair[0] + 1];
+      const auto found = std::lower_bound(first, last, pair);
+      return found != last && *found == pair ? static_cast<int>(found - sorted.begin()) : -1;
+    }
+  } // namespace
+
+
+
+  void BlockMatrix::set_pattern(const int         n_blocks,
+                                const int         n_nodes,
+                                std::vector<Pair> block_pairs,
+                                std::vector<Pair> node_pairs)
+  {
+    for (auto &pair : block_pairs)
+      if (pair[0] > pair[1])
+        std::swap(pair[0], pair[1]);
+    sort_unique(block_pairs);
+    sort_unique(node_pairs);
+    pairs     = std::move(block_pairs);
+    couplings = std::move(node_pairs);
+
+    pair_begin     = row_starts(pairs, n_blocks);
+    coupling_begin = row_starts(couplings, n_blocks);
+
+    std::vector<Pair> both; // (row, slot or its complement), sorted by row then by the other block
+    std::vector<std::array<int, 3>> entries;
+    for (std::size_t s = 0; s < pairs.size(); ++s)
+      {
+        entries.push_back({pairs[s][0], pairs[s][1], static_cast<int>(s)});
+        entries.push_back({pairs[s][1], pairs[s][0], ~static_cast<int>(s)});
+      }
+    std::sort(entries.begin(), entries.end());
+    row_other.clear();
+    row_slot.clear();
+    for (const auto &e : entries)
+      {
+        both.push_back({e[0], e[1]});
+        row_other.push_back(e[1]);
+        row_slot.push_back(e[2]);
+      }
+    row_begin = row_starts(both, n_blocks);
+
+    std::vector<Pair> by_node;
+    for (std::size_t s = 0; s < couplings.size(); ++s)
+      by_node.push_back({couplings[s][1], static_cast<int>(s)});
+    std::sort(by_node.begin(), by_node.end());
+    node_begin = row_starts(by_node, n_nodes);
+    node_coupling.clear();
+    for (const auto &e : by_node)
+      node_coupling.push_back(e[1]);
+
+    diagonal.resize(n_blocks);
+    off_diagonal.resize(pairs.size());
+    lower.resize(pairs.size());
+    block_node.resize(couplings.size());
+    node_block.resize(couplings.size());
+    node_diagonal.resize(n_nodes);
+    node_next.resize(n_nodes);
+    node_previous.resize(n_nodes);
+    set_zero();
+    ++version;
+  }
+
+
+
+  void BlockMatrix::set_zero()
+  {
+    std::fill(diagonal.begin(), diagonal.end(), Mat6::Zero());
+    std::fill(off_diagonal.begin(), off_diagonal.end(), Mat6::Zero());
+    std::fill(lower.begin(), lower.end(), Mat6::Zero());
+    set_nodes_zero();
+  }
+
+
+
+  void BlockMatrix::set_row_zero(const int i)
+  {
+    diagonal[i].setZero();
+    for (int k = row_begin[i]; k < row_begin[i + 1]; ++k)
+      (row_slot[k] >= 0 ? off_diagonal[row_slot[k]] : lower[~row_slot[k]]).setZero();
+  }
+
+
+
+  void BlockMatrix::set_nodes_zero()
+  {
+    std::fill(block_node.begin(), block_node.end(), Mat62::Zero());
+    std::fill(node_block.begin(), node_block.end(), Mat26::Zero());
+    std::fill(node_diagonal.begin(), node_diagonal.end(), Eigen::Matrix2d::Zero());
+    std::fill(node_next.begin(), node_next.end(), Eigen::Matrix2d::Zero());
+    std::fill(node_previous.begin(), node_previous.end(), Eigen::Matrix2d::Zero());
+    symmetric = true;
+  }
+
+
+
+  int BlockMatrix::block_slot(const int i, const int j) const
+  {
+    return find(pairs, pair_begin, {i, j});
+  }
+
+
+
+  int BlockMatrix::node_slot(const int block, const int node) const
+  {
+    return find(couplings, coupling_begin, {block, node});
+  }
+
+
+
+  Vec6 BlockMatrix::row_of_nodes(const int i, const Eigen::VectorXd &x) const
+  {
+    const double *nodes = x.data() + 6 * n_blocks();
+    Vec6          sum   = Vec6::Zero();
+    for (int s = coupling_begin[i]; s < coupling_begin[i + 1]; ++s)
+      sum.noalias() +=
+        block_node[s] * Eigen::Map<const Eigen::Vector2d>(nodes + 2 * couplings[s][1]);
+    return sum;
+  }
+
+
+
+  void BlockMatrix::multiply_nodes(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+  {
+    const int     m   = n_nodes();
+    const double *in  = x.data() + 6 * n_blocks();
+    double       *out = y.data() + 6 * n_blocks();
+    for (int k = 0; k < m; ++k)
+      {
+        Eigen::Vector2d sum = node_diagonal[k] * Eigen::Map<const Eigen::Vector2d>(in + 2 * k);
+        if (k + 1 < m)
+          sum.noalias() += node_next[k] * Eigen::Map<const Eigen::Vector2d>(in + 2 * k + 2);
+        if (k > 0)
+          sum.noalias() += node_previous[k - 1] * Eigen::Map<const Eigen::Vector2d>(in + 2 * k - 2);
+        Eigen::Map<Eigen::Vector2d>(out + 2 * k) = sum;
+      }
+  }
+
+
+
+  void BlockMatrix::add_blocks_to_nodes(const Eigen::VectorXd &x,
+                                        Eigen::VectorXd       &y,
+                                        const double           sign) const
+  {
+    double *nodes = y.data() + 6 * n_blocks();
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < n_nodes(); ++k)
+      for (int e = node_begin[k]; e < node_begin[k + 1]; ++e)
+        {
+          const int s = node_coupling[e];
+          Eigen::Map<Eigen::Vector2d>(nodes + 2 * k).noalias() +=
+            sign * node_block[s] * Eigen::Map<const Vec6>(x.data() + 6 * couplings[s][0]);
+        }
+  }
+
+
+
+  void BlockMatrix::multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+  {
+    const int n = n_blocks();
+
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < n; ++i)
+      {
+        Vec6 sum = diagonal[i] * Eigen::Map<const Vec6>(x.data() + 6 * i) + row_of_nodes(i, x);
+        for (int k = row_begin[i]; k < row_begin[i + 1]; ++k)
+          {
+            const int   slot  = row_slot[k];
+            const Mat6 &entry = slot >= 0 ? off_diagonal[slot] : lower[~slot];
+            sum.noalias() += entry * Eigen::Map<const Vec6>(x.data() + 6 * row_other[k]);
+          }
+        Eigen::Map<Vec6>(y.data() + 6 * i) = sum;
+      }
+
+    multiply_nodes(x, y);
+    add_blocks_to_nodes(x, y);
+  }
+
+
+
+  void BlockMatrix::serialize(restart::Archive &archive)
+  {
+    int blocks = n_blocks(), nodes = n_nodes();
+    archive(blocks, nodes, pairs, couplings);
+    if (archive.is_reading())
+      set_pattern(blocks, nodes, pairs, couplings);
+    archive(diagonal, off_diagonal, lower, block_node, node_block);
+    archive(node_diagonal, node_next, node_previous, symmetric);
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/sparse_factor.h>
+#include <hybrid/restart/archive.h>
+
+#include <algorithm>
+#include <cholmod.h>
+#include <cstring>
+#include <umfpack.h>
+#include <vector>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    /// Products of 6x6 blocks per block up to which BlockLu serves. It would be faster than UMFPACK
+    /// up to some 800, but is worth more than the iterations that an old factor is given only so
+    /// far.
+    constexpr long few_products = 100;
+
+    /// One 6x6 block of a block column.
+    struct Entry
+    {
+      int row;  ///< block row
+      int slot; ///< in off_diagonal; bit-complement: in lower; the diagonal's is its number
+
+      bool operator<(const Entry &other) const
+      {
+        return row < other.row;
+      }
+    };
+
+    using Columns = std::vector<std::vector<Entry>>;
+
+
+
+    /// Blocks of each block column, rows increasing; the diagonal block is the one with row =
+    /// column.
+    Columns block_columns(const BlockMatrix &matrix, const bool upper_only)
+    {
+      Columns columns(matrix.n_blocks());
+      for (int b = 0; b < matrix.n_blocks(); ++b)
+        columns[b].push_back({b, b});
+      for (std::size_t s = 0; s < matrix.pairs.size(); ++s)
+        {
+          const int i = matrix.pairs[s][0], j = matrix.pairs[s][1];
+          columns[j].push_back({i, static_cast<int>(s)});
+          if (!upper_only)
+            columns[i].push_back({j, ~static_cast<int>(s)});
+        }
+      for (auto &column : columns)
+        std::sort(column.begin(), column.end());
+      return columns;
+    }
+
+
+
+    const Mat6 &block_of(const BlockMatrix &matrix, const int column, const Entry &entry)
+    {
+      if (entry.row == column)
+        return matrix.diagonal[column];
+      return entry.slot >= 0 ? matrix.off_diagonal[entry.slot] : matrix.lower[~entry.slot];
+    }
+
+
+
+    /// A compressed-column copy of the blocks' part of a matrix.
+    struct CompressedColumns
+    {
+      Columns             columns;
+      bool                upper_only = false;
+      std::vector<int>    start, rows;
+      std::vector<double> values;
+
+      void set_pattern(const BlockMatrix &matrix, const bool upper)
+      {
+        upper_only = upper;
+        columns    = block_columns(matrix, upper);
+        start.assign(1, 0);
+        rows.clear();
+        for (int j = 0; j < matrix.n_blocks(); ++j)
+          for (int c = 0; c < 6; ++c)
+            {
+              for (const Entry &entry : columns[j])
+                for (int r = 0; r < rows_in(entry, j, c); ++r)
+                  rows.push_back(6 * entry.row + r);
+              start.push_back(static_cast<int>(rows.size()));
+            }
+        values.resize(rows.size());
+      }
+
+      /// For the checkpoint.
+      void serialize(restart::Archive &archive)
+      {
+        archive(start, rows, values);
+      }
+
+      void set_values(const BlockMatrix &matrix)
+      {
+        std::size_t at = 0;
+        for (int j = 0; j < matrix.n_blocks(); ++j)
+          for (int c = 0; c < 6; ++c)
+            for (const Entry &entry : columns[j])
+              {
+                const Mat6 &block = block_of(matrix, j, entry);
+                for (int r = 0; r < rows_in(entry, j, c); ++r)
+                  values[at++] = block(r, c);
+              }
+      }
+
+    private:
+      int rows_in(const Entry &entry, const int block_column, const int column) const
+      {
+        return upper_only && entry.row == block_column ? column + 1 : 6;
+      }
+    };
+  } // namespace
+
+
+
+  struct SparseFactor::Cholesky
+  {
+    cholmod_common    common;
+    CompressedColumns matrix;
+    cholmod_factor   *factor          = nullptr;
+    cholmod_dense    *x               = nullptr; ///< kept workspaces of cholmod_solve2
+    cholmod_dense    *y               = nullptr;
+    cholmod_dense    *e               = nullptr;
+    int               pattern_version = -1;
+
+    Cholesky()
+    {
+      cholmod_start(&common);
+      common.supernodal = CHOLMOD_AUTO;
+      common.print      = 0;
+    }
+
+    ~Cholesky()
+    {
+      cholmod_free_factor(&factor, &common);
+      cholmod_free_dense(&x, &common);
+      cholmod_free_dense(&y, &common);
+      cholmod_free_dense(&e, &common);
+      cholmod_finish(&common);
+    }
+
+    cholmod_sparse view()
+    {
+      cholmod_sparse a;
+      std::memset(&a, 0, sizeof(a));
+      a.nrow = a.ncol = matrix.start.size() - 1;
+      a.nzmax         = matrix.values.size();
+      a.p             = matrix.start.data();
+      a.i             = matrix.rows.data();
+      a.x             = matrix.values.data();
+      a.stype         = 1; // the upper triangle stands for all
+      a.itype         = CHOLMOD_INT;
+      a.xtype         = CHOLMOD_REAL;
+      a.dtype         = CHOLMOD_DOUBLE;
+      a.sorted = a.packed = 1;
+      return a;
+    }
+
+    void analyze()
+    {
+      cholmod_free_factor(&factor, &common);
+      cholmod_sparse a = view();
+      factor           = cholmod_analyze(&a, &common);
+    }
+
+    bool factorize()
+    {
+      cholmod_sparse a = view();
+      return cholmod_factorize(&a, factor, &common) && common.status == CHOLMOD_OK;
+    }
+
+    bool factorize(const BlockMatrix &source)
+    {
+      if (pattern_version != source.pattern_version())
+        {
+          matrix.set_pattern(source, true);
+          analyze();
+          pattern_version = source.pattern_version();
+        }
+      matrix.set_values(source);
+      return factorize();
+    }
+
+    /// The analysis depends on the pattern alone: it is made again whenever the factor is.
+    /// @param is_used this factor serves.
+    void serialize(restart::Archive &archive, const bool is_used)
+    {
+      CompressedColumns none;
+      archive(is_used ? matrix : none);
+      if (!archive.is_reading() || !is_used)
+        return;
+      analyze();
+      factorize();
+    }
+
+    void solve(const Eigen::VectorXd &b, Eigen::VectorXd &result)
+    {
+      cholmod_dense right;
+      std::memset(&right, 0, sizeof(right));
+      right.nrow = right.d = right.nzmax = factor->n;
+      right.ncol                         = 1;
+      right.x                            = const_cast<double *>(b.data());
+      right.xtype                        = CHOLMOD_REAL;
+      right.dtype                        = CHOLMOD_DOUBLE;
+      cholmod_solve2(CHOLMOD_A, factor, &right, nullptr, &x, nullptr, &y, &e, &common);
+      std::copy_n(static_cast<const double *>(x->x), right.nrow, result.data());
+    }
+  };
+
+
+
+  struct SparseFactor::Lu
+  {
+    CompressedColumns   matrix;
+    std::vector<double> analyzed; ///< values that the analysis has seen
+    void               *symbolic        = nullptr;
+    void               *numeric         = nullptr;
+    int                 pattern_version = -1;
+    double              control[UMFPACK_CONTROL];
+    std::vector<int>    int_work;
+    std::vector<double> work;
+
+    Lu()
+    {
+      umfpack_di_defaults(control);
+      control[UMFPACK_IRSTEP] = 0; // the iteration around it refines
+    }
+
+    ~Lu()
+    {
+      umfpack_di_free_symbolic(&symbolic);
+      umfpack_di_free_numeric(&numeric);
+    }
+
+    bool factorize(const BlockMatrix &source)
+    {
+      const std::size_t n = 6 * static_cast<std::size_t>(source.n_blocks());
+      if (pattern_version != source.pattern_version())
+        {
+          matrix.set_pattern(source, false);
+          umfpack_di_free_symbolic(&symbolic);
+          pattern_version = source.pattern_version();
+          int_work.resize(n);
+          work.resize(n);
+        }
+      matrix.set_values(source);
+      if (symbolic == nullptr)
+        analyzed = matrix.values;
+      return (symbolic != nullptr || analyze()) && factorize();
+    }
+
+    bool analyze()
+    {
+      const int n = static_cast<int>(matrix.start.size()) - 1;
+      return umfpack_di_symbolic(n,
+                                 n,
+                                 matrix.start.data(),
+                                 matrix.rows.data(),
+                                 analyzed.data(),
+                                 &symbolic,
+                                 control,
+                                 nullptr) == UMFPACK_OK;
+    }
+
+    bool factorize()
+    {
+      umfpack_di_free_numeric(&numeric);
+      return umfpack_di_numeric(matrix.start.data(),
+                                matrix.rows.data(),
+                                matrix.values.data(),
+                                symbolic,
+                                &numeric,
+                                control,
+                                nullptr) == UMFPACK_OK;
+    }
+
+    /// The analysis depends on the values with which it was made, and stays with the pattern: a
+    /// later factor needs it even while the Cholesky factor serves. @param is_used this factor
+    /// serves.
+    void serialize(restart::Archive &archive, const BlockMatrix &source, const bool is_used)
+    {
+      bool keeps_pattern = pattern_version == source.pattern_version() && symbolic != nullptr;
+      bool is_kept       = is_used || keeps_pattern;
+      archive(keeps_pattern, is_kept);
+      CompressedColumns   none;
+      std::vector<double> no_values;
+      archive(is_kept ? matrix : none, is_kept ? analyzed : no_values);
+      if (!archive.is_reading() || !is_kept)
+        return;
+      if (keeps_pattern)
+        {
+          const CompressedColumns stored = matrix;
+          matrix.set_pattern(source, false);
+          matrix.values   = stored.values;
+          pattern_version = source.pattern_version();
+        }
+      int_work.resize(matrix.start.size() - 1);
+      work.resize(matrix.start.size() - 1);
+      umfpack_di_free_symbolic(&symbolic);
+      if (analyze() && is_used)
+        factorize();
+    }
+
+    void solve(const Eigen::VectorXd &b, Eigen::VectorXd &result)
+    {
+      umfpack_di_wsolve(UMFPACK_A,
+                        matrix.start.data(),
+                        matrix.rows.data(),
+                        matrix.values.data(),
+                        result.data(),
+                        b.data(),
+                        numeric,
+                        control,
+                        nullptr,
+                        int_work.data(),
+                        work.data());
+    }
+  };
+
+
+
+  SparseFactor::SparseFactor()
+    : cholesky(std::make_unique<Cholesky>())
+    , lu(std::make_unique<Lu>())
+  {}
+
+
+
+  SparseFactor::~SparseFactor() = default;
+
+
+
+  bool SparseFactor::factorize(const BlockMatrix &matrix)
+  {
+    size = 0;
+    if (matrix.symmetric && cholesky->factorize(matrix))
+      kind = Kind::cholesky;
+    else if (block_lu.analyze(matrix) <= few_products * matrix.n_blocks() &&
+             block_lu.factorize(matrix))
+      kind = Kind::block_lu;
+    else if (lu->factorize(matrix))
+      kind = Kind::lu;
+    else
+      return false;
+    size = 6 * matrix.n_blocks();
+    return true;
+  }
+
+
+
+  void SparseFactor::serialize(restart::Archive &archive, const BlockMatrix &matrix)
+  {
+    archive(size, kind);
+    lu->serialize(archive, matrix, size > 0 && kind == Kind::lu);
+    cholesky->serialize(archive, size > 0 && kind == Kind::cholesky);
+    BlockLu none;
+    archive(size > 0 && kind == Kind::block_lu ? block_lu : none);
+  }
+
+
+
+  bool SparseFactor::ready(const int n_blocks) const
+  {
+    return size > 0 && size == 6 * n_blocks;
+  }
+
+
+
+  void SparseFactor::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
+  {
+    switch (kind)
+      {
+        case Kind::cholesky:
+          cholesky->solve(b, x);
+          break;
+        case Kind::lu:
+          lu->solve(b, x);
+          break;
+        case Kind::block_lu:
+          block_lu.solve(b, x);
+          break;
+      }
+  }
+} // namespace hybrid::dda

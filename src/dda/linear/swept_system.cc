@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/swept_system.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    /// Inverse by halves: those of the motion of the centroid and of the strains.
+    Mat6 inverse(const Mat6 &a)
+    {
+      const auto            upper = a.topLeftCorner<3, 3>(), right = a.topRightCorner<3, 3>();
+      const auto            left = a.bottomLeftCorner<3, 3>(), lower = a.bottomRightCorner<3, 3>();
+      const Eigen::Matrix3d first       = upper.inverse();
+      const Eigen::Matrix3d first_right = first * right;
+      const Eigen::Matrix3d second      = (lower - left * first_right).inverse();
+      const Eigen::Matrix3d second_left = second * left * first;
+      Mat6                  result;
+      result.topLeftCorner<3, 3>()     = first + first_right * second_left;
+      result.topRightCorner<3, 3>()    = -first_right * second;
+      result.bottomLeftCorner<3, 3>()  = -second_left;
+      result.bottomRightCorner<3, 3>() = second;
+      return result;
+    }
+  } // namespace
+
+
+
+  void SweptSystem::set_slices(const std::vector<int> &slice_of_block)
+  {
+    if (slice_of_block == slice)
+      return;
+    slice   = slice_of_block;
+    version = -1;
+  }
+
+
+
+  void SweptSystem::set(const BlockMatrix      &block_matrix,
+                        const BaseBand         &base_band,
+                        const std::vector<int> &blocks)
+  {
+    const bool same = matrix == &block_matrix && version == block_matrix.pattern_version();
+    matrix          = &block_matrix;
+    base            = &base_band;
+    if (!same)
+      order_rows();
+    const int n = same ? static_cast<int>(blocks.size()) : matrix->n_blocks();
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < n; ++k)
+      set_row(same ? blocks[k] : order.block[k]);
+    base->diagonal(weight.tail(2 * matrix->n_nodes()));
+  }
+
+
+
+  void SweptSystem::set_row(const int block)
+  {
+    const int p                  = order.place[block];
+    inverse_diagonal[p]          = inverse(matrix->diagonal[block]);
+    weight.segment<6>(6 * block) = matrix->diagonal[block].diagonal();
+    const auto copy              = [&](const int first, const int last) {
+      int end = first;
+      for (int k = first; k < last; ++k)
+        {
+          const Mat6 &from = slot[k] >= 0 ? matrix->off_diagonal[slot[k]] : matrix->lower[~slot[k]];
+          if (from.isZero(0.))
+            continue;
+          column[end]  = neighbour[k];
+          entry[end++] = from;
+        }
+      return end;
+    };
+    below_end[p] = copy(row_begin[p], row_middle[p]);
+    above_end[p] = copy(row_middle[p], row_begin[p + 1]);
+  }
+
+
+
+  void SweptSystem::order_rows()
+  {
+    const int  n     = matrix->n_blocks();
+    const bool known = static_cast<int>(slice.size()) == n;
+    order            = SweepOrder(n, known ? slice : std::vector<int>(), matrix->pairs);
+
+    std::vector<std::array<int, 3>> entries; // places of row and column, slot or its complement
+    for (std::size_t s = 0; s < matrix->pairs.size(); ++s)
+      {
+        const int i = order.place[matrix->pairs[s][0]], j = order.place[matrix->pairs[s][1]];
+        entries.push_back({i, j, static_cast<int>(s)});
+        entries.push_back({j, i, ~static_cast<int>(s)});
+      }
+    std::sort(entries.begin(), entries.end());
+
+    row_begin.assign(n + 1, 0);
+    row_middle.assign(n, 0);
+    neighbour.clear();
+    slot.clear();
+    for (const auto &[row, other, s] : entries)
+      {
+        ++row_begin[row + 1];
+        row_middle[row] += other < row ? 1 : 0;
+        neighbour.push_back(order.block[other]);
+        slot.push_back(s);
+      }
+    for (int p = 0; p < n; ++p)
+      {
+        row_begin[p + 1] += row_begin[p];
+        row_middle[p] += row_begin[p];
+      }
+    below_end.resize(n);
+    above_end.resize(n);
+    column.resize(entries.size());
+    entry.resize(entries.size());
+    inverse_diagonal.resize(n);
+    above.resize(6 * n);
+    place.resize(matrix->size());
+    weight.resize(matrix->size());
+    version = matrix->pattern_version();
+  }
+
+
+
+  Vec6 SweptSystem::product(const int first, const int last, const Eigen::VectorXd &x) const
+  {
+    Vec6 sum = Vec6::Zero();
+    for (int k = first; k < last; ++k)
+      sum.noalias() += entry[k] * Eigen::Map<const Vec6>(x.data() + 6 * column[k]);
+    return sum;
+  }
+
+
+
+  void SweptSystem::sweep_backward(const Eigen::VectorXd &hat, Eigen::VectorXd &x)
+  {
+    x.tail(2 * matrix->n_nodes()) = hat.tail(2 * matrix->n_nodes());
+    const auto sweep              = [&](const int part) {
+      for (int p = order.begin[part + 1] - 1; p >= order.begin[part]; --p)
+        {
+          const int  i   = order.block[p];
+          const Vec6 sum = product(row_middle[p], above_end[p], x) + matrix->row_of_nodes(i, x);
+          Eigen::Map<Vec6>(above.data() + 6 * i) = sum;
+          Eigen::Map<Vec6>(x.data() + 6 * i) =
+            Eigen::Map<const Vec6>(hat.data() + 6 * i) - inverse_diagonal[p] * sum;
+        }
+    };
+    sweep(order.n_parts());
+#pragma omp parallel for schedule(static)
+    for (int part = 0; part < order.n_parts(); ++part)
+      sweep(part);
+  }
+
+
+
+  void SweptSystem::sweep_forward(const Eigen::VectorXd &b, Eigen::VectorXd &result)
+  {
+    const auto sweep = [&](const int part) {
+      for (int p = order.begin[part]; p < order.begin[part + 1]; ++p)
+        {
+          const int  i = order.block[p];
+          const Vec6 rest =
+            Eigen::Map<const Vec6>(b.data() + 6 * i) - product(row_begin[p], below_end[p], result);
+          Eigen::Map<Vec6>(result.data() + 6 * i).noalias() = inverse_diagonal[p] * rest;
+        }
+    };
+#pragma omp parallel for schedule(static)
+    for (int part = 0; part < order.n_parts(); ++part)
+      sweep(part);
+    sweep(order.n_parts());
+    result.tail(2 * matrix->n_nodes()) = b.tail(2 * matrix->n_nodes());
+    matrix->add_blocks_to_nodes(result, result, -1.);
+    base->solve(result.data() + 6 * matrix->n_blocks());
+  }
+
+
+
+  void SweptSystem::multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y)
+  {
+    // A = (D + L) + (D + U) + (D_A - 2 D): with t = (D + U)^-1 D x the product is
+    // t + (D + L)^-1 (U t + (D_A - D) t), and D_A differs from D at the nodes only.
+    const int n = matrix->n_blocks(), m = 2 * matrix->n_nodes();
+    sweep_backward(x, place);
+    y.head(6 * n) = above;
+    matrix->multiply_nodes(place, y);
+    if (base->exists())
+      base->add_nodes(place.data() + 6 * n, y.data() + 6 * n, -1.);
+    else
+      y.tail(m) -= place.tail(m);
+    sweep_forward(y, y);
+    y += place;
+  }
+
+
+
+  void SweptSystem::multiply_diagonal(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+  {
+    const int n = matrix->n_blocks(), m = 2 * matrix->n_nodes();
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < n; ++i)
+      Eigen::Map<Vec6>(y.data() + 6 * i).noalias() =
+        matrix->diagonal[i] * Eigen::Map<const Vec6>(x.data() + 6 * i);
+    if (!base->exists())
+      {
+        y.tail(m) = x.tail(m);
+        return;
+      }
+    y.tail(m).setZero();
+    base->add_product(x.data() + 6 * n, y.data() + 6 * n);
+    base->add_nodes(x.data() + 6 * n, y.data() + 6 * n, 1.);
+  }
+
+
+
+  void SweptSystem::undo_forward(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+  {
+    const int n = matrix->n_blocks();
+    multiply_diagonal(x, y);
+#pragma omp parallel for schedule(static)
+    for (int p = 0; p < n; ++p)
+      Eigen::Map<Vec6>(y.data() + 6 * order.block[p]) += product(row_begin[p], below_end[p], x);
+    matrix->add_blocks_to_nodes(x, y);
+  }
+} // namespace hybrid::dda

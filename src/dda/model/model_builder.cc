@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/contact/held_neighbours.h>
+#include <hybrid/dda/geometry/polygon.h>
+#include <hybrid/dda/linear/sweep_order.h>
+#include <hybrid/dda/model/bedrock_blocks.h>
+#include <hybrid/dda/model/bedrock_boundary.h>
+#include <hybrid/dda/model/block_damping.h>
+#include <hybrid/dda/model/contact_laws.h>
+#include <hybrid/dda/model/joint_builder.h>
+#include <hybrid/dda/model/model_builder.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    using scene::SceneParameters;
+    using scene::SectionMesh;
+
+    class Builder
+    {
+    public:
+      Builder(const SectionMesh       &section,
+              const SceneParameters   &parameters,
+              const std::vector<Vec2> &base_nodes)
+        : mesh(section)
+        , scene(parameters)
+        , material(parameters)
+        , damping_time(parameters.blocks.damping_ratio /
+                       (M_PI * parameters.blocks.damping_frequency))
+      {
+        model.initial.base_nodes = base_nodes;
+      }
+
+      Model build()
+      {
+        collect_blocks();
+        add_outlines();
+        join_bedrock_surface();
+        add_blocks();
+        add_joints();
+        correct_stiffness();
+        set_loose_damping();
+        set_contact_laws(mesh, scene, materials, model);
+        model.neighbours =
+          held_neighbours({outlines.begin(), outlines.begin() + n_mass}, model.contacts.bonded);
+        model.neighbours.resize(outlines.size());
+        add_slices();
+        if (model.n_bedrock > 0)
+          model.boundary =
+            boundary_edges(mesh, scene, model.initial, {outlines, materials, n_mass});
+        set_water();
+        model.edge_loads = find_edge_loads(mesh, scene.edge_loads, outlines, model.initial);
+        model.moving_blocks =
+          find_moving_blocks(scene.blocks.initial_velocities, model.initial, n_mass);
+        model.newmark              = scene.time.newmark;
+        model.gravity              = scene.environment.gravity;
+        model.dynamic_coefficient  = scene.time.dynamic_coefficient;
+        model.joint_damping_time   = damping_time;
+        model.bedrock_damping_time = scene.continuum.rayleigh_stiffness;
+        model.iteration            = {scene.blocks.maximum_iterations,
+                                      scene.blocks.tolerance,
+                                      scene.time.maximum_displacement_ratio};
+        return std::move(model);
+      }
+
+    private:
+      const SectionMesh            &mesh;
+      const SceneParameters        &scene;
+      const BlockMaterials          material;
+      const double                  damping_time;
+      std::vector<std::vector<int>> outlines; ///< nodes of all blocks; mass, then bedrock
+      std::vector<int>              regions;
+      std::vector<Material>         materials; ///< of each block
+      int                           n_mass = 0;
+      Model                         model;
+
+      void collect_blocks();
+      void add_outlines();
+      void join_bedrock_surface();
+      void add_blocks();
+      void add_joints();
+      void correct_stiffness();
+      void set_loose_damping();
+      void add_slices();
+      void set_water();
+
+      /// Part of a joint's compliance that its first block takes [-].
+      double share_of_joint(const Joint &joint) const;
+    };
+
+
+
+    void Builder::collect_blocks()
+    {
+      if (scene.blocks.enabled)
+        {
+          outlines = mesh.blocks;
+          regions  = mesh.block_region;
+        }
+      n_mass = static_cast<int>(outlines.size());
+      regions.resize(n_mass, 0);
+      const BedrockBlocks bedrock = cut_bedrock(mesh, scene);
+      outlines.insert(outlines.end(), bedrock.outlines.begin(), bedrock.outlines.end());
+      for (const int region : bedrock.region)
+        regions.push_back(static_cast<int>(mesh.block_region_names.size()) + region);
+      model.n_bedrock = static_cast<int>(bedrock.outlines.size());
+    }
+
+
+
+    void Builder::add_outlines()
+    {
+      Geometry &g = model.initial;
+      g.offset.push_back(0);
+      for (std::size_t b = 0; b < outlines.size(); ++b)
+        {
+          for (const int node : outlines[b])
+            {
+              g.vertices.push_back(mesh.nodes[node]);
+              g.block_of.push_back(static_cast<int>(b));
+            }
+          g.offset.push_back(static_cast<int>(g.vertices.size()));
+        }
+    }
+
+
+
+    void Builder::join_bedrock_surface()
+    {
+      if (model.n_bedrock == 0)
+        return;
+      Geometry &g = model.initial;
+      // Edges of the bedrock by their nodes, and where those of the surface begin.
+      std::map<std::pair<int, int>, int> edges;
+      const auto                         for_each_edge = [&](const auto &act) {
+        for (std::size_t b = n_mass; b < outlines.size(); ++b)
+          for (std::size_t k = 0; k < outlines[b].size(); ++k)
+            act(g.offset[b] + static_cast<int>(k),
+                outlines[b][k],
+                outlines[b][(k + 1) % outlines[b].size()]);
+      };
+      for_each_edge([&](const int v, const int from, const int to) { edges[{from, to}] = v; });
+
+      g.bedrock.first_block = n_mass;
+      g.bedrock.next.resize(g.vertices.size());
+      g.bedrock.previous.resize(g.vertices.size());
+      for (int v = 0; v < static_cast<int>(g.vertices.size()); ++v)
+        {
+          const bool is_mass    = g.block_of[v] < n_mass;
+          g.bedrock.next[v]     = is_mass ? g.next(v) : BedrockSurface::inside;
+          g.bedrock.previous[v] = is_mass ? g.previous(v) : BedrockSurface::none;
+        }
+      std::map<int, int> begin_at; // node, first vertex
+      const auto         is_outside = [&](const int from, const int to) {
+        return edges.count({to, from}) == 0;
+      };
+      for_each_edge([&](const int v, const int from, const int to) {
+        if (is_outside(from, to))
+          begin_at[from] = v;
+      });
+      for_each_edge([&](const int v, const int from, const int to) {
+        if (!is_outside(from, to))
+          return;
+        const auto next   = begin_at.find(to);
+        g.bedrock.next[v] = next == begin_at.end() ? BedrockSurface::none : next->second;
+        if (next != begin_at.end())
+          g.bedrock.previous[next->second] = v;
+      });
+    }
+
+
+
+    void Builder::add_blocks()
+    {
+      const Geometry &g = model.initial;
+      for (int b = 0; b < g.n_blocks(); ++b)
+        {
+          const PolygonMoments moments =
+            polygon_moments(&g.vertices[g.offset[b]], g.offset[b + 1] - g.offset[b]);
+          const bool      bedrock = b >= n_mass;
+          BlockProperties p;
+          p.region         = regions[b];
+          p.saturated      = !bedrock && material.below_water(moments.centroid);
+          Material m       = bedrock
+                               ? scene.bedrock_material(
+                             mesh.bedrock_region_names[p.region - mesh.block_region_names.size()])
+                               : material(false, p.saturated);
+          p.area           = moments.area;
+          p.size           = std::sqrt(p.area);
+          p.mass           = m.density * p.area;
+          p.weight         = bedrock ? 0. : m.weighing_density() * p.area;
+          p.weight_at_rest = bedrock ? m.weighing_density() * p.area : 0.;
+          p.sxx            = m.density * moments.sxx;
+          p.sxy            = m.density * moments.sxy;
+          p.syy            = m.density * moments.syy;
+          if (!bedrock)
+            p.modulus_factor = material.factor(scene.heterogeneity.modulus_shape,
+                                               BlockMaterials::modulus_number,
+                                               {g.vertices.begin() + g.offset[b],
+                                                g.vertices.begin() + g.offset[b + 1]});
+          m.young_modulus *= p.modulus_factor;
+          p.elasticity   = block_elasticity(m, {});
+          p.damping_time = bedrock ? scene.continuum.rayleigh_stiffness : damping_time;
+          model.blocks.push_back(p);
+          materials.push_back(m);
+        }
+      model.bonded.assign(model.blocks.size(), false);
+    }
+
+
+
+    void Builder::add_joints()
+    {
+      const JointedBlocks blocks{outlines, materials, n_mass};
+      JointBuilder        joints(mesh, scene, blocks, model);
+      if (scene.blocks.bonded || model.n_bedrock > 0)
+        joints.add_block_joints();
+      joints.add_belt_joints();
+      if (model.n_bedrock > 0)
+        joints.add_base_joints();
+    }
+
+
+
+    void Builder::set_water()
+    {
+      using Method                               = scene::WaterMethod;
+      const scene::EnvironmentParameters &around = scene.environment;
+      if (around.water_method == Method::paper || around.gravity == 0. ||
+          !(around.water_level > -1e299))
+        return;
+      model.water = {around.water_method == Method::submerged ? Water::Action::buoyancy
+                                                              : Water::Action::pressures,
+                     around.water_level,
+                     around.water_density * around.gravity};
+    }
+
+
+
+    double Builder::share_of_joint(const Joint &joint) const
+    {
+      // Joints are made of the softer side's stiffness: where moduli scatter, half of such a joint
+      // would be more compliance than a stiff block has.
+      if (scene.heterogeneity.modulus_shape == 0.)
+        return 0.5;
+      const double e = materials[joint.block].young_modulus;
+      const double f = materials[joint.other].young_modulus;
+      return f / (e + f);
+    }
+
+
+
+    void Builder::correct_stiffness()
+    {
+      if (!scene.blocks.stiffness_correction)
+        return;
+      std::vector<JointCompliance> around(model.blocks.size());
+      for (const Joint &joint : model.joints)
+        {
+          // Bedding planes are soft by themselves; welds between layers are no jointed mass.
+          if (joint.kind == JointKind::bedding ||
+              (joint.kind == JointKind::weld && scene.bedrock == scene::BedrockModel::layers))
+            continue;
+          const double kn = joint.law.normal_stiffness(), ks = joint.law.shear_stiffness();
+          const auto   add = [&](const int block, const double share) {
+            const double density = share * joint.length / model.blocks[block].area;
+            around[block].stretch += density / kn;
+            around[block].shear += 0.5 * density * (1. / kn + 1. / ks);
+          };
+          // A joint between blocks is shared; the bedrock takes no share of a belt joint.
+          const bool   shared = joint.other != base_body && joint.kind != JointKind::belt;
+          const double share  = shared ? share_of_joint(joint) : 1.;
+          add(joint.block, share);
+          if (shared)
+            add(joint.other, 1. - share);
+        }
+      for (std::size_t b = 0; b < model.blocks.size(); ++b)
+        model.blocks[b].elasticity = block_elasticity(materials[b], around[b]);
+    }
+
+
+
+    void Builder::set_loose_damping()
+    {
+      model.damps_loose = scene.blocks.loose_damping > 0.;
+      for (int b = 0; b < n_mass; ++b)
+        model.blocks[b].loose_damping_time =
+          scene.blocks.loose_damping * critical_damping_time(model.blocks[b]);
+    }
+
+
+
+    void Builder::add_slices()
+    {
+      const Geometry   &g = model.initial;
+      std::vector<Vec2> centres;
+      for (int b = 0; b < g.n_blocks(); ++b)
+        {
+          Vec2 sum = Vec2::Zero();
+          for (int v = g.offset[b]; v < g.offset[b + 1]; ++v)
+            sum += g.vertices[v];
+          centres.push_back(sum / (g.offset[b + 1] - g.offset[b]));
+        }
+      model.slice = slices(centres);
+    }
+  } // namespace
+
+
+
+  Model build_model(const SectionMesh       &mesh,
+                    const SceneParameters   &scene,
+                    const std::vector<Vec2> &base_nodes)
+  {
+    return Builder(mesh, scene, base_nodes).build();
+  }
+} // namespace hybrid::dda

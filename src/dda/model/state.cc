@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/model/state.h>
+#include <hybrid/restart/archive.h>
+
+namespace hybrid::dda
+{
+  using restart::Archive;
+
+  void serialize(Archive &archive, JointHistory &history)
+  {
+    auto &[plastic_slip, softening, damage, held] = history;
+    archive(plastic_slip, softening, damage, held);
+  }
+
+
+
+  void serialize(Archive &archive, SpringState &spring)
+  {
+    auto &[history, jump, gap, slip, normal, shear, elastic_normal, elastic_shear, state] = spring;
+    archive(history, jump, gap, slip, normal, shear, elastic_normal, elastic_shear, state);
+  }
+
+
+
+  void serialize(Archive &archive, JointState &joint)
+  {
+    auto &[points, failure, failure_time, loosened, released, handed_over, parted, rest_slip] =
+      joint;
+    archive(points, failure, failure_time, loosened, released, handed_over, parted[0], parted[1]);
+    archive(rest_slip[0], rest_slip[1]);
+  }
+
+
+
+  void serialize(Archive &archive, Contact &contact)
+  {
+    auto
+      &[vertex_body, vertex, edge_body, edge, edge_position, slip, plastic_slip, state, rest_gap] =
+        contact;
+    archive(
+      vertex_body, vertex, edge_body, edge, edge_position, slip, plastic_slip, state, rest_gap);
+  }
+
+
+
+  void serialize(Archive &archive, BlockState &block)
+  {
+    auto
+      &[centroid, rotation, velocity, acceleration, contact_acceleration, stress, viscous_stress] =
+        block;
+    archive(
+      centroid, rotation, velocity, acceleration, contact_acceleration, stress, viscous_stress);
+  }
+
+
+
+  void serialize(Archive &archive, BlockEnergy &energy)
+  {
+    auto &[kinetic,
+           strain,
+           gravity,
+           springs,
+           friction_loss,
+           bedding_loss,
+           fracture_loss,
+           damping_loss,
+           integration_loss,
+           switch_loss,
+           base_work,
+           boundary_loss,
+           input_work,
+           static_work,
+           edge_load_work] = energy;
+    archive(kinetic, strain, gravity, springs, friction_loss, fracture_loss, damping_loss);
+    archive(integration_loss, switch_loss, base_work, boundary_loss, input_work, static_work);
+    archive(edge_load_work, bedding_loss);
+  }
+
+
+
+  void serialize(Archive &archive, Geometry &geometry)
+  {
+    auto &[offset, block_of, vertices, base_nodes, bedrock, base_shares] = geometry;
+    auto &[first_block, next, previous]                                  = bedrock;
+    archive(offset, block_of, vertices, base_nodes, first_block, next, previous, base_shares);
+  }
+
+
+
+  void serialize(Archive &archive, RestState &rest)
+  {
+    auto &[vertices, base_nodes, settled_vertices, settled_nodes] = rest;
+    archive(vertices, base_nodes, settled_vertices, settled_nodes);
+  }
+
+
+
+  void serialize(Archive &archive, DdaState &state)
+  {
+    auto &[time,
+           geometry,
+           blocks,
+           joints,
+           contacts,
+           awake,
+           rest,
+           base_displacement,
+           base_force,
+           base_contact_force,
+           static_force,
+           static_contact_force,
+           bedrock_static_force,
+           boundary_force,
+           energy] = state;
+    archive(time, geometry, blocks, joints, contacts, awake, rest, base_displacement, base_force);
+    archive(base_contact_force,
+            static_force,
+            static_contact_force,
+            bedrock_static_force,
+            boundary_force,
+            energy);
+  }
+} // namespace hybrid::dda

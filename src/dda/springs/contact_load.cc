@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/contact/contact_frame.h>
+#include <hybrid/dda/contact/contact_tolerances.h>
+#include <hybrid/dda/geometry/outline_frames.h>
+#include <hybrid/dda/springs/contact_length.h>
+#include <hybrid/dda/springs/contact_load.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    bool comes_before(const Contact &a, const Contact &b)
+    {
+      return std::tie(a.vertex_body, a.vertex, a.edge_body, a.edge) <
+             std::tie(b.vertex_body, b.vertex, b.edge_body, b.edge);
+    }
+
+
+    /// Where a contact is now.
+    struct Place
+    {
+      Vec2   vertex; ///< [m]
+      Vec2   along;  ///< unit vector of the edge [-]
+      double length; ///< of the edge [m]
+      double gap;    ///< [m]
+
+      Place(const Contact &contact, const Geometry &geometry)
+      {
+        const ContactPlaces place = places(contact, geometry);
+        const Vec2          edge  = place.second - place.first;
+        const ContactFrame  frame(contact, place.from_q(contact), edge);
+        vertex = place.vertex;
+        along  = frame.along;
+        length = edge.norm();
+        gap    = frame.gap;
+      }
+    };
+
+
+
+    bool is_on_surface(const Contact &contact, const Geometry &geometry)
+    {
+      return is_surface(geometry, contact.vertex_body) != is_surface(geometry, contact.edge_body);
+    }
+  } // namespace
+
+
+
+  double ContactLoads::Lists::length(const std::vector<Contact> &all, const Contact &contact) const
+  {
+    return contact_length(geometry, all, contact, corner(contact), nullptr).spring;
+  }
+
+
+
+  void ContactLoads::carry(const std::vector<Contact> &before,
+                           const Geometry             &geometry,
+                           const CornerLength         &corner,
+                           std::vector<Contact>       &now)
+  {
+    bool is_found = false;
+    for (Contact &contact : now)
+      {
+        if (std::binary_search(before.begin(), before.end(), contact, comes_before))
+          continue;
+        const double gap = Place(contact, geometry).gap;
+        if (gap >= contact.rest_gap)
+          continue;
+        if (!is_found)
+          find_pressing(before, geometry);
+        is_found            = true;
+        const Range between = pressing_between(bodies_of(contact, geometry));
+        if (is_on_surface(contact, geometry) &&
+            begin_as_piece({before, now, geometry, corner}, between, contact))
+          continue;
+        double depth = 0.;
+        for (auto it = between.first; it != between.second; ++it)
+          depth = std::max(depth, it->depth);
+        contact.rest_gap = std::min(contact.rest_gap, gap + depth);
+      }
+  }
+
+
+
+  ContactLoads::Bodies ContactLoads::bodies_of(const Contact &contact, const Geometry &geometry)
+  {
+    const auto body = [&](const int b) { return is_surface(geometry, b) ? base_body : b; };
+    return std::minmax({body(contact.vertex_body), body(contact.edge_body)});
+  }
+
+
+
+  void ContactLoads::find_pressing(const std::vector<Contact> &before, const Geometry &geometry)
+  {
+    pressing.clear();
+    for (std::size_t c = 0; c < before.size(); ++c)
+      {
+        const double depth = before[c].rest_gap - Place(before[c], geometry).gap;
+        if (depth > 0.)
+          pressing.push_back({bodies_of(before[c], geometry), static_cast<int>(c), depth});
+      }
+    std::sort(pressing.begin(), pressing.end());
+  }
+
+
+
+  ContactLoads::Range ContactLoads::pressing_between(const Bodies &bodies) const
+  {
+    const auto is_before = [](const Pressing &p, const Bodies &b) { return p.bodies < b; };
+    const auto is_after  = [](const Bodies &b, const Pressing &p) { return b < p.bodies; };
+    return {std::lower_bound(pressing.begin(), pressing.end(), bodies, is_before),
+            std::upper_bound(pressing.begin(), pressing.end(), bodies, is_after)};
+  }
+
+
+
+  bool ContactLoads::begin_as_piece(const Lists &lists, const Range &between, Contact &contact)
+  {
+    const Geometry &geometry = lists.geometry;
+    const Place     place(contact, geometry);
+    const Contact  *nearest = nullptr;
+    double          least = std::numeric_limits<double>::infinity(), turn = 0., depth = 0.;
+    for (auto it = between.first; it != between.second; ++it)
+      {
+        const Contact &old = lists.before[it->number];
+        const Place    then(old, geometry);
+        const double   distance = (then.vertex - place.vertex).norm();
+        const double   cosine   = then.along.dot(place.along);
+        if (distance >= least || distance > 0.5 * std::max(then.length, place.length) ||
+            std::abs(cosine) < ContactTolerances{}.continuing_cosine)
+          continue;
+        nearest = &old;
+        least   = distance;
+        turn    = std::copysign(1., cosine);
+        depth   = it->depth;
+      }
+    if (nearest == nullptr)
+      return false;
+    // Slip is that of the vertex along the edge: the other way round where they change roles.
+    const bool same_role =
+      is_surface(geometry, nearest->vertex_body) == is_surface(geometry, contact.vertex_body);
+    const double role = same_role ? 1. : -1.;
+    const double own = lists.length(lists.now, contact), its = lists.length(lists.before, *nearest);
+    const double part = own > its ? its / own : 1.;
+    contact.rest_gap  = std::min(0., place.gap + part * depth);
+    contact.plastic_slip =
+      contact.slip - role * turn * part * (nearest->slip - nearest->plastic_slip);
+    return true;
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/springs/spring_stiffness.h>
+#include <hybrid/restart/archive.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    /// A joint that has turned by more is assembled anew [rad].
+    constexpr double turned = 1e-4;
+  } // namespace
+
+
+
+  SpringStiffness::Rows SpringStiffness::Coefficients::times(const Rows &gradient) const
+  {
+    Rows product;
+    product.row(0) = nn * gradient.row(0);
+    product.row(1) = tn * gradient.row(0) + tt * gradient.row(1);
+    return product;
+  }
+
+
+
+  void SpringStiffness::Kept::serialize(restart::Archive &archive)
+  {
+    archive(block, other, joint, end, stiffness.nn, stiffness.tt, stiffness.tn);
+    archive(of_block, of_other);
+  }
+
+
+
+  void SpringStiffness::serialize(restart::Archive &archive)
+  {
+    archive(kept);
+  }
+
+
+
+  SpringStiffness::Coefficients SpringStiffness::coefficients(const Springs::Spring   &spring,
+                                                              const Springs::Response &response,
+                                                              const Choice            &choice)
+  {
+    const double none       = -std::numeric_limits<double>::infinity();
+    const double floor      = choice.follow_softening ? none : 0.;
+    const double part       = spring.contact_part;
+    const double weight     = 1. + part * (choice.contact_weight - 1.);
+    const double length     = weight * spring.length;
+    const bool   coupled    = choice.follow_softening || response.normal_by_gap >= 0.;
+    const bool   slides     = part == 1. && response.now.state == ContactState::sliding;
+    const double kept_shear = slides ? choice.sliding_share * spring.law->shear_stiffness() : 0.;
+    // Open, only the bond of a joint acts; closed, its contact has the part of k_n.
+    const double pressing = response.now.gap > 0. ? 0. : part * spring.law->normal_stiffness();
+    return {spring.length * std::max(floor, response.normal_by_gap - pressing) +
+              choice.contact_weight * spring.length * pressing,
+            length * (std::max(floor, response.shear_by_slip) + kept_shear),
+            coupled ? length * response.shear_by_gap : 0.};
+  }
+
+
+
+  bool SpringStiffness::same(const Kept              &old,
+                             const Springs::Spring   &spring,
+                             const Springs::Response &response)
+  {
+    if (old.block != spring.block || old.other != spring.other || old.joint != spring.joint ||
+        old.end != spring.end)
+      return false;
+    // The gradient's first entries are the normal. A contact's place moves along an edge as well.
+    return old.stiffness.none() ||
+           (spring.joint >= 0 &&
+            (old.of_block.topLeftCorner<1, 2>().transpose() - response.normal).norm() < turned);
+  }
+
+
+
+  void SpringStiffness::update(const Springs &springs, const Trial &trial, const Choice &choice)
+  {
+    const int n       = static_cast<int>(springs.springs.size());
+    const int n_old   = static_cast<int>(kept.size());
+    const int n_block = springs.n_blocks();
+    is_marked.assign(n_block, choice.all ? 1 : 0);
+    const auto mark = [&](const int block, const int other) {
+      for (const int body : {block, other})
+        if (body != base_body && body < n_block)
+          is_marked[body] = 1;
+    };
+    for (int s = n; s < n_old; ++s)
+      mark(kept[s].block, kept[s].other);
+    kept.resize(n);
+    renewed.clear();
+    for (int s = 0; s < n; ++s)
+      {
+        const Springs::Spring   &spring   = springs.springs[s];
+        const Springs::Response &response = springs.responses[s];
+        if (!choice.all && s < n_old && same(kept[s], spring, response) &&
+            kept[s].stiffness == coefficients(spring, response, choice))
+          continue;
+        if (s < n_old)
+          mark(kept[s].block, kept[s].other);
+        mark(spring.block, spring.other);
+        renewed.push_back(s);
+      }
+    renew(springs, trial, choice);
+    changed.clear();
+    for (int b = 0; b < n_block; ++b)
+      if (is_marked[b])
+        changed.push_back(b);
+  }
+
+
+
+  void SpringStiffness::renew(const Springs &springs, const Trial &trial, const Choice &choice)
+  {
+#pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < renewed.size(); ++k)
+      {
+        const Springs::Spring   &spring   = springs.springs[renewed[k]];
+        const Springs::Response &response = springs.responses[renewed[k]];
+        Kept                    &now      = kept[renewed[k]];
+        now.block                         = spring.block;
+        now.other                         = spring.other;
+        now.joint                         = spring.joint;
+        now.end                           = spring.end;
+        now.stiffness                     = coefficients(spring, response, choice);
+        now.of_block.setZero();
+        now.of_other.setZero();
+        if (now.stiffness.none())
+          continue;
+        const auto gradients = [&](const int block, Rows &rows) {
+          rows.row(0) = trial.motion[block].gradient(response.place, response.normal);
+          rows.row(1) = trial.motion[block].gradient(response.place, response.tangent);
+        };
+        gradients(spring.block, now.of_block);
+        if (spring.other != base_body)
+          gradients(spring.other, now.of_other);
+      }
+  }
+
+
+
+  void SpringStiffness::add_rows(const Springs &springs, const int block, BlockMatrix &matrix) const
+  {
+    // K = G^T D G with rows of G along normal and tangent; the force has the rows D G.
+    for (const int entry : springs.of_block(block))
+      {
+        const int   s = entry / 2;
+        const Kept &k = kept[s];
+        if (k.stiffness.none())
+          continue;
+        const bool  is_first = entry % 2 == 0;
+        const Rows &g        = is_first ? k.of_block : k.of_other;
+        const int   there    = is_first ? k.other : k.block;
+        matrix.diagonal[block].noalias() += g.transpose() * k.stiffness.times(g);
+        if (there == base_body)
+          continue;
+        const Rows dg = k.stiffness.times(is_first ? k.of_other : k.of_block);
+        (block < there ? matrix.off_diagonal : matrix.lower)[springs.springs[s].slot[0]]
+          .noalias() -= g.transpose() * dg;
+      }
+  }
+
+
+
+  void SpringStiffness::add_base(const Springs &springs, BlockMatrix &matrix) const
+  {
+    for (const int s : springs.on_base())
+      if (!kept[s].stiffness.none())
+        add_base_spring(springs, s, matrix);
+    for (const Kept &k : kept)
+      if (k.stiffness.tn != 0. || k.stiffness.nn < 0. || k.stiffness.tt < 0.)
+        matrix.symmetric = false;
+  }
+
+
+
+  void
+  SpringStiffness::add_base_spring(const Springs &springs, const int s, BlockMatrix &matrix) const
+  {
+    const Springs::Spring   &spring   = springs.springs[s];
+    const Springs::Response &response = springs.responses[s];
+    const Kept              &k        = kept[s];
+    Eigen::Matrix2d          d;
+    d << k.stiffness.nn, 0., k.stiffness.tn, k.stiffness.tt;
+    const Eigen::Matrix2d             axes  = k.of_block.leftCols<2>(); // rows: normal, tangent
+    const Eigen::Matrix2d             nodal = axes.transpose() * d * axes;
+    const Eigen::Matrix<double, 6, 2> right = k.of_block.transpose() * d * axes;
+    const Rows                        left  = axes.transpose() * d * k.of_block;
+    for (int i = 0; i < 2; ++i)
+      {
+        const double w = response.weight[i];
+        if (w == 0.)
+          continue;
+        matrix.block_node[spring.slot[i]] -= w * right;
+        matrix.node_block[spring.slot[i]] -= w * left;
+        matrix.node_diagonal[spring.node[i]] += w * w * nodal;
+      }
+    if (spring.node[1] == spring.node[0] + 1)
+      {
+        const double w = response.weight[0] * response.weight[1];
+        matrix.node_next[spring.node[0]] += w * nodal;
+        matrix.node_previous[spring.node[0]] += w * nodal;
+      }
+  }
+} // namespace hybrid::dda

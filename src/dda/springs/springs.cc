@@ -1,0 +1,456 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/contact/contact_frame.h>
+#include <hybrid/dda/geometry/outline_frames.h>
+#include <hybrid/dda/springs/contact_length.h>
+#include <hybrid/dda/springs/springs.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    Vec2 base_displacement(const Eigen::VectorXd &w, const int node)
+    {
+      return {w[2 * node], w[2 * node + 1]};
+    }
+
+
+
+    /// Part of a contact's springs on which its residual cohesion acts [-]: blocks that were bonded
+    /// to each other, or what a belt bonds still.
+    double cohesive_part(const Model &model, const Contact &c, const ContactLength &length)
+    {
+      if (length.spring <= 0.)
+        return 0.;
+      if (is_surface(model.initial, c.vertex_body) || is_surface(model.initial, c.edge_body))
+        return length.bonded / length.spring;
+      return model.contacts.were_bonded(c.vertex_body, c.edge_body) ? length.overlap / length.spring
+                                                                    : 0.;
+    }
+
+
+
+    /// Fill response, state and tangents of one spring.
+    void set_response(const JointResponse &r, Springs::Response &response)
+    {
+      SpringState &now       = response.now;
+      now.history            = r.history;
+      now.state              = r.state;
+      now.normal             = r.normal;
+      now.shear              = r.shear;
+      now.elastic_normal     = r.elastic_normal;
+      now.elastic_shear      = r.elastic_shear;
+      response.normal_by_gap = r.normal_by_gap;
+      response.shear_by_slip = r.shear_by_slip;
+      response.shear_by_gap  = r.shear_by_gap;
+    }
+
+
+
+    /// It slides, but not the way it slid in the trial that was remembered.
+    bool is_reversed(const double slid, const SpringState &now)
+    {
+      return now.state == ContactState::sliding && slid * now.shear < 0.;
+    }
+  } // namespace
+
+
+
+  void Springs::collect(const Model &model, const DdaState &state)
+  {
+    springs.clear();
+    block_pairs.clear();
+    node_pairs.clear();
+    collect_joints(model, state);
+    collect_contacts(model, state);
+    responses.resize(springs.size());
+    sort_by_block(model.n_blocks());
+  }
+
+
+
+  void Springs::sort_by_block(const int n_blocks)
+  {
+    base_springs.clear();
+    for (std::size_t s = 0; s < springs.size(); ++s)
+      if (springs[s].other == base_body)
+        base_springs.push_back(static_cast<int>(s));
+    block_begin.assign(n_blocks + 2, 0); // one place later while counting and filling
+    const auto for_each = [&](const auto &act) {
+      for (std::size_t s = 0; s < springs.size(); ++s)
+        {
+          act(springs[s].block, 2 * static_cast<int>(s));
+          if (springs[s].other != base_body)
+            act(springs[s].other, 2 * static_cast<int>(s) + 1);
+        }
+    };
+    for_each([&](const int block, int) { ++block_begin[block + 2]; });
+    std::partial_sum(block_begin.begin(), block_begin.end(), block_begin.begin());
+    block_springs.resize(block_begin.back());
+    for_each(
+      [&](const int block, const int entry) { block_springs[block_begin[block + 1]++] = entry; });
+  }
+
+
+
+  void Springs::collect_joints(const Model &model, const DdaState &state)
+  {
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+      {
+        const Joint &joint = model.joints[j];
+        if (state.joints[j].released || (model.hold_bedrock && joint.within_bedrock()))
+          continue;
+        for (int end = 0; end < 2; ++end)
+          {
+            Spring s;
+            s.block        = joint.block;
+            s.other        = joint.other;
+            s.joint        = static_cast<int>(j);
+            s.end          = end;
+            s.law          = &joint.law;
+            s.length       = 0.5 * joint.length;
+            s.old          = state.joints[j].points[end];
+            s.contact_part = joint.law.contact_part(s.old.history);
+            if (joint.other == base_body)
+              {
+                s.node[0] = s.node[1] = joint.points[end].other_vertex;
+                node_pairs.push_back({s.block, s.node[0]});
+              }
+            else
+              block_pairs.push_back({s.block, s.other});
+            springs.push_back(s);
+          }
+      }
+  }
+
+
+
+  void Springs::collect_contacts(const Model &model, const DdaState &state)
+  {
+    const Geometry &geometry = state.geometry;
+    bonded_area.update(model, state);
+    for (std::size_t c = 0; c < state.contacts.size(); ++c)
+      {
+        const Contact    &contact       = state.contacts[c];
+        const bool        node_on_block = contact.vertex_body == base_body;
+        const bool        on_base       = node_on_block || contact.edge_body == base_body;
+        const int         owner         = node_on_block ? contact.edge_body : contact.vertex_body;
+        const ContactLaw &law = model.contacts.law(model.initial, contact, model.n_mass());
+        Spring            s;
+        s.block        = owner;
+        s.other        = on_base ? base_body : contact.edge_body;
+        s.contact      = static_cast<int>(c);
+        s.contact_part = 1.;
+        s.law          = &law.law;
+        const ContactLength length =
+          contact_length(geometry, state.contacts, contact, law.length, &bonded_area);
+        s.length = length.spring;
+        if (law.law.has_residual_cohesion())
+          s.cohesive = cohesive_part(model, contact, length);
+        if (on_base)
+          {
+            s.node[0] = node_on_block ? contact.vertex : contact.edge;
+            s.node[1] = node_on_block ? contact.vertex : contact.edge + 1;
+            node_pairs.push_back({s.block, s.node[0]});
+            node_pairs.push_back({s.block, s.node[1]});
+          }
+        else
+          block_pairs.push_back({s.block, s.other});
+
+        const ContactPlaces start = places(contact, geometry);
+        const ContactFrame  frame(contact, start.from_q(contact), start.second - start.first);
+        s.old.history.plastic_slip = contact.plastic_slip;
+        s.old.gap                  = frame.gap - contact.rest_gap;
+        s.old.slip                 = frame.slip;
+        const JointResponse r = law.law.respond({s.old.gap, frame.slip, s.cohesive}, s.old.history);
+        s.old.history         = r.history;
+        s.old.normal = s.old.elastic_normal = r.normal;
+        s.old.shear = s.old.elastic_shear = r.shear;
+        s.old.state                       = r.state;
+        springs.push_back(s);
+      }
+  }
+
+
+
+  void Springs::connect(const Model &model, BlockMatrix &matrix)
+  {
+    const auto find_slots = [&]() {
+      for (Spring &s : springs)
+        if (s.other == base_body)
+          {
+            for (int k = 0; k < 2; ++k)
+              if ((s.slot[k] = matrix.node_slot(s.block, s.node[k])) < 0)
+                return false;
+          }
+        else if ((s.slot[0] =
+                    matrix.block_slot(std::min(s.block, s.other), std::max(s.block, s.other))) < 0)
+          return false;
+      return true;
+    };
+    const bool same_size =
+      matrix.n_blocks() == model.n_blocks() && matrix.n_nodes() == model.n_base_nodes();
+    if (same_size && matrix.pairs.size() <= 2 * block_pairs.size() + 64 && find_slots())
+      return;
+    matrix.set_pattern(model.n_blocks(), model.n_base_nodes(), block_pairs, node_pairs);
+    find_slots();
+  }
+
+
+
+  void Springs::remember()
+  {
+    for (Response &r : responses)
+      r.slid = r.now.state == ContactState::sliding ? r.now.shear : 0.;
+  }
+
+
+
+  void Springs::evaluate(const Model       &model,
+                         const DdaState    &state,
+                         const Trial       &trial,
+                         const ReversedSlip reversed)
+  {
+#pragma omp parallel for schedule(static)
+    for (std::size_t s = 0; s < springs.size(); ++s)
+      {
+        if (springs[s].joint >= 0)
+          evaluate_joint(model, state, trial, s, reversed);
+        else
+          evaluate_contact(state, trial, s, reversed);
+        set_forces(trial, s);
+      }
+  }
+
+
+
+  void Springs::evaluate_joint(const Model       &model,
+                               const DdaState    &state,
+                               const Trial       &trial,
+                               const std::size_t  s,
+                               const ReversedSlip reversed)
+  {
+    const Spring   &spring   = springs[s];
+    Response       &response = responses[s];
+    const Joint    &joint    = model.joints[spring.joint];
+    const Geometry &geometry = state.geometry;
+    const int       a = joint.edge, b = geometry.next(a);
+
+    const auto other_place = [&](const int v) -> Vec2 {
+      return joint.other == base_body
+               ? Vec2(model.initial.base_nodes[v] + base_displacement(trial.base, v))
+               : Vec2(geometry.vertices[v] + trial.displacement[v]);
+    };
+    const Vec2 pa     = geometry.vertices[a] + trial.displacement[a];
+    const Vec2 pb     = geometry.vertices[b] + trial.displacement[b];
+    const Vec2 q0     = other_place(joint.points[0].other_vertex),
+               q1     = other_place(joint.points[1].other_vertex);
+    const double part = joint.points[1].position - joint.points[0].position;
+    response.tangent  = (part * (pb - pa) + (q1 - q0)).normalized();
+    response.normal   = Vec2(response.tangent.y(), -response.tangent.x());
+
+    const Joint::Point &point = joint.points[spring.end];
+    const Vec2          moved_p =
+      (1. - point.position) * trial.displacement[a] + point.position * trial.displacement[b];
+    const int  v = point.other_vertex;
+    const Vec2 moved_q =
+      joint.other == base_body
+        ? Vec2(base_displacement(trial.base, v) - base_displacement(state.base_displacement, v))
+        : trial.displacement[v];
+    // The jump is summed over the steps: differences of places would cost digits far from the
+    // origin.
+    const SpringState &old = spring.old;
+    SpringState       &now = response.now;
+    now.jump               = old.jump + moved_q - moved_p;
+    now.gap                = response.normal.dot(now.jump);
+    now.slip               = response.tangent.dot(now.jump);
+    response.place         = (1. - point.position) * pa + point.position * pb + 0.5 * now.jump;
+    response.weight[0]     = 1.;
+    response.weight[1]     = 0.;
+    const double damping_time =
+      joint.within_bedrock() ? model.bedrock_damping_time : model.joint_damping_time;
+    const JointDamping    damping{damping_time / trial.dt,
+                               old.gap,
+                               old.slip - old.history.plastic_slip};
+    const JointKinematics kinematics{now.gap, now.slip, spring.cohesive, trial.dt};
+    set_response(spring.law->respond(kinematics, old.history, damping), response);
+    response.held = reversed == ReversedSlip::locks && is_reversed(response.slid, now);
+    if (response.held)
+      set_response(spring.law->respond_locked(kinematics, old.history, damping), response);
+  }
+
+
+
+  void Springs::evaluate_contact(const DdaState    &state,
+                                 const Trial       &trial,
+                                 const std::size_t  s,
+                                 const ReversedSlip reversed)
+  {
+    const Spring   &spring     = springs[s];
+    Response       &response   = responses[s];
+    const Contact  &contact    = state.contacts[spring.contact];
+    const Geometry &geometry   = state.geometry;
+    const auto      base_moved = [&](const int k) -> Vec2 {
+      return base_displacement(trial.base, k) - base_displacement(state.base_displacement, k);
+    };
+
+    const bool    node_on_block = contact.vertex_body == base_body;
+    const bool    edge_on_base  = contact.edge_body == base_body;
+    ContactPlaces moved;
+    moved.vertex = node_on_block ? base_moved(contact.vertex) : trial.displacement[contact.vertex];
+    moved.first  = edge_on_base ? base_moved(contact.edge) : trial.displacement[contact.edge];
+    moved.second =
+      edge_on_base ? base_moved(contact.edge + 1) : trial.displacement[geometry.next(contact.edge)];
+    const ContactPlaces start = places(contact, geometry);
+    const ContactFrame  frame(contact,
+                             start.from_q(contact) + moved.from_q(contact),
+                             (start.second - start.first) + (moved.second - moved.first));
+
+    response.normal        = node_on_block ? frame.outward : Vec2(-frame.outward);
+    response.tangent       = node_on_block ? frame.along : Vec2(-frame.along);
+    response.place         = start.vertex + moved.vertex;
+    response.edge_position = frame.edge_position;
+    const double xi        = std::min(1., std::max(0., frame.edge_position));
+    response.weight[0]     = edge_on_base ? 1. - xi : 1.;
+    response.weight[1]     = edge_on_base ? xi : 0.;
+
+    const JointHistory   &history = spring.old.history;
+    const JointKinematics kinematics{frame.gap - contact.rest_gap, frame.slip, spring.cohesive};
+    response.now.gap  = kinematics.gap;
+    response.now.slip = kinematics.slip;
+    set_response(spring.law->respond(kinematics, history), response);
+    response.held = reversed == ReversedSlip::locks && is_reversed(response.slid, response.now);
+    if (response.held)
+      set_response(spring.law->respond_locked(kinematics, history), response);
+  }
+
+
+
+  Springs::Forces
+  Springs::forces_of(const Trial &trial, const std::size_t s, const Traction &traction) const
+  {
+    const Spring   &spring   = springs[s];
+    const Response &response = responses[s];
+    const Vec2      force =
+      spring.length * (traction.normal * response.normal + traction.shear * response.tangent);
+    Forces forces;
+    forces.on_block = -trial.motion[spring.block].gradient(response.place, force);
+    if (spring.other != base_body)
+      forces.on_other = trial.motion[spring.other].gradient(response.place, force);
+    return forces;
+  }
+
+
+
+  void Springs::set_forces(const Trial &trial, const std::size_t s)
+  {
+    const Spring &spring   = springs[s];
+    Response     &response = responses[s];
+    if (response.now.normal == 0. && response.now.shear == 0.)
+      return;
+    response.force = forces_of(trial, s, {response.now.normal, response.now.shear});
+    if (spring.contact_part > 0. && spring.contact_part < 1.)
+      response.contact = forces_of(trial, s, spring.contact_traction(response.now));
+  }
+
+
+
+  void Springs::add_force(const Trial      &trial,
+                          const std::size_t s,
+                          const Traction   &traction,
+                          Eigen::VectorXd  &forces) const
+  {
+    if (traction.normal == 0. && traction.shear == 0.)
+      return;
+    const Spring &spring = springs[s];
+    const Forces  force  = forces_of(trial, s, traction);
+    Eigen::Map<Vec6>(forces.data() + 6 * spring.block) += force.on_block;
+    if (spring.other != base_body)
+      Eigen::Map<Vec6>(forces.data() + 6 * spring.other) += force.on_other;
+    else
+      add_force_on_base(s, force, forces);
+  }
+
+
+
+  void Springs::add_force_on_base(const std::size_t s,
+                                  const Forces     &force,
+                                  Eigen::VectorXd  &forces) const
+  {
+    const Spring   &spring   = springs[s];
+    const Response &response = responses[s];
+    double         *nodes    = forces.data() + 6 * n_blocks();
+    for (int k = 0; k < 2; ++k)
+      Eigen::Map<Vec2>(nodes + 2 * spring.node[k]) -= response.weight[k] * force.on_block.head<2>();
+  }
+
+
+
+  void Springs::add_forces(Eigen::VectorXd &bonds,
+                           Eigen::VectorXd &contacts,
+                           Eigen::VectorXd &absolute) const
+  {
+    const int n = n_blocks();
+#pragma omp parallel for schedule(static)
+    for (int b = 0; b < n; ++b)
+      {
+        Vec6 bond = Vec6::Zero(), contact = Vec6::Zero();
+        for (const int entry : of_block(b))
+          {
+            const int       s        = entry / 2;
+            const Response &response = responses[s];
+            if (response.now.normal == 0. && response.now.shear == 0.)
+              continue;
+            const auto on_this = [entry](const Forces &force) -> const Vec6 & {
+              return entry % 2 == 0 ? force.on_block : force.on_other;
+            };
+            const Vec6  &force = on_this(response.force);
+            const double part  = springs[s].contact_part;
+            if (part == 0. || part == 1.)
+              (part == 1. ? contact : bond) += force;
+            else
+              {
+                contact += on_this(response.contact);
+                bond += force - on_this(response.contact);
+              }
+            absolute[b] += force.head<2>().norm();
+          }
+        Eigen::Map<Vec6>(bonds.data() + 6 * b) += bond;
+        Eigen::Map<Vec6>(contacts.data() + 6 * b) += contact;
+      }
+    add_forces_on_base(bonds, contacts);
+  }
+
+
+
+  void Springs::add_forces_on_base(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts) const
+  {
+    for (const int s : base_springs)
+      {
+        const Response &response = responses[s];
+        if (response.now.normal == 0. && response.now.shear == 0.)
+          continue;
+        const double part = springs[s].contact_part;
+        if (part == 0. || part == 1.)
+          {
+            add_force_on_base(s, response.force, part == 1. ? contacts : bonds);
+            continue;
+          }
+        add_force_on_base(s, response.contact, contacts);
+        Forces bond = response.force;
+        bond.on_block -= response.contact.on_block;
+        add_force_on_base(s, bond, bonds);
+      }
+  }
+
+
+
+  bool Springs::any_held() const
+  {
+    return std::any_of(responses.begin(), responses.end(), [](const Response &r) {
+      return r.held;
+    });
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/model/bedrock_blocks.h>
+#include <hybrid/dda/model/model_builder.h>
+#include <hybrid/dda/statics/bedding_rest.h>
+#include <hybrid/dda/statics/begin_motion.h>
+#include <hybrid/dda/statics/static_steps.h>
+#include <hybrid/dda/step/block_energy.h>
+#include <hybrid/dda/step/initial_state.h>
+#include <hybrid/dda/step/rest_forces.h>
+#include <hybrid/dda/step/start_accelerations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    using scene::SceneParameters;
+    using scene::SectionMesh;
+
+    constexpr double     load_part = 1e-3; ///< of loads and strengths in the model at rest
+    constexpr StaticPace pace{4., 200};
+
+
+
+    /// Tractions of a joint's end; compression and the shear of JointLaw [Pa].
+    struct Traction
+    {
+      double normal = 0., shear = 0.;
+      bool   broken = false;
+    };
+
+    using Ends = std::pair<double, double>;
+
+    /// An end of a joint: its place, and that of the other end [m].
+    using EndKey = std::pair<Ends, Ends>;
+
+    EndKey key_of(const Model &model, const Joint &joint, const int end)
+    {
+      const Geometry &g = model.initial;
+      const Vec2      a = g.vertices[joint.edge], b = g.vertices[g.next(joint.edge)];
+      const Ends      first{a.x(), a.y()}, second{b.x(), b.y()};
+      return end == 0 ? EndKey{first, second} : EndKey{second, first};
+    }
+
+
+
+    /// Give an end of a joint the elastic stretch of its traction.
+    void stretch(const Model &model, const Joint &joint, const Traction &t, SpringState &point)
+    {
+      const Geometry &g  = model.initial;
+      const Vec2 tangent = (g.vertices[g.next(joint.edge)] - g.vertices[joint.edge]).normalized();
+      const Vec2 normal(tangent.y(), -tangent.x());
+      point        = {};
+      point.gap    = -t.normal / joint.law.normal_stiffness();
+      point.slip   = -t.shear / joint.law.shear_stiffness();
+      point.jump   = point.gap * normal + point.slip * tangent;
+      point.normal = point.elastic_normal = t.normal;
+      point.shear = point.elastic_shear = t.shear;
+      point.history.damage              = t.broken ? 1. : 0.;
+      if (t.broken && t.normal <= 0.)
+        point.state = ContactState::open;
+    }
+
+
+
+    /// The bedrock alone, in triangles on a fixed base, with a part of its strengths.
+    SceneParameters scene_at_rest(SceneParameters scene)
+    {
+      scene.bedrock        = scene::BedrockModel::triangles;
+      scene.continuum.base = scene::BaseBoundary::fixed;
+      scene.blocks.enabled = false;
+      scene.edge_loads.tractions.clear();
+      scene.bedding.cohesion *= load_part;
+      scene.bedding.tensile_strength *= load_part;
+      scene.bedding.initial_normal_stress *= load_part;
+      return scene;
+    }
+
+
+
+    /// The model at rest: what carries the bedrock, and what it bears.
+    class RestModel
+    {
+    public:
+      RestModel(const SectionMesh &section, const SceneParameters &parameters)
+        : mesh(section)
+        , scene(scene_at_rest(parameters))
+        , blocks(cut_bedrock(mesh, scene))
+      {
+        std::vector<Vec2> nodes;
+        for (const int node : blocks.base)
+          nodes.push_back(mesh.nodes[node]);
+        model = static_problem(build_model(mesh, scene, nodes));
+        for (const BoundaryEdge &edge : model.boundary)
+          add_roller(edge);
+        model.boundary.clear();
+        state = initial_state(model);
+        for (std::size_t j = 0; j < model.joints.size(); ++j)
+          if (model.joints[j].kind == JointKind::bedding)
+            for (SpringState &point : state.joints[j].points)
+              stretch(model, model.joints[j], {scene.bedding.initial_normal_stress}, point);
+        bear_rest(model, state, false);
+      }
+
+      void load_weight()
+      {
+        for (BlockProperties &block : model.blocks)
+          block.weight = load_part * block.weight_at_rest;
+      }
+
+      /// Pressure of the water on the surface.
+      void load_water(const Water &water);
+
+      /// What the mass of another model puts on the bedrock.
+      void load_mass(const Model &other, const DdaState &settled);
+
+      /// @return true at rest
+      bool settle()
+      {
+        return take_static_steps(model, state, pace).equilibrium;
+      }
+
+      /// Tractions of the planes, and what they do.
+      std::map<EndKey, Traction> tractions(BeddingRest &result) const;
+
+    private:
+      const SectionMesh    &mesh;
+      const SceneParameters scene;
+      const BedrockBlocks   blocks;
+      Model                 model;
+      DdaState              state;
+
+      /// Edge of a triangle on the surface, counter-clockwise [m].
+      struct SurfaceEdge
+      {
+        int  block;
+        Vec2 from, to;
+      };
+
+      std::vector<SurfaceEdge> surface_edges() const;
+
+      void add_roller(const BoundaryEdge &edge);
+
+      /// A part of a force [N/m] on a triangle.
+      void load(int block, const Vec2 &place, const Vec2 &force);
+    };
+
+
+
+    /// Lets an edge slide along the side of the model.
+    void RestModel::add_roller(const BoundaryEdge &edge)
+    {
+      const double k    = model.contacts.of.front()[edge.block].law.normal_stiffness();
+      const int    node = model.n_base_nodes();
+      model.joints.push_back({edge.block,
+                              edge.vertex,
+                              base_body,
+                              (edge.ends[1] - edge.ends[0]).norm(),
+                              {{0., node}, {1., node + 1}},
+                              JointLaw(JointStrength::roller(), k, k),
+                              1.,
+                              JointKind::weld});
+      model.initial.base_nodes.insert(model.initial.base_nodes.end(), {edge.ends[0], edge.ends[1]});
+    }
+
+
+
+    std::vector<RestModel::SurfaceEdge> RestModel::surface_edges() const
+    {
+      std::set<std::pair<int, int>> surface;
+      for (const char *name : {"sliding_surface", "ground"})
+        if (const auto line = mesh.lines.find(name); line != mesh.lines.end())
+          for (const auto &edge : line->second)
+            surface.insert(std::minmax(edge[0], edge[1]));
+      std::vector<SurfaceEdge> edges;
+      for (std::size_t b = 0; b < blocks.outlines.size(); ++b)
+        for (std::size_t k = 0; k < 3; ++k)
+          {
+            const int from = blocks.outlines[b][k], to = blocks.outlines[b][(k + 1) % 3];
+            if (surface.count(std::minmax(from, to)) > 0)
+              edges.push_back({static_cast<int>(b), mesh.nodes[from], mesh.nodes[to]});
+          }
+      return edges;
+    }
+
+
+
+    void RestModel::load(const int block, const Vec2 &place, const Vec2 &force)
+    {
+      const BlockMotion at_rest(state.blocks[block].centroid, Vec6::Zero());
+      state.bedrock_static_force.segment<6>(6 * block) -=
+        at_rest.gradient(place, load_part * force);
+    }
+
+
+
+    void RestModel::load_water(const Water &water)
+    {
+      for (const SurfaceEdge &edge : surface_edges())
+        {
+          const Eigen::VectorXd force = water_on_surface(water, {edge.to, edge.from});
+          load(edge.block, edge.to, force.head<2>());
+          load(edge.block, edge.from, force.tail<2>());
+        }
+    }
+
+
+
+    void RestModel::load_mass(const Model &other, const DdaState &settled)
+    {
+      const std::vector<SurfaceEdge> edges   = surface_edges();
+      const auto                     is_mass = [&](const int body) {
+        return body != base_body && body < other.n_mass();
+      };
+      const Springs springs = springs_at_rest(other, settled);
+      for (std::size_t s = 0; s < springs.springs.size() && !edges.empty(); ++s)
+        {
+          const Springs::Spring   &spring = springs.springs[s];
+          const Springs::Response &r      = springs.responses[s];
+          if (is_mass(spring.block) == is_mass(spring.other))
+            continue;
+          const double sign = is_mass(spring.block) ? 1. : -1.; // the force acts on the other
+          const Vec2   force =
+            sign * spring.length * (r.now.normal * r.normal + r.now.shear * r.tangent);
+          const auto distance = [&](const SurfaceEdge &edge) {
+            return (0.5 * (edge.from + edge.to) - r.place).squaredNorm();
+          };
+          const auto nearest =
+            std::min_element(edges.begin(), edges.end(), [&](const auto &e, const auto &f) {
+              return distance(e) < distance(f);
+            });
+          load(nearest->block, 0.5 * (nearest->from + nearest->to), force);
+        }
+    }
+
+
+
+    std::map<EndKey, Traction> RestModel::tractions(BeddingRest &result) const
+    {
+      std::map<EndKey, Traction> found;
+      for (std::size_t j = 0; j < model.joints.size(); ++j)
+        for (int end = 0; end < 2 && model.joints[j].kind == JointKind::bedding; ++end)
+          {
+            const SpringState &point = state.joints[j].points[end];
+            const EndKey       key   = key_of(model, model.joints[j], end);
+            found[key]               = {point.elastic_normal / load_part,
+                                        point.elastic_shear / load_part,
+                                        point.history.damage >= 1.};
+            const bool   open        = point.state == ContactState::open;
+            const double slip        = std::abs(point.history.plastic_slip) / load_part;
+            result.slipping += point.state == ContactState::sliding;
+            result.open += open;
+            if (!open && slip > result.largest)
+              {
+                result.largest = slip;
+                result.where   = Vec2(key.first.first, key.first.second);
+              }
+          }
+      return found;
+    }
+  } // namespace
+
+
+
+  BeddingRest stress_bedding_planes(const SectionMesh     &mesh,
+                                    const SceneParameters &scene,
+                                    const Model           &model,
+                                    const bool             under_gravity,
+                                    DdaState              &state)
+  {
+    BeddingRest result;
+    RestModel   rest(mesh, scene);
+    const bool  held = under_gravity && scene.environment.static_stage == scene::StaticStage::held;
+    if (under_gravity)
+      {
+        rest.load_weight();
+        rest.load_water(model.water);
+        rest.load_mass(held ? with_unlimited_strengths(model) : model, state);
+        result.equilibrium = rest.settle();
+      }
+    const std::map<EndKey, Traction> tractions = rest.tractions(result);
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+      for (int end = 0; end < 2 && model.joints[j].kind == JointKind::bedding; ++end)
+        {
+          const Joint &joint = model.joints[j];
+          stretch(model,
+                  joint,
+                  tractions.at(key_of(model, joint, end)),
+                  state.joints[j].points[end]);
+        }
+    bear_rest(model, state, held);
+    state.energy = held_energy(model, state);
+    return result;
+  }
+} // namespace hybrid::dda

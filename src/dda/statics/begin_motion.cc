@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/statics/begin_motion.h>
+#include <hybrid/dda/statics/static_steps.h>
+#include <hybrid/dda/step/rest_forces.h>
+#include <hybrid/dda/step/start_accelerations.h>
+
+namespace hybrid::dda
+{
+  void begin_motion(const Model &model, DdaState &state, const bool held)
+  {
+    if (model.n_bedrock > 0)
+      {
+        const RestForces springs(held ? with_unlimited_strengths(model) : model, state);
+        const int        first = 6 * model.n_mass(), n = 6 * model.n_bedrock;
+        state.bedrock_static_force =
+          springs.bonds.segment(first, n) + springs.contacts.segment(first, n);
+      }
+    start_accelerations(held ? with_unlimited_bonds(model) : model, state);
+  }
+
+
+
+  void bear_rest(const Model &model, DdaState &state, const bool held)
+  {
+    const RestForces springs(held ? with_unlimited_strengths(model) : model, state);
+    const int        first = 6 * model.n_blocks(), n = 2 * model.n_base_nodes();
+    state.base_contact_force   = springs.contacts.segment(first, n);
+    state.base_force           = springs.bonds.segment(first, n) + state.base_contact_force;
+    state.static_force         = state.base_force;
+    state.static_contact_force = state.base_contact_force;
+    begin_motion(model, state, held);
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/statics/begin_motion.h>
+#include <hybrid/dda/statics/static_stage.h>
+#include <hybrid/dda/step/block_energy.h>
+#include <hybrid/dda/step/start_accelerations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    /// The mass on a bedrock that does not move, with unlimited strengths if it is @p held, or with
+    /// strengths that slip does not lower.
+    Model stage_problem(const Model &model, const bool held, const bool keeps_strengths)
+    {
+      Model problem        = static_problem(held ? with_unlimited_strengths(model) : model);
+      problem.hold_bedrock = true;
+      if (!held && keeps_strengths)
+        for (Joint &joint : problem.joints)
+          joint.law = joint.law.without_softening();
+      return problem;
+    }
+
+
+
+    /// A bound on what a mass settles elastically under its weight, joints as soft as blocks [m].
+    double elastic_settlement(const Model &model)
+    {
+      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, strain = 0.;
+      for (int v = 0; v < model.initial.offset[model.n_mass()]; ++v)
+        {
+          lowest  = std::min(lowest, model.initial.vertices[v].y());
+          highest = std::max(highest, model.initial.vertices[v].y());
+        }
+      for (int b = 0; b < model.n_mass(); ++b)
+        strain = std::max(strain,
+                          model.blocks[b].weight * model.gravity /
+                            (model.blocks[b].area * model.blocks[b].elasticity(2, 2)));
+      return model.n_mass() > 0 ? strain * std::pow(highest - lowest, 2) : 0.;
+    }
+
+
+
+    /// Find the block that has come to rest farther from where it was drawn than half its size
+    /// beyond what elasticity explains, or turned by ten degrees.
+    void find_fallen(const Model                   &model,
+                     const std::vector<BlockState> &start,
+                     const DdaState                &state,
+                     StaticResult                  &result)
+    {
+      constexpr double turn    = 10. * M_PI / 180.;
+      const double     elastic = elastic_settlement(model);
+      for (int b = 0; b < model.n_mass(); ++b)
+        {
+          const double moved          = (state.blocks[b].centroid - start[b].centroid).norm();
+          const double turned         = std::abs(state.blocks[b].rotation - start[b].rotation);
+          result.largest_displacement = std::max(result.largest_displacement, moved);
+          if ((moved <= 0.5 * model.blocks[b].size + elastic && turned <= turn) ||
+              (result.fallen_block >= 0 && moved <= result.fallen_by))
+            continue;
+          result.fallen_block = b;
+          result.fallen_by    = moved;
+          result.turned_by    = turned;
+        }
+    }
+
+
+
+    /// Slip and softening of joints that hold count from now on.
+    void reset_softening(DdaState &state)
+    {
+      for (JointState &joint : state.joints)
+        for (const int end : {0, 1})
+          {
+            joint.rest_slip[end] = joint.points[end].slip;
+            if (joint.failure == FailureKind::none)
+              joint.points[end].history.softening = 0.;
+          }
+    }
+  } // namespace
+
+
+
+  StaticResult settle(const Model       &model,
+                      DdaState          &state,
+                      const bool         held,
+                      const StaticWatch &watch,
+                      const bool         resets_softening)
+  {
+    const double start_time = state.time;
+    const auto   start      = state.blocks;
+    StaticResult result =
+      take_static_steps(stage_problem(model, held, resets_softening), state, {}, watch);
+    if (result.stopped)
+      return result;
+    if (resets_softening)
+      reset_softening(state);
+
+    begin_motion(model, state, held);
+    find_fallen(model, start, state, result);
+    state.time                 = start_time;
+    state.static_force         = state.base_force;
+    state.static_contact_force = state.base_contact_force;
+    state.energy               = held_energy(model, state);
+    return result;
+  }
+} // namespace hybrid::dda

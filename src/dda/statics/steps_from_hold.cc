@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/statics/static_steps.h>
+#include <hybrid/dda/statics/steps_from_hold.h>
+
+#include <algorithm>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    constexpr double guess_tolerance = 1e-4; ///< residual of a first guess [-]
+    constexpr double fall            = 1e-3; ///< of the residual in a step that is not the last [-]
+  }                                          // namespace
+
+
+
+  StepsFromHold::StepsFromHold(const Model &problem, const OpenCloseIteration::Watch &watch)
+    : held(with_unlimited_friction(problem))
+    , eased(problem)
+    , tolerance(problem.iteration.tolerance)
+    , hold_solver(held)
+    , solver(eased)
+  {
+    held.iteration.tolerance      = std::max(tolerance, guess_tolerance);
+    eased.iteration.eases_sliding = true;
+    hold_solver.set_watch(watch);
+    solver.set_watch(watch);
+  }
+
+
+
+  StepResult StepsFromHold::hold(const DdaState &state, const BaseResponse &base, const double dt)
+  {
+    DdaState         copy   = state;
+    const StepResult result = hold_solver.solve(copy, base, dt);
+    has_guess               = result.converged;
+    return result;
+  }
+
+
+
+  StepResult StepsFromHold::solve(DdaState           &state,
+                                  const BaseResponse &base,
+                                  const double        dt,
+                                  const double        residual)
+  {
+    eased.iteration.tolerance = std::max(tolerance, fall * residual);
+    return solver.solve(state,
+                        base,
+                        dt,
+                        has_guess ? &hold_solver.solved_step().increments() : nullptr);
+  }
+} // namespace hybrid::dda

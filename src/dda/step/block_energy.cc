@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/springs/bedrock_forces.h>
+#include <hybrid/dda/springs/spring_work.h>
+#include <hybrid/dda/step/block_energy.h>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    /// 1/2 s : D^-1 : s per area [J/m2].
+    double strain_energy_density(const Eigen::Matrix3d &d, const Eigen::Vector3d &s)
+    {
+      const double determinant = d(0, 0) * d(0, 0) - d(0, 1) * d(0, 1);
+      const double ex          = (d(0, 0) * s[0] - d(0, 1) * s[1]) / determinant;
+      const double ey          = (d(0, 0) * s[1] - d(0, 1) * s[0]) / determinant;
+      return 0.5 * (s[0] * ex + s[1] * ey + s[2] * s[2] / d(2, 2));
+    }
+
+
+
+    /// Blocks: kinetic, stress and weight.
+    void audit_blocks(const StepAudit &step, BlockEnergy &energy)
+    {
+      const Newmark &nm = step.model.newmark;
+      const double   dt = step.trial.dt, excess = nm.gamma - 0.5;
+      const double   k01            = step.model.dynamic_coefficient;
+      double         kinetic_before = 0.;
+      energy.kinetic = energy.strain = 0.;
+      for (int b = 0; b < step.model.n_blocks(); ++b)
+        {
+          const BlockProperties &p = step.model.blocks[b];
+          const BlockState      &s = step.before.blocks[b];
+          const Mat6            &m = step.mass[b];
+          const Vec6            &d = step.trial.increment[b], &v = step.trial.rate[b];
+          kinetic_before += 0.5 * s.velocity.dot(m * s.velocity);
+          energy.kinetic += 0.5 * v.dot(m * v);
+
+          const Eigen::Vector3d e = d.tail<3>(), stiff = p.elasticity * e;
+          energy.strain += p.area * strain_energy_density(p.elasticity, s.stress + stiff);
+          energy.integration_loss += excess * p.area * stiff.dot(e);
+          energy.gravity += p.weight * step.model.gravity * d[1];
+          energy.damping_loss += p.area * e.dot((1. - nm.gamma) * s.viscous_stress +
+                                                nm.gamma * step.damping_time[b] / dt * stiff);
+        }
+      energy.damping_loss += (1. - k01 * k01) * kinetic_before;
+    }
+
+
+
+    /// Potential of the water's forces; what Newmark's weights make of their work beyond it is the
+    /// scheme's.
+    void audit_water(const StepAudit &step, BlockEnergy &energy)
+    {
+      const Geometry &g     = step.before.geometry;
+      const double    gamma = step.model.newmark.gamma;
+      for (int b = 0; b < step.model.n_mass(); ++b)
+        {
+          const int       first = g.offset[b], n = g.offset[b + 1] - first;
+          const double    area = step.model.blocks[b].area;
+          const Vec6     &d    = step.trial.increment[b];
+          const WaterLoad start =
+            water_load(step.model.water,
+                       area,
+                       BlockMotion(step.before.blocks[b].centroid, Vec6::Zero()),
+                       {&g.vertices[first], nullptr, n});
+          const WaterLoad end =
+            water_load(step.model.water,
+                       area,
+                       step.trial.motion[b],
+                       {&g.vertices[first], &step.trial.displacement[first], n});
+          const double change = potential_change(start, end, d[1]);
+          energy.gravity += change;
+          energy.integration_loss -= change + d.dot((1. - gamma) * start.force + gamma * end.force);
+        }
+    }
+
+
+
+    void audit_edge_loads(const StepAudit &step, BlockEnergy &energy)
+    {
+      const EdgeLoads &loads = step.model.edge_loads;
+      const Geometry  &g     = step.before.geometry;
+      const double     gamma = step.model.newmark.gamma;
+      const double     start = (1. - gamma) * loads.factor(step.before.time);
+      const double     end   = gamma * loads.factor(step.before.time + step.trial.dt);
+      for (const EdgeLoads::Edge &edge : loads.edges)
+        {
+          const BlockMotion  at_rest(step.before.blocks[edge.block].centroid, Vec6::Zero());
+          const BlockMotion &moved = step.trial.motion[edge.block];
+          energy.edge_load_work += step.trial.increment[edge.block].dot(
+            start * edge_force(edge, g, nullptr, at_rest) +
+            end * edge_force(edge, g, step.trial.displacement.data(), moved));
+        }
+    }
+
+
+
+    /// Tractions of a spring over a step, those of its contact with the weights (0, 1).
+    struct WeightedTraction
+    {
+      double                  gamma;
+      const Springs::Spring  &spring;
+      const SpringState      &now;
+      const Springs::Traction before = spring.contact_traction(spring.old);
+      const Springs::Traction after  = spring.contact_traction(now);
+
+      double of_bond(const double start, const double end) const
+      {
+        return (1. - gamma) * start + gamma * end;
+      }
+
+      double normal() const
+      {
+        return of_bond(spring.old.normal - before.normal, now.normal - after.normal) + after.normal;
+      }
+
+      double elastic_normal() const
+      {
+        return of_bond(spring.old.elastic_normal - before.normal,
+                       now.elastic_normal - after.normal) +
+               after.normal;
+      }
+
+      double shear(const double start, const double end) const
+      {
+        const double part = spring.contact_part;
+        return (1. - part) * of_bond(start, end) + part * end;
+      }
+
+      /// What a traction has beyond the mean of both ends.
+      Springs::Traction beyond_mean(const SpringState       &state,
+                                    const Springs::Traction &contact) const
+      {
+        const double bond = gamma - 0.5;
+        return {bond * (state.normal - contact.normal) + 0.5 * contact.normal,
+                bond * (state.shear - contact.shear) + 0.5 * contact.shear};
+      }
+    };
+
+
+
+    /// Joints and contacts, each spring by its own kinematics.
+    void audit_springs(const StepAudit &step, BlockEnergy &energy)
+    {
+      double before  = 0.;
+      energy.springs = 0.;
+      for (std::size_t i = 0; i < step.springs.springs.size(); ++i)
+        {
+          const Springs::Spring &spring = step.springs.springs[i];
+          const SpringState     &old = spring.old, &now = step.springs.responses[i].now;
+          const WeightedTraction traction{step.model.newmark.gamma, spring, now};
+          const double           shear = traction.shear(old.shear, now.shear);
+          const double           gap = now.gap - old.gap, slip = now.slip - old.slip;
+          const double           work    = traction.normal() * gap + shear * slip;
+          const double           plastic = now.history.plastic_slip - old.history.plastic_slip;
+          const double           elastic =
+            traction.elastic_normal() * gap +
+            traction.shear(old.elastic_shear, now.elastic_shear) * (slip - plastic);
+          const double stored_before = spring.law->stored_energy({old.gap, old.slip}, old.history);
+          const double stored        = spring.law->stored_energy({now.gap, now.slip}, now.history);
+          const double friction      = -shear * plastic;
+          const double fracture =
+            spring.law->fracture_loss(now.history) - spring.law->fracture_loss(old.history);
+
+          before += spring.length * stored_before;
+          energy.springs += spring.length * stored;
+          if (spring.joint >= 0 && step.model.joints[spring.joint].kind == JointKind::bedding)
+            energy.bedding_loss += spring.length * (friction + fracture);
+          else
+            {
+              energy.friction_loss += spring.length * friction;
+              energy.fracture_loss += spring.length * fracture;
+            }
+          energy.damping_loss += spring.length * (elastic - work - friction);
+          energy.integration_loss +=
+            spring.length * (-elastic - (stored - stored_before) - fracture) -
+            turning_work({step.model, step.before, step.trial, step.springs},
+                         i,
+                         traction.beyond_mean(old, traction.before),
+                         traction.beyond_mean(now, traction.after));
+        }
+      energy.switch_loss += step.before.energy.springs - before;
+    }
+  } // namespace
+
+
+
+  BlockEnergy audit_step(const StepAudit &step)
+  {
+    BlockEnergy energy = step.before.energy;
+    audit_blocks(step, energy);
+    if (step.model.water.action != Water::Action::none)
+      audit_water(step, energy);
+    if (!step.model.edge_loads.edges.empty())
+      audit_edge_loads(step, energy);
+    audit_springs(step, energy);
+    if (step.model.n_bedrock > 0)
+      audit_bedrock({step.model, step.before, step.trial, step.incoming}, energy);
+    return energy;
+  }
+
+
+
+  BlockEnergy held_energy(const Model &model, const DdaState &state)
+  {
+    BlockEnergy energy;
+    for (int b = 0; b < model.n_blocks(); ++b)
+      {
+        const BlockProperties &p = model.blocks[b];
+        const BlockState      &s = state.blocks[b];
+        energy.kinetic += 0.5 * s.velocity.dot(mass_matrix(p, s.rotation) * s.velocity);
+        energy.strain += p.area * strain_energy_density(p.elasticity, s.stress);
+      }
+    Springs springs;
+    springs.collect(model, state);
+    for (const Springs::Spring &spring : springs.springs)
+      energy.springs += spring.length * spring.law->stored_energy({spring.old.gap, spring.old.slip},
+                                                                  spring.old.history);
+    return energy;
+  }
+} // namespace hybrid::dda

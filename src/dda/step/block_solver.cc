@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/contact/contact_tolerances.h>
+#include <hybrid/dda/failure/joint_release.h>
+#include <hybrid/dda/geometry/outline_frames.h>
+#include <hybrid/dda/step/block_solver.h>
+#include <hybrid/restart/archive.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <map>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    ContactDetection::Parameters detection_parameters(const Model &model)
+    {
+      double largest = 0., smallest = std::numeric_limits<double>::infinity();
+      // Blocks of the bedrock never meet each other: the sizes of the mass count, if there is one.
+      const int n_mass = model.n_mass();
+      for (int b = 0; b < (n_mass > 0 ? n_mass : model.n_blocks()); ++b)
+        {
+          largest  = std::max(largest, model.blocks[b].size);
+          smallest = std::min(smallest, model.blocks[b].size);
+        }
+      // Two bodies that move towards each other by the largest allowed displacement each.
+      const double moved = 2. * model.iteration.maximum_displacement_ratio * largest;
+      return {std::min(moved, 0.25 * smallest),
+              0.25 * largest,
+              ContactTolerances::smooth_angle,
+              0.25 * smallest};
+    }
+
+
+
+    using Place = std::pair<double, double>; ///< x, y
+
+    /// Directions of the edges of all surfaces that begin or end at each place, with the rock on
+    /// the left.
+    std::multimap<Place, Vec2> surface_edges(const Geometry &geometry)
+    {
+      std::multimap<Place, Vec2> edges;
+      const auto                 add = [&](const Vec2 &a, const Vec2 &b) {
+        edges.insert({{a.x(), a.y()}, b - a});
+        edges.insert({{b.x(), b.y()}, b - a});
+      };
+      for (std::size_t k = 0; k + 1 < geometry.base_nodes.size(); ++k)
+        add(geometry.base_nodes[k + 1], geometry.base_nodes[k]);
+      for (int b = geometry.bedrock.first_block; b < geometry.n_blocks(); ++b)
+        for (int v = geometry.offset[b]; v < geometry.offset[b + 1]; ++v)
+          if (geometry.bedrock.next[v] != BedrockSurface::inside)
+            add(geometry.vertices[v], geometry.vertices[geometry.next(v)]);
+      return edges;
+    }
+
+
+
+    /// True if an edge of a block lies on the surface: they face each other within 3 degrees.
+    bool lies_on(const Vec2 &edge, const Vec2 &surface)
+    {
+      const double sine = cross(edge, surface) / (edge.norm() * surface.norm());
+      return edge.dot(surface) < 0. && std::abs(sine) <= ContactTolerances{}.entry_sine;
+    }
+
+
+
+    /// Blocks that do not look at a surface unless they are awake to all: those on a belt, and
+    /// bonded ones that only touch it with corners, as their neighbours hold them.
+    std::vector<char> blocks_held_off(const Model &model, const std::vector<char> &is_on_belt)
+    {
+      const Geometry   &g     = model.initial;
+      const auto        edges = surface_edges(g);
+      std::vector<char> held_off(model.blocks.size(), 0);
+      for (int b = 0; b < model.n_mass(); ++b)
+        {
+          bool touches = false, lies = false;
+          for (int v = g.offset[b]; v < g.offset[b + 1]; ++v)
+            {
+              const Vec2 &x    = g.vertices[v];
+              const auto  here = edges.equal_range({x.x(), x.y()});
+              for (auto e = here.first; e != here.second; ++e)
+                {
+                  touches = true;
+                  lies    = lies || lies_on(g.vertices[g.next(v)] - x, e->second) ||
+                         lies_on(x - g.vertices[g.previous(v)], e->second);
+                }
+            }
+          held_off[b] = is_on_belt[b] || (model.bonded[b] && touches && !lies) ? 1 : 0;
+        }
+      return held_off;
+    }
+  } // namespace
+
+
+
+  BlockSolver::BlockSolver(const Model &block_model)
+    : model(block_model)
+    , detection(detection_parameters(block_model))
+  {
+    std::vector<int> offset{0}, list;
+    for (const auto &neighbours : model.neighbours)
+      {
+        list.insert(list.end(), neighbours.begin(), neighbours.end());
+        offset.push_back(static_cast<int>(list.size()));
+      }
+    detection.set_neighbours(offset, list);
+  }
+
+
+
+  void BlockSolver::serialize(restart::Archive &archive)
+  {
+    iteration.serialize(archive);
+    archive(search_summary.steps,
+            search_summary.searches,
+            search_summary.lists,
+            search_summary.time);
+  }
+
+
+
+  std::vector<Awake> BlockSolver::awake_blocks(const DdaState &state) const
+  {
+    std::vector<Awake> now(model.blocks.size(), Awake::no);
+    for (std::size_t b = 0; b < now.size(); ++b)
+      if (!model.bonded[b])
+        now[b] = Awake::to_all;
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+      {
+        const JointState &joint = state.joints[j];
+        if (!joint.loosened)
+          continue;
+        for (const int body : {model.joints[j].block, model.joints[j].other})
+          if (body != base_body && !model.is_bedrock(body))
+            {
+              const bool to_all = joint.failure != FailureKind::none || !is_on_belt[body];
+              now[body]         = std::max(now[body], to_all ? Awake::to_all : Awake::to_blocks);
+            }
+      }
+    return now;
+  }
+
+
+
+  void BlockSolver::find_blocks_on_surface()
+  {
+    is_on_belt.assign(model.blocks.size(), 0);
+    for (const Joint &joint : model.joints)
+      if (!joint.within_bedrock() && is_surface(model.initial, joint.other))
+        is_on_belt[joint.block] = 1;
+    held_off = blocks_held_off(model, is_on_belt);
+  }
+
+
+
+  bool BlockSolver::update_skipped_pairs(const DdaState &state)
+  {
+    if (held_off.empty())
+      find_blocks_on_surface();
+    int now = 0;
+    for (const JointState &joint : state.joints)
+      now += (joint.loosened ? 1 : 0) + (joint.failure != FailureKind::none ? 1 : 0) +
+             (joint.released ? 1 : 0);
+    if (now == changes)
+      return false;
+    changes = now;
+
+    SkippedPairs skipped;
+    skipped.awake = awake = awake_blocks(state);
+    skipped.held_off      = held_off;
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+      {
+        const Joint &joint = model.joints[j];
+        if (state.joints[j].released)
+          continue;
+        if (joint.other != base_body && !model.is_bedrock(joint.other))
+          skipped.bonded.push_back({joint.block, joint.other});
+        else if (!model.is_bedrock(joint.block))
+          skipped.surface.push_back({joint.block,
+                                     joint.other,
+                                     joint.other == base_body ? joint.points[0].other_vertex
+                                                              : joint.points[1].other_vertex});
+      }
+    detection.set_skipped_pairs(skipped);
+    return true;
+  }
+
+
+
+  StepResult BlockSolver::solve(DdaState                &state,
+                                const BaseResponse      &base,
+                                const double             dt,
+                                const std::vector<Vec6> *guess)
+  {
+    if (model.n_mass() > 0) // joints carry all loads of the bedrock
+      search_contacts(state);
+    return iteration.solve(model, state, base, dt, guess);
+  }
+
+
+
+  void BlockSolver::search_contacts(DdaState &state)
+  {
+    const auto                     start          = std::chrono::steady_clock::now();
+    const ContactDetection::Report before         = detection.report();
+    const bool                     joints_changed = update_skipped_pairs(state);
+    detection.set_was_awake(state.awake);
+    contacts_before.assign(state.contacts.begin(), state.contacts.end());
+    detection.update(state.geometry, state.contacts, state.rest);
+    const auto corner = [&](const Contact &contact) {
+      return model.contacts.law(model.initial, contact, model.n_mass()).length;
+    };
+    loads.carry(contacts_before, state.geometry, corner, state.contacts);
+    if (joints_changed)
+      hand_over_released_joints(model, state);
+    belt_parting.update(model, state);
+    state.awake.assign(awake.begin(), awake.end());
+    ++search_summary.steps;
+    search_summary.searches += detection.report().searches - before.searches;
+    search_summary.lists += detection.report().builds - before.builds;
+    search_summary.time +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/failure/joint_failure.h>
+#include <hybrid/dda/step/block_energy.h>
+#include <hybrid/dda/step/open_close_iteration.h>
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hybrid::dda
+{
+  double OpenCloseIteration::displacement_ratio(const Model &model, const int block) const
+  {
+    const Vec6 &d = trial.increment[block];
+    return d.head<2>().norm() / model.blocks[block].size + std::abs(d[2]) +
+           d.tail<3>().lpNorm<Eigen::Infinity>();
+  }
+
+
+
+  bool OpenCloseIteration::flies_too_far(const Model &model, StepResult &result) const
+  {
+    for (int b = 0; b < model.n_blocks(); ++b)
+      {
+        // Exact in free flight, but for the strains of a shape that rings.
+        const Vec6  &d     = trial.increment[b];
+        const double ratio = d.head<2>().norm() / model.blocks[b].size + std::abs(d[2]);
+        if (ratio <= model.iteration.maximum_displacement_ratio || !springs.of_block(b).empty())
+          continue;
+        result.displacement_ratio = ratio;
+        result.largest_block      = b;
+        return true;
+      }
+    return false;
+  }
+
+
+
+  void OpenCloseIteration::judge(const Model &model, StepResult &result) const
+  {
+    double unbalanced = 0.;
+    for (int b = 0; b < model.n_blocks(); ++b)
+      {
+        const double size = model.blocks[b].size, ratio = displacement_ratio(model, b);
+        if (ratio > result.displacement_ratio || result.largest_block < 0)
+          {
+            result.displacement_ratio = ratio;
+            result.largest_block      = b;
+          }
+        const Vec6 inertia = mass[b] * (acceleration[b] + contact_acceleration[b]);
+        unbalanced +=
+          inertia.head<2>().squaredNorm() + inertia.tail<4>().squaredNorm() / (size * size);
+      }
+    result.unbalanced = std::sqrt(unbalanced) / std::max(reference, 1e-300);
+  }
+
+
+
+  void OpenCloseIteration::hand_over_contacts(const Model &model, DdaState &state) const
+  {
+    const int       n = model.n_blocks();
+    Eigen::VectorXd torn; // forces of what becomes a contact of joints
+    for (std::size_t s = 0; s < springs.springs.size(); ++s)
+      {
+        const Springs::Spring &spring = springs.springs[s];
+        const SpringState     &now    = springs.responses[s].now;
+        const bool             gone   = spring.joint >= 0 && state.joints[spring.joint].released;
+        if (spring.contact_part == 1.)
+          continue;
+        const double part = gone ? 1. : spring.law->contact_part(now.history);
+        if (part == spring.contact_part)
+          continue;
+        if (torn.size() == 0)
+          torn = Eigen::VectorXd::Zero(contact_force.size());
+        const Springs::Traction then = spring.contact_traction(now);
+        const Springs::Traction next =
+          gone ? Springs::Traction{now.normal, now.shear} : Springs::contact_traction(now, part);
+        springs.add_force(trial, s, {next.normal - then.normal, next.shear - then.shear}, torn);
+      }
+    state.base_contact_force = contact_force.tail(2 * model.n_base_nodes());
+    if (torn.size() > 0)
+      state.base_contact_force += torn.tail(2 * model.n_base_nodes());
+    for (int b = 0; b < n; ++b)
+      {
+        Vec6 c = contact_acceleration[b];
+        if (torn.size() > 0)
+          c += mass[b].llt().solve(torn.segment<6>(6 * b));
+        const BlockMotion &move              = trial.motion[b];
+        state.blocks[b].contact_acceleration = rotated_rates(c, move.cosine, move.sine);
+      }
+  }
+
+
+
+  void OpenCloseIteration::accept(const Model &model, DdaState &state) const
+  {
+    const int    n  = model.n_blocks();
+    const double dt = trial.dt;
+    state.energy    = audit_step({model, state, trial, springs, mass, damping_time, incoming});
+    if (incoming.size() > 0)
+      state.boundary_force = incoming;
+    const double          gamma    = model.newmark.gamma;
+    const Eigen::VectorXd contacts = contact_force.tail(2 * model.n_base_nodes());
+    state.energy.base_work -= ((1. - gamma) * (state.base_force - state.base_contact_force) +
+                               gamma * (force_increment + state.static_force - contacts) + contacts)
+                                .dot(trial.base - state.base_displacement);
+    state.time += dt;
+
+#pragma omp parallel for schedule(static)
+    for (int b = 0; b < n; ++b)
+      {
+        BlockState        &block = state.blocks[b];
+        const BlockMotion &move  = trial.motion[b];
+        block.centroid           = move.centroid;
+        block.rotation += trial.increment[b][2];
+        block.velocity               = rotated_rates(trial.rate[b], move.cosine, move.sine);
+        const Eigen::Vector3d stress = model.blocks[b].elasticity * trial.increment[b].tail<3>();
+        block.viscous_stress =
+          rotated_stress(damping_time[b] / dt * stress, move.cosine, move.sine);
+        block.acceleration =
+          rotated_rates(acceleration[b] + contact_acceleration[b], move.cosine, move.sine);
+        block.stress = rotated_stress(block.stress + stress, move.cosine, move.sine);
+      }
+    for (std::size_t v = 0; v < state.geometry.vertices.size(); ++v)
+      state.geometry.vertices[v] += trial.displacement[v];
+    state.base_displacement = trial.base;
+    state.base_force        = force_increment + state.static_force;
+    for (int k = 0; k < model.n_base_nodes(); ++k)
+      state.geometry.base_nodes[k] = model.initial.base_nodes[k] + trial.base.segment<2>(2 * k);
+
+    for (std::size_t s = 0; s < springs.springs.size(); ++s)
+      {
+        const Springs::Spring   &spring   = springs.springs[s];
+        const Springs::Response &response = springs.responses[s];
+        if (spring.joint >= 0)
+          {
+            JointState &joint        = state.joints[spring.joint];
+            joint.points[spring.end] = response.now;
+            if (spring.end == 1)
+              update_failure(model.joints[spring.joint], state.time, joint);
+            continue;
+          }
+        Contact &contact      = state.contacts[spring.contact];
+        contact.edge_position = response.edge_position;
+        contact.slip          = response.now.slip;
+        contact.plastic_slip  = response.now.history.plastic_slip;
+        contact.state         = response.now.state;
+        if (contact.rest_gap + response.now.gap >= 0.) // they have parted
+          contact.rest_gap = 0.;
+      }
+    hand_over_contacts(model, state);
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a step begins: prediction, guesses, and the change from whole updates to the line search.
+#include <hybrid/dda/model/block_damping.h>
+#include <hybrid/dda/step/open_close_iteration.h>
+
+#include <cassert>
+
+namespace hybrid::dda
+{
+  void OpenCloseIteration::predict(const Model        &model,
+                                   const DdaState     &state,
+                                   const BaseResponse &base,
+                                   const double        dt)
+  {
+    const int    n = model.n_blocks(), m = model.n_base_nodes();
+    const double beta = model.newmark.beta;
+    trial.dt          = dt;
+    trial.increment.resize(n);
+    trial.rate.resize(n);
+    trial.motion.resize(n);
+    trial.displacement.resize(state.geometry.vertices.size());
+    mass.resize(n);
+    predicted.resize(n);
+    start_rate.resize(n);
+    acceleration.resize(n);
+    contact_acceleration.resize(n);
+    scale.setOnes(6 * n + 2 * m);
+    block_damping_times(model, state, damping_time);
+#pragma omp parallel for schedule(static)
+    for (int b = 0; b < n; ++b)
+      {
+        const BlockState &block = state.blocks[b];
+        const Vec6        v     = model.dynamic_coefficient * block.velocity;
+        const Vec6        a     = block.acceleration - block.contact_acceleration;
+        mass[b]                 = mass_matrix(model.blocks[b], block.rotation);
+        predicted[b]            = dt * v + dt * dt * (0.5 - beta) * a;
+        start_rate[b]           = v;
+        scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
+      }
+    assert(base.displacement.size() == 2 * m);
+    start_trial(model, state, base);
+    if (base.prescribed)
+      return;
+    base_start = base.load;
+    subtract_base_product(base.displacement, base_start);
+  }
+
+
+
+  void OpenCloseIteration::start_trial(const Model        &model,
+                                       const DdaState     &state,
+                                       const BaseResponse &base)
+  {
+    const int    n  = model.n_blocks();
+    const double dt = trial.dt;
+#pragma omp parallel for schedule(static)
+    for (int b = 0; b < n; ++b)
+      {
+        trial.increment[b] = dt * (model.dynamic_coefficient * state.blocks[b].velocity);
+        if (guesses_acceleration)
+          trial.increment[b] += 0.5 * dt * dt * state.blocks[b].acceleration;
+      }
+    trial.base = base.displacement;
+  }
+
+
+
+  double OpenCloseIteration::choose_guess(const Model        &model,
+                                          const DdaState     &state,
+                                          const BaseResponse &base)
+  {
+    const double with_acceleration = evaluate(model, state, base);
+    if (!whole_updates.begin(model.iteration.whole_updates, with_acceleration))
+      return with_acceleration;
+    guesses_acceleration = false;
+    start_trial(model, state, base);
+    const double without = evaluate(model, state, base);
+    if (without < with_acceleration)
+      return without;
+    guesses_acceleration = true;
+    start_trial(model, state, base);
+    return evaluate(model, state, base);
+  }
+
+
+
+  void OpenCloseIteration::begin(const Model             &model,
+                                 const DdaState          &state,
+                                 const BaseResponse      &base,
+                                 const double             dt,
+                                 const std::vector<Vec6> *guess)
+  {
+    springs.collect(model, state);
+    incoming = base.boundary_force;
+    solver.set_slices(model.slice);
+    solver.set_base_stiffness(base.prescribed ? nullptr : base.stiffness);
+    if (is_restored)
+      solver.matrix_restored(matrix);
+    is_restored          = false;
+    guesses_acceleration = true;
+    predict(model, state, base, dt);
+    if (guess != nullptr)
+      trial.increment = *guess;
+    takes_whole   = false;
+    sliding_share = {};
+  }
+
+
+
+  double OpenCloseIteration::begin_line_search(const Model        &model,
+                                               const DdaState     &state,
+                                               const BaseResponse &base)
+  {
+    takes_whole       = false;
+    const double norm = evaluate(model, state, base);
+    if (norm <= whole_updates.first_residual())
+      return norm;
+    start_trial(model, state, base);
+    return evaluate(model, state, base);
+  }
+} // namespace hybrid::dda

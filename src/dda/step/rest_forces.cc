@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/step/rest_forces.h>
+
+namespace hybrid::dda
+{
+  Springs springs_at_rest(const Model &model, const DdaState &state)
+  {
+    Trial trial; // nothing moves
+    trial.dt = 1.;
+    trial.displacement.assign(state.geometry.vertices.size(), Vec2::Zero());
+    trial.base = state.base_displacement;
+    for (const BlockState &block : state.blocks)
+      trial.motion.emplace_back(block.centroid, Vec6::Zero());
+    Springs springs;
+    springs.collect(model, state);
+    springs.evaluate(model, state, trial);
+    return springs;
+  }
+
+
+
+  RestForces::RestForces(const Model &model, const DdaState &state)
+    : bonds(Eigen::VectorXd::Zero(6 * model.n_blocks() + 2 * model.n_base_nodes()))
+    , contacts(bonds)
+  {
+    const Springs   springs  = springs_at_rest(model, state);
+    Eigen::VectorXd absolute = Eigen::VectorXd::Zero(model.n_blocks());
+    springs.add_forces(bonds, contacts, absolute);
+  }
+} // namespace hybrid::dda

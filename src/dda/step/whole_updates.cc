@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/step/whole_updates.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hybrid::dda
+{
+  bool WholeUpdates::begin(const int most, const double residual)
+  {
+    constexpr double near_balance = 1e-3;
+    left                          = residual > near_balance ? most : 0;
+    residuals.assign(1, residual);
+    return go_on();
+  }
+
+
+
+  void WholeUpdates::judge(const double residual)
+  {
+    constexpr double most_growth = 100., same = 1e-6;
+    const bool       comes_back =
+      std::any_of(residuals.begin(), residuals.end(), [&](const double earlier) {
+        return std::abs(residual - earlier) <= same * earlier;
+      });
+    const bool leads_away = !(residual <= most_growth * residuals.front()); // true for NaN
+    left                  = comes_back || leads_away ? 0 : left - 1;
+    residuals.push_back(residual);
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/checks/free_field_check.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    // All in column heights [-].
+    constexpr double strip           = 0.25; ///< width of the ground beside the side
+    constexpr double difference_at   = 1e-3; ///< of ground and column that counts at the side
+    constexpr double difference_near = 0.05; ///< and within the strip
+    constexpr int    samples         = 32;   ///< across the strip
+
+    struct Column
+    {
+      double x, bottom, top; ///< [m]
+
+      double height() const
+      {
+        return top - bottom;
+      }
+    };
+
+
+    Column column_of(const SectionMesh &mesh, const std::string &side)
+    {
+      Column column{0., 1e300, -1e300};
+      for (const auto &edge : mesh.lines.at(side))
+        for (const int node : edge)
+          {
+            column.x      = mesh.nodes[node].x();
+            column.bottom = std::min(column.bottom, mesh.nodes[node].y());
+            column.top    = std::max(column.top, mesh.nodes[node].y());
+          }
+      return column;
+    }
+
+
+    /// Elevation of the ground, blocks included, at ascending places along x.
+    class Ground
+    {
+    public:
+      explicit Ground(std::vector<double> places)
+        : x(std::move(places))
+        , y(x.size(), -1e300)
+      {}
+
+      /// An edge from a to b.
+      void raise(const Vec2 &a, const Vec2 &b)
+      {
+        const Vec2 &left = a.x() < b.x() ? a : b, &right = a.x() < b.x() ? b : a;
+        for (auto k = std::lower_bound(x.begin(), x.end(), left.x()) - x.begin();
+             k < static_cast<long>(x.size()) && x[k] <= right.x();
+             ++k)
+          {
+            const double t =
+              right.x() > left.x() ? (x[k] - left.x()) / (right.x() - left.x()) : 0.5;
+            y[k] = std::max(y[k], left.y() + t * (right.y() - left.y()));
+          }
+      }
+
+      std::vector<double> x; ///< [m]
+      std::vector<double> y; ///< [m]
+    };
+
+
+    Ground ground_beside(const SectionMesh     &mesh,
+                         const SceneParameters &scene,
+                         const Column          &column,
+                         const bool             is_left)
+    {
+      Vec2 low = mesh.nodes[0], high = low;
+      for (const Vec2 &node : mesh.nodes)
+        {
+          low  = low.cwiseMin(node);
+          high = high.cwiseMax(node);
+        }
+      const double        width = std::min(strip * column.height(), 0.5 * (high.x() - low.x()));
+      std::vector<double> places;
+      for (int k = 0; k <= samples; ++k) // the first beside the corner, as corners are rounded
+        places.push_back(column.x +
+                         (is_left ? 1. : -1.) * width * std::max(double(k), 1e-6) / samples);
+      std::sort(places.begin(), places.end());
+      Ground     ground(places);
+      const auto add = [&](const auto &outline) {
+        for (std::size_t i = 0; i < outline.size(); ++i)
+          ground.raise(mesh.nodes[outline[i]], mesh.nodes[outline[(i + 1) % outline.size()]]);
+      };
+      for (const auto &cell : mesh.bedrock_cells)
+        add(cell);
+      if (scene.blocks.enabled)
+        for (const auto &block : mesh.blocks)
+          add(block);
+      return ground;
+    }
+
+
+    /// The largest difference that counts, as a sentence; empty if there is none.
+    std::string
+    warning_of(const SectionMesh &mesh, const SceneParameters &scene, const std::string &side)
+    {
+      const Column column = column_of(mesh, side);
+      const bool   left   = side == "left";
+      const Ground ground = ground_beside(mesh, scene, column, left);
+      double       most = 0., where = 0.;
+      for (int i = 0; i <= samples; ++i) // from the side inwards
+        {
+          const int    k          = left ? i : samples - i;
+          const double difference = ground.y[k] - column.top;
+          const double allowed    = (i == 0 ? difference_at : difference_near) * column.height();
+          if (ground.y[k] > -1e299 && std::abs(difference) > allowed &&
+              std::abs(difference) > std::abs(most) + 1e-9 * column.height())
+            {
+              most  = difference;
+              where = i == 0 ? column.x : ground.x[k];
+            }
+        }
+      if (most == 0.)
+        return "";
+      std::ostringstream text;
+      text.precision(4);
+      text << "the ground beside the line " << side << " is up to " << std::abs(most) << " m "
+           << (most > 0. ? "higher" : "lower") << " (at x = " << where
+           << " m) than the free-field column there, which is " << column.height()
+           << " m high and ends at y = " << column.top
+           << " m, so that it sends in the motion of other ground; let bedrock reach the ground at "
+              "the side and keep it level for "
+           << strip * column.height() << " m, or set Continuum/Sides = viscous";
+      return text.str();
+    }
+  } // namespace
+
+
+  std::vector<std::string> free_field_warnings(const SectionMesh     &mesh,
+                                               const SceneParameters &scene)
+  {
+    std::vector<std::string> warnings;
+    const bool               has_columns =
+      scene.continuum_model == ContinuumModel::elastic || scene.bedrock == BedrockModel::triangles;
+    if (!has_columns || scene.continuum.sides != SideBoundary::free_field)
+      return warnings;
+    for (const char *const side : {"left", "right"})
+      {
+        const std::string warning = warning_of(mesh, scene, side);
+        if (!warning.empty())
+          warnings.push_back(warning);
+      }
+    return warnings;
+  }
+} // namespace hybrid::scene

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/checks/settings_without_effect.h>
+
+#include <sstream>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    /// A motion that nothing lets in, a record that nothing reads.
+    void look_at_motion(const SceneParameters &scene, std::vector<std::string> &warnings)
+    {
+      const MotionParameters &motion = scene.motion;
+      const bool              can_stop =
+        scene.continuum_model == ContinuumModel::elastic || scene.has_bedrock_blocks();
+      if (motion.type != "none" && can_stop && scene.continuum.base == BaseBoundary::fixed)
+        warnings.push_back("Motion/Type = " + motion.type +
+                           " has no effect, as Continuum/Base = fixed does not move; set it to "
+                           "compliant or rigid");
+      if (!motion.file.empty() && motion.type != "none" && motion.type != "text" &&
+          motion.type != "at2")
+        warnings.push_back("Motion/File = " + motion.file + " is not read, as Motion/Type = " +
+                           motion.type + "; set it to text or at2");
+    }
+
+
+    /// The lowest node of the blocks, or nullptr without blocks.
+    const Vec2 *lowest_node(const SectionMesh &mesh)
+    {
+      const Vec2 *lowest = nullptr;
+      for (const auto &block : mesh.blocks)
+        for (const int node : block)
+          if (lowest == nullptr || mesh.nodes[node].y() < lowest->y())
+            lowest = &mesh.nodes[node];
+      return lowest;
+    }
+
+
+    void look_at_water(const SectionMesh        &mesh,
+                       const SceneParameters    &scene,
+                       std::vector<std::string> &warnings)
+    {
+      const double level = scene.environment.water_level;
+      if (!(level > -1e299))
+        return;
+      std::ostringstream text;
+      text.precision(8);
+      text << "Water/Level = " << level << " m has no effect, ";
+      const Vec2 *lowest = lowest_node(mesh);
+      if (!scene.blocks.enabled || lowest == nullptr)
+        text << "as water acts on blocks and there are none";
+      else if (level < lowest->y())
+        text << (scene.environment.water_method == WaterMethod::paper
+                   ? "as the lowest block begins above it at ("
+                   : "until blocks sink below it: the lowest begins at (")
+             << lowest->x() << ", " << lowest->y() << ") m";
+      else if (scene.environment.water_method == WaterMethod::paper &&
+               scene.blocks.saturated_material.empty() &&
+               scene.blocks.saturated_belt_material.empty())
+        text << "as with Water/Method = paper it only chooses materials: set Blocks/Saturated "
+                "material, or the method to submerged or pressures";
+      else
+        return;
+      warnings.push_back(text.str());
+    }
+
+
+    void look_at_planes(const SceneParameters &scene, std::vector<std::string> &warnings)
+    {
+      if (scene.bedding.names.empty() || scene.bedrock != BedrockModel::rigid)
+        return;
+      warnings.push_back("Bedding planes/Names = " + scene.bedding.names.front() +
+                         (scene.bedding.names.size() > 1 ? ", ..." : "") +
+                         " has no effect, as the bedrock is rigid (Model/Bedrock)");
+    }
+  } // namespace
+
+
+  std::vector<std::string> settings_without_effect(const SectionMesh     &mesh,
+                                                   const SceneParameters &scene)
+  {
+    std::vector<std::string> warnings;
+    look_at_motion(scene, warnings);
+    look_at_water(mesh, scene, warnings);
+    look_at_planes(scene, warnings);
+    return warnings;
+  }
+} // namespace hybrid::scene

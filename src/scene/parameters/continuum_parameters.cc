@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/parameters/parameter_declarations.h>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    /// "rock" for all regions (key "*"), or "region: material; ...".
+    std::map<std::string, std::string> parse_region_materials(const std::string &text)
+    {
+      std::map<std::string, std::string> materials;
+      if (!text.empty() && text.find(':') == std::string::npos)
+        materials["*"] = text;
+      else
+        for (const auto &pair : parse_pairs(text, ':'))
+          materials.insert(pair);
+      return materials;
+    }
+  } // namespace
+
+  void declare(ParameterTable &table, ContinuumParameters &continuum)
+  {
+    ParameterSection section(table, {"Continuum"});
+    section.integer("Degree",
+                    continuum.degree,
+                    {1, 8},
+                    "Polynomial degree of the finite elements.");
+    section.value(
+      "Materials",
+      "a material's name, or 'region: material; region: material; ...'",
+      [&continuum](const std::string &text) {
+        continuum.region_material = parse_region_materials(text);
+      },
+      "Material of the bedrock: one name for all regions, or one per region of the mesh (bedrock, "
+      "bedrock_<suffix>).");
+    section.choice<BaseBoundary>(
+      "Base",
+      continuum.base,
+      {{"compliant", BaseBoundary::compliant},
+       {"rigid", BaseBoundary::rigid},
+       {"fixed", BaseBoundary::fixed}},
+      "Base of the bedrock: compliant absorbs what leaves and lets the motion in, "
+      "rigid moves with the motion, fixed does not move.");
+    section.choice<SideBoundary>(
+      "Sides",
+      continuum.sides,
+      {{"viscous", SideBoundary::viscous},
+       {"free field", SideBoundary::free_field},
+       {"roller", SideBoundary::roller},
+       {"fixed", SideBoundary::fixed}},
+      "Left and right side: viscous dashpots; dashpots relative to the free field of "
+      "a column beside the model; rollers; or fixed.");
+    section.text("Half space material",
+                 continuum.half_space_material,
+                 "a material's name, or empty",
+                 "Rock below a compliant base; empty: that of the cells along the base.");
+    section.number("Rayleigh mass",
+                   continuum.rayleigh_mass,
+                   "1/s",
+                   ParameterRange::closed(0., 1e6),
+                   "alpha_M of the damping C = alpha_M M + beta_K K.");
+    section.number("Rayleigh stiffness",
+                   continuum.rayleigh_stiffness,
+                   "s",
+                   ParameterRange::closed(0., 1e3),
+                   "beta_K of the damping C = alpha_M M + beta_K K.");
+    section.toggle("Boundary springs",
+                   continuum.boundary_springs,
+                   "Visco-elastic boundaries: springs beside the dashpots of a compliant base and "
+                   "of viscous or free-field sides, so that nothing drifts under a lasting load.");
+    section.number("Normal spring coefficient",
+                   continuum.normal_spring,
+                   "-",
+                   ParameterRange::at_least(0.),
+                   "alpha_n of the boundary springs, k_n = alpha_n G / r (Liu et al. 2006: 0.8 to "
+                   "1.2).");
+    section.number("Tangential spring coefficient",
+                   continuum.tangential_spring,
+                   "-",
+                   ParameterRange::at_least(0.),
+                   "alpha_t of the boundary springs, k_t = alpha_t G / r (Liu et al. 2006: 0.35 to "
+                   "0.65).");
+    section.number("Spring distance",
+                   continuum.spring_distance,
+                   "m",
+                   ParameterRange::at_least(0.),
+                   "r of the boundary springs: distance from the load to the boundary; 0: that of "
+                   "each face from the middle of the model's top.");
+  }
+
+  void declare(ParameterTable &table, BeddingParameters &bedding)
+  {
+    ParameterSection section(table, {"Bedding planes"});
+    section.names(
+      "Names",
+      bedding.names,
+      "Lines of the mesh (bedding_<n>) that are elastic joints; the others are welded.");
+    section.number("Normal stiffness",
+                   bedding.normal_stiffness,
+                   "Pa/m",
+                   {0., 1e16, false, true},
+                   "Normal stress per opening.");
+    section.number("Shear stiffness",
+                   bedding.shear_stiffness,
+                   "Pa/m",
+                   {0., 1e16, false, true},
+                   "Shear stress per slip.");
+    section.choice<bool>("Strength",
+                         bedding.slips,
+                         {{"elastic", false}, {"Mohr-Coulomb", true}},
+                         "elastic: the planes neither slip nor open; Mohr-Coulomb: they slip at "
+                         "c + sigma tan phi and open at the tensile strength, after which a point "
+                         "keeps only its friction.");
+    section.number("Friction angle",
+                   bedding.friction_angle,
+                   "deg",
+                   {0., 90., true, false},
+                   "phi of Strength = Mohr-Coulomb.");
+    section.number("Cohesion",
+                   bedding.cohesion,
+                   "Pa",
+                   ParameterRange::at_least(0.),
+                   "c of Strength = Mohr-Coulomb.");
+    section.number("Tensile strength",
+                   bedding.tensile_strength,
+                   "Pa",
+                   ParameterRange::at_least(0.),
+                   "Tension cut-off of Strength = Mohr-Coulomb; at most c / tan phi counts.");
+    section.number("Initial normal stress",
+                   bedding.initial_normal_stress,
+                   "Pa",
+                   ParameterRange::at_least(0.),
+                   "Uniform compression on the planes at rest, besides that of gravity.");
+  }
+
+  void check_continuum(const SceneParameters &scene, const ParameterTable &table)
+  {
+    if (scene.bedding.slips && scene.continuum_model == ContinuumModel::none &&
+        !scene.has_bedrock_blocks())
+      throw table.error("Bedding planes/Strength",
+                        "Mohr-Coulomb needs a bedrock that deforms (Model/Bedrock = continuum, "
+                        "layers or triangles)");
+    if (scene.continuum_model == ContinuumModel::none && !scene.has_bedrock_blocks())
+      return;
+    if (scene.continuum.region_material.empty())
+      throw table.error("Continuum/Materials",
+                        scene.has_bedrock_blocks() ? "a bedrock of blocks needs a material"
+                                                   : "Model/Continuum = elastic needs a material");
+    const bool dashpots = scene.continuum.base == BaseBoundary::compliant ||
+                          scene.continuum.sides == SideBoundary::viscous ||
+                          scene.continuum.sides == SideBoundary::free_field;
+    if (scene.continuum.boundary_springs &&
+        (!dashpots || scene.continuum_model == ContinuumModel::none))
+      throw table.error("Continuum/Boundary springs",
+                        "true needs a bedrock of finite elements with a compliant base, viscous or "
+                        "free-field sides");
+    for (const auto &entry : scene.continuum.region_material)
+      check_material_name(scene, entry.second, "Continuum/Materials", table);
+    if (!scene.continuum.half_space_material.empty())
+      check_material_name(scene,
+                          scene.continuum.half_space_material,
+                          "Continuum/Half space material",
+                          table);
+  }
+} // namespace hybrid::scene

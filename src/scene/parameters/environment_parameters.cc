@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/parameters/parameter_declarations.h>
+
+namespace hybrid::scene
+{
+  void declare(ParameterTable &table, EnvironmentParameters &environment)
+  {
+    ParameterSection gravity(table, {"Gravity"});
+    gravity.number("Acceleration",
+                   environment.gravity,
+                   "m/s2",
+                   ParameterRange::closed(0., 1e4),
+                   "Downward acceleration; 0 switches gravity off.");
+    gravity.choice<StaticStage>(
+      "Static stage",
+      environment.static_stage,
+      {{"equilibrium", StaticStage::equilibrium},
+       {"equilibrium or move", StaticStage::move},
+       {"held", StaticStage::held},
+       {"none", StaticStage::none}},
+      "Before the dynamic stage: equilibrium lets the blocks settle with their strengths active, and "
+      "the run ends if they cannot stand or fall elsewhere; equilibrium or move goes on where they are then; held has "
+      "unlimited friction and bonds (for masses that cannot stand), none starts unloaded.");
+    gravity.toggle("Reset softening",
+                   environment.reset_softening,
+                   "Strengths are those of today's slope: slip while it settles takes nothing of "
+                   "them, and slip and softening count from the state at rest; what has opened "
+                   "then stays failed.");
+    ParameterSection water(table, {"Water"});
+    water.number_or(
+      "Level",
+      {"none", environment.water_level},
+      "m",
+      ParameterRange::closed(-1e5, 1e5),
+      "Elevation of the water; blocks and belt that start below it have their saturated "
+      "materials.");
+    water.choice<WaterMethod>(
+      "Method",
+      environment.water_method,
+      {{"paper", WaterMethod::paper},
+       {"submerged", WaterMethod::submerged},
+       {"pressures", WaterMethod::pressures}},
+      "What water does to weights: paper: nothing, the saturated material's densities are mass and "
+      "weight as given; submerged: Density is total, the submerged part of each block has its "
+      "buoyancy; pressures: Density is total, hydrostatic pressure acts on all faces, in joints, "
+      "cracks and contacts and on the bedrock. The last two give the same effective forces.");
+    water.number("Density",
+                 environment.water_density,
+                 "kg/m3",
+                 ParameterRange::above(0.),
+                 "Density of the water (submerged and pressures).");
+  }
+
+  void check_water(const SceneParameters &scene, const ParameterTable &table)
+  {
+    if (scene.environment.water_method == WaterMethod::paper)
+      return;
+    if (!table.is_set("Water/Level"))
+      throw table.error("Water/Method", "needs the elevation of the water in Water/Level");
+    for (const std::string &name : {scene.blocks.material, scene.blocks.saturated_material})
+      if (scene.blocks.enabled && !name.empty() &&
+          scene.material(name, "Blocks/Material").weight_density >= 0.)
+        throw table.error("Materials/" + name + "/Weight density",
+                          "is for Water/Method = paper; submerged and pressures take the weight "
+                          "from Density and the water");
+  }
+
+
+  void declare(ParameterTable &table, HeterogeneityParameters &heterogeneity)
+  {
+    ParameterSection section(table, {"Heterogeneity"});
+    section.number_or("Modulus shape",
+                      {"none", heterogeneity.modulus_shape},
+                      "",
+                      ParameterRange::above(0.),
+                      "Shape m of Weibull's distribution of the blocks' Young modulus, mean as the "
+                      "material says; 2 scatters much, 20 little, none is uniform.");
+    section.number_or("Strength shape",
+                      {"none", heterogeneity.strength_shape},
+                      "",
+                      ParameterRange::above(0.),
+                      "The same of cohesion and tensile strength of joints, both times one factor "
+                      "per joint.");
+    section.integer("Seed",
+                    heterogeneity.seed,
+                    {0, 2147483647},
+                    "Another seed is another sample; a block has its factor by its place.");
+  }
+} // namespace hybrid::scene

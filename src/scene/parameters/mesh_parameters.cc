@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/parameters/parameter_declarations.h>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    std::vector<std::pair<std::string, double>> parse_mesh_numbers(const std::string &text)
+    {
+      std::vector<std::pair<std::string, double>> numbers;
+      for (const auto &pair : parse_pairs(text, '='))
+        {
+          const std::optional<double> number = parse_number(pair.second);
+          if (!number)
+            throw InputError("'" + pair.second + "' of '" + pair.first + "' must be a number");
+          numbers.emplace_back(pair.first, *number);
+        }
+      return numbers;
+    }
+
+    bool ends_with(const std::string &text, const std::string &ending)
+    {
+      return text.size() >= ending.size() &&
+             text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+    }
+  } // namespace
+
+  void declare(ParameterTable &table, MeshParameters &mesh)
+  {
+    ParameterSection section(table, {"Mesh"});
+    section.file("File",
+                 mesh.file,
+                 "a .geo or .msh file of gmsh",
+                 "The meshed section. Physical groups carry the meaning: bedrock, sliding_mass, "
+                 "sliding_surface, bedding_<n>, base, left, right, ground.");
+    section.value(
+      "Numbers",
+      "'name = number; name = number; ...'",
+      [&mesh](const std::string &text) { mesh.numbers = parse_mesh_numbers(text); },
+      "Numbers of the .geo file (DefineConstant) to change before meshing, e.g. Resolution/h = 4 [m].");
+    section.file("Polygons file",
+                 mesh.polygons_file,
+                 "a CSV file block,x,y [m]",
+                 "Blocks as polygons, vertices counter-clockwise, instead of those of the mesh.");
+    section.file(
+      "Surface file",
+      mesh.surface_file,
+      "a CSV file x,y [m]",
+      "Polyline of a rigid base instead of the surface of the mesh; for Model/Bedrock = rigid.");
+  }
+
+  void check_mesh(const SceneParameters &scene, const ParameterTable &table)
+  {
+    const MeshParameters &mesh = scene.mesh;
+    if (!mesh.file.empty() && !ends_with(mesh.file, ".geo") && !ends_with(mesh.file, ".msh"))
+      throw table.error("Mesh/File", "must be a .geo or .msh file");
+    if (!mesh.numbers.empty() && !ends_with(mesh.file, ".geo"))
+      throw table.error("Mesh/Numbers", "only a .geo file in Mesh/File has numbers to set");
+    if (mesh.file.empty() && scene.continuum_model == ContinuumModel::elastic)
+      throw table.error("Mesh/File",
+                        "Model/Continuum = elastic needs a mesh: name a .geo or .msh file");
+    if (mesh.file.empty() && scene.has_bedrock_blocks())
+      throw table.error("Mesh/File", "a bedrock of blocks needs a mesh: name a .geo or .msh file");
+    if (mesh.file.empty() && mesh.polygons_file.empty())
+      throw table.error("Mesh/File",
+                        "name a .geo or .msh file here, or blocks in Mesh/Polygons file");
+    if (!mesh.surface_file.empty() && scene.continuum_model == ContinuumModel::elastic)
+      throw table.error("Mesh/Surface file",
+                        "with Model/Continuum = elastic the surface is that of the mesh; "
+                        "remove this file or set Model/Continuum = none");
+    if (!mesh.surface_file.empty() && scene.has_bedrock_blocks())
+      throw table.error("Mesh/Surface file",
+                        "only a rigid base (Model/Bedrock = rigid) can have one");
+  }
+} // namespace hybrid::scene

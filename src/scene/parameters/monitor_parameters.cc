@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/nearest_name.h>
+#include <hybrid/scene/parameters/parameter_declarations.h>
+
+#include <algorithm>
+#include <set>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    void add_named_points(const std::string &text, MonitorParameters &monitors)
+    {
+      for (const auto &row : parse_rows(text, 2))
+        monitors.monitors.push_back({row.first, Vec2(row.second[0], row.second[1])});
+    }
+
+    void add_points_of_file(const std::string &text, MonitorParameters &monitors)
+    {
+      const std::vector<std::string> names = parse_names(text);
+      if (names.empty() && monitors.file.empty())
+        return;
+      if (monitors.file.empty())
+        throw InputError("needs the CSV file with these points in Monitors/File");
+      if (names.empty())
+        throw InputError("must list the rows of Monitors/File that are monitors");
+      for (const auto &point : read_points(monitors.file, names))
+        monitors.monitors.push_back({point.first, point.second});
+    }
+
+    void add_boreholes(const std::string &text, MonitorParameters &monitors)
+    {
+      for (const auto &row : parse_rows(text, 4))
+        {
+          const std::vector<double> &x = row.second;
+          if (x[0] != x[2] || x[1] <= x[3])
+            throw InputError("'" + row.first +
+                             "' must run vertically down: x, top, x, bottom with top > bottom");
+          Borehole borehole;
+          borehole.name    = row.first;
+          borehole.top     = Vec2(x[0], x[1]);
+          borehole.bottom  = Vec2(x[2], x[3]);
+          borehole.samples = monitors.borehole_samples;
+          monitors.boreholes.push_back(borehole);
+        }
+    }
+
+    void add_measured_values(const std::string &text, MonitorParameters &monitors)
+    {
+      for (const auto &row : parse_rows(text, 2))
+        {
+          const auto hole = std::find_if(monitors.boreholes.begin(),
+                                         monitors.boreholes.end(),
+                                         [&](const Borehole &b) { return b.name == row.first; });
+          if (hole == monitors.boreholes.end())
+            throw InputError("'" + row.first + "' is no borehole of Boreholes/Lines");
+          hole->measured_depth.push_back(row.second[0]);
+          hole->measured_mm.push_back(row.second[1]);
+        }
+    }
+  } // namespace
+
+  void declare(ParameterTable &table, MonitorParameters &monitors)
+  {
+    ParameterSection section(table, {"Monitors"});
+    section.value(
+      "Points",
+      "'name: x, y; name: x, y; ...' [m]",
+      [&monitors](const std::string &text) { add_named_points(text, monitors); },
+      "Points whose motion is recorded.");
+    section.file("File",
+                 monitors.file,
+                 "a CSV file name,x,z [m]",
+                 "More such points; Names picks the rows.");
+    section.value(
+      "Names",
+      "names separated by commas",
+      [&monitors](const std::string &text) { add_points_of_file(text, monitors); },
+      "Rows of the file that are monitors.");
+    section.text("Base",
+                 monitors.base_monitor,
+                 "a monitor's name, or empty",
+                 "Displacement is reported relative to this monitor; empty: absolute.");
+    section.number("Filter frequency",
+                   monitors.filter_frequency,
+                   "Hz",
+                   ParameterRange::at_least(0.),
+                   "Zero-phase low-pass for peaks and amplification; 0 is off.");
+
+    ParameterSection boreholes(table, {"Boreholes"});
+    boreholes.integer("Samples", monitors.borehole_samples, {2, 10000}, "Points per borehole.");
+    boreholes.value(
+      "Lines",
+      "'name: x, top, x, bottom; ...' [m]",
+      [&monitors](const std::string &text) { add_boreholes(text, monitors); },
+      "Vertical lines along which displacement is recorded.");
+    boreholes.value(
+      "Measured",
+      "'name: depth, displacement; ...' [m, mm downhill]",
+      [&monitors](const std::string &text) { add_measured_values(text, monitors); },
+      "Measured values that are drawn beside the computed profiles; nothing else uses them.");
+  }
+
+  void check(const MonitorParameters &monitors, const ParameterTable &table)
+  {
+    std::vector<std::string> names;
+    std::set<std::string>    seen;
+    for (const Monitor &monitor : monitors.monitors)
+      {
+        names.push_back(monitor.name);
+        if (!seen.insert(monitor.name).second)
+          throw table.error("Monitors/Names",
+                            "'" + monitor.name + "' is a monitor of Monitors/Points already");
+      }
+    if (!monitors.base_monitor.empty() && seen.count(monitors.base_monitor) == 0)
+      throw table.error("Monitors/Base",
+                        "no such monitor" + suggestion(monitors.base_monitor, names));
+  }
+} // namespace hybrid::scene

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/parameters/parameter_declarations.h>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    void declare_source(ParameterSection &section, MotionParameters &motion)
+    {
+      section.choice<std::string>(
+        "Type",
+        motion.type,
+        {{"none", "none"},
+         {"ricker", "ricker"},
+         {"sine", "sine"},
+         {"synthetic", "synthetic"},
+         {"spectrum", "spectrum"},
+         {"text", "text"},
+         {"at2", "at2"}},
+        "Source of the motion: a Ricker wavelet, a sine burst, a synthetic accelerogram, one that "
+        "has a given response spectrum, a text file of two columns (time [s], acceleration "
+        "[Unit]), or a PEER .at2 file.");
+      section.file("File", motion.file, "a text or .at2 file", "The record.");
+      section.choice<double>(
+        "Unit",
+        motion.file_unit,
+        {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}},
+        "Unit of the accelerations in a text or spectrum file (.at2 files are in "
+        "g, unless their header says otherwise).");
+      section.quantity_or(
+        "Peak",
+        {"as recorded", motion.peak},
+        motion.peak_has_unit,
+        {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}},
+        ParameterRange::closed(0., 1e4),
+        "Scale the motion to this peak acceleration; as recorded: leave a record as it is "
+        "and a spectrum as given; ricker, sine and synthetic have 1 m/s2.");
+    }
+
+    void declare_synthesis(ParameterSection &section, MotionParameters &motion)
+    {
+      const ParameterRange positive = ParameterRange::above(0.);
+      section.number(
+        "Frequency",
+        motion.frequency,
+        "Hz",
+        ParameterRange::closed(1e-6, 1e6),
+        "Dominant frequency of the Ricker wavelet, that of the sine burst, predominant one of the "
+        "synthetic motion.");
+      section.number("Cycles", motion.cycles, "", positive, "Number of cycles of the sine burst.");
+      section.number("Taper",
+                     motion.taper,
+                     "",
+                     ParameterRange::at_least(0.),
+                     "Cycles over which the sine burst rises to its peak, and falls at the end; at "
+                     "most half of Cycles.");
+      section.number("Lowest frequency",
+                     motion.lowest_frequency,
+                     "Hz",
+                     positive,
+                     "Lowest frequency of a synthetic motion or of the spectrum to be met.");
+      section.number("Highest frequency",
+                     motion.highest_frequency,
+                     "Hz",
+                     positive,
+                     "Highest frequency of a synthetic motion or of the spectrum to be met.");
+      section.number(
+        "Duration", motion.duration, "s", positive, "Duration of a synthetic or spectrum motion.");
+      section.integer("Seed",
+                      motion.seed,
+                      {0, 2147483647},
+                      "Seed of a synthetic or spectrum motion.");
+    }
+
+    void declare_spectrum(ParameterSection &section, MotionParameters &motion)
+    {
+      section.file("Spectrum file",
+                   motion.spectrum_file,
+                   "a text file of two columns",
+                   "Response spectrum that Type = spectrum meets: period or frequency, and "
+                   "pseudo-acceleration [Unit].");
+      section.choice<bool>("Spectrum column",
+                           motion.spectrum_by_frequency,
+                           {{"period", false}, {"frequency", true}},
+                           "First column of the spectrum file: period [s] or frequency [Hz].");
+      section.number("Spectrum damping",
+                     motion.spectrum_damping,
+                     "",
+                     ParameterRange::open(0., 1.),
+                     "Damping ratio of the oscillators that the spectrum is for.");
+    }
+  } // namespace
+
+  void declare(ParameterTable &table, MotionParameters &motion)
+  {
+    ParameterSection section(table, {"Motion"});
+    declare_source(section, motion);
+    section.choice<bool>(
+      "Meaning",
+      motion.outcrop,
+      {{"outcrop", true}, {"incident", false}},
+      "What the motion is: that of a rock outcrop (twice the upgoing wave) or the upgoing "
+      "wave itself.");
+    section.number("Angle",
+                   motion.angle,
+                   "deg",
+                   ParameterRange::closed(-360., 360.),
+                   "Direction of shaking from +x: 0 is horizontal (S wave), 90 vertical (P wave).");
+    section.number(
+      "Start", motion.start, "s", ParameterRange::at_least(0.), "Time at which the motion starts.");
+    declare_synthesis(section, motion);
+    declare_spectrum(section, motion);
+    section.toggle("Baseline correction",
+                   motion.baseline_correction,
+                   "Make velocity and displacement end at zero (all types; a ricker does anyway).");
+  }
+
+  void check(const MotionParameters &motion, const ParameterTable &table)
+  {
+    if ((motion.type == "text" || motion.type == "at2") && motion.file.empty())
+      throw table.error("Motion/File",
+                        "Motion/Type = " + motion.type + " needs the file of a record");
+    if (!motion.file.empty() && !table.is_set("Motion/Type"))
+      throw table.error("Motion/File", "is not used unless Motion/Type is set to text or at2");
+    if (motion.type == "spectrum" && motion.spectrum_file.empty())
+      throw table.error("Motion/Spectrum file",
+                        "Motion/Type = spectrum needs the file of a spectrum");
+    if (!motion.spectrum_file.empty() && motion.type != "spectrum")
+      throw table.error("Motion/Spectrum file",
+                        "is not used unless Motion/Type is set to spectrum");
+    if (motion.type == "sine" && 2. * motion.taper > motion.cycles)
+      throw table.error("Motion/Taper",
+                        "must be at most half of Motion/Cycles = " + number_text(motion.cycles));
+    if ((motion.type == "synthetic" || motion.type == "spectrum") &&
+        motion.lowest_frequency >= motion.highest_frequency)
+      throw table.error("Motion/Lowest frequency",
+                        "must be below Motion/Highest frequency = " +
+                          number_text(motion.highest_frequency) + " [Hz]");
+  }
+} // namespace hybrid::scene

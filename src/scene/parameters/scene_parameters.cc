@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/input_error.h>
+#include <hybrid/scene/nearest_name.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
+
+namespace hybrid::scene
+{
+  const Material &SceneParameters::bedrock_material(const std::string &region) const
+  {
+    auto found = continuum.region_material.find(region);
+    if (found == continuum.region_material.end())
+      found = continuum.region_material.find("*");
+    if (found == continuum.region_material.end())
+      throw InputError("Continuum/Materials: the region '" + region +
+                       "' of the mesh has no material");
+    return material(found->second, "Continuum/Materials");
+  }
+
+
+
+  const Material &SceneParameters::material(const std::string &name, const std::string &where) const
+  {
+    const auto found = materials.find(name);
+    if (found != materials.end())
+      return found->second;
+
+    std::vector<std::string> names;
+    std::string              list;
+    for (const auto &entry : materials)
+      {
+        names.push_back(entry.first);
+        list += (list.empty() ? "" : ", ") + entry.first;
+      }
+    throw InputError(where + " = '" + name + "': no such material" + suggestion(name, names) +
+                     "; Materials/Names lists " + (list.empty() ? "nothing" : list));
+  }
+} // namespace hybrid::scene

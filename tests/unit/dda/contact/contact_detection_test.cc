@@ -1,0 +1,462 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_scenes.h"
+
+#include <hybrid/dda/geometry/polygon.h>
+
+#include <numeric>
+#include <random>
+
+#include <Eigen/LU>
+
+namespace
+{
+  using namespace hybrid;
+  using namespace hybrid::dda;
+  using namespace hybrid::dda::contact_scenes;
+
+  /// Triangles thrown at random, some of them into each other, above a rough base.
+  Geometry cloud(const int n, const unsigned seed)
+  {
+    std::mt19937                           random(seed);
+    const double                           side = 0.8 * std::sqrt(n);
+    std::uniform_real_distribution<double> place(0., side), angle(0., 360. * degree),
+      size(0.3, 0.6);
+    Geometry g;
+    g.offset.push_back(0);
+    for (int i = 0; i < n; ++i)
+      {
+        const Vec2   c(place(random), place(random));
+        const double a = angle(random);
+        Outline      t;
+        for (int k = 0; k < 3; ++k)
+          {
+            const double phi = a + k * 120. * degree;
+            t.push_back(c + size(random) * Vec2(std::cos(phi), std::sin(phi)));
+          }
+        add_block(g, t);
+      }
+    std::uniform_real_distribution<double> height(-0.2, 0.4);
+    for (double x = -1.; x < side + 1.; x += 0.7)
+      g.base_nodes.emplace_back(x, height(random));
+    return g;
+  }
+
+  // ---------------------------------------------------------------- oracle
+
+  struct Found
+  {
+    Contact c;
+    double  gap;
+    Vec2    n;
+  };
+
+  /// All pairs of new contacts between triangles, straight from rules 1, 2, 3, 5, 6 and 7 of the
+  /// True if the sides of two corners cross, all but one pair at most, and neither corner is in the
+  /// other's block.
+  bool corners_cross(const Geometry &g, const int p, const int q)
+  {
+    const auto in_block_of = [&](const int inner, const int other) {
+      return contains(&g.vertices[g.offset[g.block_of[other]]], 3, g.vertices[inner]);
+    };
+    if ((g.vertices[p] - g.vertices[q]).norm() > parameters.reach || in_block_of(p, q) ||
+        in_block_of(q, p))
+      return false;
+    int crossings = 0;
+    for (const int a : {p, g.previous(p)})
+      for (const int b : {q, g.previous(q)})
+        {
+          Eigen::Matrix2d sides;
+          sides << g.vertices[g.next(a)] - g.vertices[a], g.vertices[b] - g.vertices[g.next(b)];
+          const Vec2 parts = sides.inverse() * (g.vertices[b] - g.vertices[a]);
+          if (parts.minCoeff() > 0. && parts.maxCoeff() < 1.)
+            ++crossings;
+        }
+    return crossings >= 3;
+  }
+
+  /// header.
+  Contacts all_pairs_between_blocks(const Geometry &g)
+  {
+    const double       reach = parameters.reach;
+    std::vector<Found> found;
+    for (int v = 0; v < static_cast<int>(g.vertices.size()); ++v)
+      {
+        std::vector<Found> here;
+        for (int b = 0; b < g.n_blocks(); ++b)
+          {
+            Found best{{-2, 0, 0, 0}, -1e9, Vec2::Zero()};
+            for (int e = g.offset[b]; e < g.offset[b + 1]; ++e)
+              {
+                const Edge edge = edge_of(g, b, e);
+                const Vec2 r = g.vertices[v] - edge.a, to_next = edge_of(g, g.block_of[v], v).d,
+                           to_previous = -edge_of(g, g.block_of[v], g.previous(v)).d;
+                const double gap = r.dot(edge.n), along = r.dot(edge.d);
+                if (b != g.block_of[v] && std::abs(gap) <= reach && along >= 0. &&
+                    along <= edge.length && edge.n.dot(to_next) >= -0.0523 &&
+                    edge.n.dot(to_previous) >= -0.0523 &&
+                    (gap > -1e-7 || contains(&g.vertices[g.offset[b]], 3, g.vertices[v]) ||
+                     corners_cross(g, v, along < 0.5 * edge.length ? e : g.next(e))) &&
+                    gap > best.gap)
+                  best = {{g.block_of[v], v, b, e}, gap, edge.n};
+              }
+            if (best.c.vertex_body >= 0)
+              here.push_back(best);
+          }
+        std::sort(here.begin(), here.end(), [](const Found &a, const Found &b) {
+          return a.gap < b.gap;
+        });
+        std::vector<Found> kept;
+        for (const Found &f : here)
+          if (std::none_of(kept.begin(), kept.end(), [&](const Found &k) {
+                return k.n.dot(f.n) >= 0.9848 &&
+                       std::abs(k.gap - f.gap) <=
+                         1e-3 * reach + 0.5 * std::max({0., -k.gap, -f.gap});
+              }))
+            kept.push_back(f);
+        found.insert(found.end(), kept.begin(), kept.end());
+      }
+    Contacts result;
+    for (const Found &f : found)
+      if (std::none_of(found.begin(), found.end(), [&](const Found &o) {
+            return f.gap < 0. && o.gap < 0. && o.gap > f.gap && o.c.edge_body == f.c.vertex_body &&
+                   (o.c.vertex == f.c.edge || o.c.vertex == g.next(f.c.edge)) &&
+                   (o.c.edge == f.c.vertex || g.next(o.c.edge) == f.c.vertex) &&
+                   -o.n.dot(f.n) < 0.9848;
+          }))
+        result.push_back(f.c);
+    std::sort(result.begin(), result.end(), [](const Contact &a, const Contact &b) {
+      return key(a) < key(b);
+    });
+    return result;
+  }
+
+  TEST(ContactDetection, GridEqualsAllPairsForRandomTriangles)
+  {
+    std::size_t total = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed)
+      {
+        Geometry g = cloud(120, seed);
+        g.base_nodes.clear();
+        ContactDetection detection(parameters);
+        Contacts         contacts;
+        detection.update(g, contacts);
+        const Contacts expected = all_pairs_between_blocks(g);
+        ASSERT_EQ(contacts.size(), expected.size()) << "seed " << seed;
+        for (std::size_t i = 0; i < contacts.size(); ++i)
+          EXPECT_EQ(key(contacts[i]), key(expected[i])) << "seed " << seed;
+        total += contacts.size();
+      }
+    EXPECT_GT(total, 1000u);
+  }
+
+  /// 60 steps of a drifting cloud; history is written as an accepting solver would.
+  Contacts drift(Geometry g, const double margin, long &builds)
+  {
+    ContactDetection detection({parameters.reach, margin, parameters.smooth_angle});
+    Contacts         contacts;
+    for (int step = 0; step < 60; ++step)
+      {
+        detection.update(g, contacts);
+        for (Contact &c : contacts)
+          {
+            c.slip += 1e-3 * c.edge_position;
+            c.plastic_slip = 0.5 * c.slip;
+            c.state        = ContactState::sliding;
+          }
+        for (int b = 0; b < g.n_blocks(); ++b)
+          move_block(g, b, 0.004 * Vec2(std::sin(3. * b), std::cos(5. * b + 0.1 * step)));
+      }
+    builds = detection.report().builds;
+    return contacts;
+  }
+
+  TEST(ContactDetection, ResultDoesNotDependOnWhenTheListWasBuilt)
+  {
+    const Geometry g = cloud(300, 5);
+    long           every_step, seldom, never;
+    const Contacts a = drift(g, 0., every_step), b = drift(g, 0.08, seldom),
+                   c = drift(g, 10., never);
+    EXPECT_EQ(every_step, 60);
+    EXPECT_GT(seldom, 1);
+    EXPECT_LT(seldom, 20);
+    EXPECT_EQ(never, 1);
+    EXPECT_GT(a.size(), 200u);
+    expect_equal(a, b);
+    expect_equal(a, c);
+  }
+
+  /// Two clouds that an earthquake carries along while one falls on the other: the search sleeps
+  /// until they come near, and what it finds is what a search finds that looks at every pair anew.
+  TEST(ContactDetection, SleepingSearchEqualsAnAwakeOneToTheBit)
+  {
+    constexpr double reach = 0.02, margin = 0.5, fall = 0.005;
+    Geometry         g = blocks({square(0., 0.), square(1.5, 0.), square(3., 0.)});
+    const int        n = g.n_blocks();
+    for (const double x : {0.3, 1.7, 2.9})
+      add_block(g, square(x, 1.2));
+    ContactDetection detection({reach, margin, parameters.smooth_angle});
+    Contacts         contacts, contacts_awake;
+    int              slept = 0, touched = 0;
+    for (int step = 0; step < 60; ++step)
+      {
+        ContactDetection awake({reach, 0., parameters.smooth_angle});
+        const long       searches = detection.report().searches;
+        detection.update(g, contacts);
+        awake.update(g, contacts_awake);
+        expect_equal(contacts, contacts_awake);
+        EXPECT_EQ(detection.report().lost, awake.report().lost);
+        const bool sleeps = detection.report().searches == searches;
+        EXPECT_TRUE(!sleeps || contacts.empty());
+        slept += sleeps ? 1 : 0;
+        touched += contacts.empty() ? 0 : 1;
+        for (Contacts *list : {&contacts, &contacts_awake})
+          for (Contact &c : *list)
+            c.slip += 1e-3 * c.edge_position;
+        for (int b = 0; b < g.n_blocks(); ++b)
+          move_block(g, b, Vec2(0.3 * std::sin(0.4 * step), b < n ? 0. : -fall));
+      }
+    EXPECT_EQ(detection.report().builds, 1) << "carried along together: no new list";
+    EXPECT_GE(slept, 30);
+    EXPECT_GE(touched, 5);
+  }
+
+  TEST(ContactDetection, PermutedBlocksGiveTheSameContacts)
+  {
+    const Geometry   g = cloud(200, 9);
+    std::vector<int> order(g.n_blocks());
+    std::iota(order.begin(), order.end(), 0);
+    std::shuffle(order.begin(), order.end(), std::mt19937(3));
+    Geometry p;
+    p.base_nodes = g.base_nodes;
+    for (const int b : order)
+      add_block(p, Outline(g.vertices.begin() + g.offset[b], g.vertices.begin() + g.offset[b + 1]));
+
+    ContactDetection dg(parameters), dp(parameters);
+    Contacts         cg, cp;
+    dg.update(g, cg);
+    dp.update(p, cp);
+    const auto vertex = [&](const int body, const int v) {
+      return body == base_body ? v : 3 * order[v / 3] + v % 3;
+    };
+    for (Contact &c : cp)
+      {
+        c.vertex = vertex(c.vertex_body, c.vertex);
+        c.edge   = vertex(c.edge_body, c.edge);
+        for (int *body : {&c.vertex_body, &c.edge_body})
+          *body = *body == base_body ? base_body : order[*body];
+      }
+    std::sort(cp.begin(), cp.end(), [](const Contact &a, const Contact &b) {
+      return key(a) < key(b);
+    });
+    expect_equal(cg, cp);
+    EXPECT_EQ(dg.report().lost, dp.report().lost);
+  }
+
+  // ------------------------------------------------------------- what is skipped
+
+  TEST(ContactDetection, BondedPairsAndSleepingNeighboursAreSkipped)
+  {
+    Geometry g   = blocks({square(0., 0.), square(1., 0.), square(2., 0.)});
+    g.base_nodes = {{-1., 0.}, {1.5, 0.}, {4., 0.}};
+    ContactDetection detection(parameters);
+    detection.set_neighbours({0, 1, 3, 4}, {1, 0, 2, 1});
+    SkippedPairs skipped{
+      {{0, 1}, {1, 2}},
+      {{0, base_body, 0}, {1, base_body, 0}, {1, base_body, 1}, {2, base_body, 1}},
+      {Awake::no, Awake::no, Awake::no},
+      {1, 1, 1}};
+    detection.set_skipped_pairs(skipped);
+    Contacts contacts;
+    detection.update(g, contacts);
+    EXPECT_TRUE(contacts.empty()) << "an intact mass has no contacts";
+
+    skipped.bonded  = {{0, 1}}; // joint between 1 and 2 released
+    skipped.surface = {{0, base_body, 0}, {1, base_body, 0}, {1, base_body, 1}};
+    skipped.awake   = {Awake::no, Awake::to_all, Awake::to_all};
+    detection.set_skipped_pairs(skipped);
+    detection.update(g, contacts);
+    for (const Contact &c : contacts)
+      {
+        EXPECT_NE(c.vertex_body, 0);
+        EXPECT_NE(c.edge_body, 0);
+      }
+    EXPECT_NE(find(contacts, 8, base_body, 1), nullptr);
+    EXPECT_EQ(find(contacts, 4, base_body, 0), nullptr) << "block 1 is still bonded there";
+    EXPECT_EQ(contacts.size(), 6u) << "four between blocks 1 and 2, two below block 2";
+
+    const long builds = detection.report().builds;
+    detection.set_skipped_pairs(skipped);
+    detection.update(g, contacts);
+    EXPECT_EQ(detection.report().builds, builds) << "nothing changed, nothing built";
+  }
+
+  TEST(ContactDetection, NeighboursThatOverlapAtTheirFirstLookStartWithoutForce)
+  {
+    constexpr double overlap = 0.004, slack = 0.01 * parameters.reach;
+    const Geometry   g = blocks({square(0., 0.), square(0.1, 1. - overlap)});
+    ContactDetection detection(parameters);
+    detection.set_neighbours({0, 1, 2}, {1, 0});
+    Contacts contacts;
+    detection.set_skipped_pairs({{}, {}, {Awake::no, Awake::no}});
+    detection.set_was_awake({Awake::no, Awake::no});
+    detection.update(g, contacts);
+    EXPECT_TRUE(contacts.empty()) << "neighbours that sleep";
+
+    detection.set_skipped_pairs({{}, {}, {Awake::no, Awake::to_blocks}});
+    detection.update(g, contacts);
+    ASSERT_FALSE(contacts.empty());
+    for (const Contact &c : contacts)
+      EXPECT_NEAR(c.rest_gap, -overlap - slack, 1e-12);
+
+    detection.set_was_awake({Awake::no, Awake::to_blocks});
+    detection.update(g, contacts);
+    for (const Contact &c : contacts)
+      EXPECT_NEAR(c.rest_gap, -overlap - slack, 1e-12) << "a contact keeps it";
+
+    contacts.clear();
+    detection.update(g, contacts);
+    ASSERT_FALSE(contacts.empty());
+    for (const Contact &c : contacts)
+      EXPECT_EQ(c.rest_gap, 0.) << "an overlap that comes about later is pushed out";
+  }
+
+  TEST(ContactDetection, BlockWhoseJointHasGivenWayStillDoesNotLookAtTheBase)
+  {
+    Geometry g   = blocks({square(0., -0.004), square(1.02, -0.004)});
+    g.base_nodes = {{-1., 0.}, {1., 0.}, {4., 0.}};
+    ContactDetection detection(parameters);
+    detection.set_neighbours({0, 1, 2}, {1, 0});
+    Contacts     contacts;
+    SkippedPairs skipped{{},
+                         {{0, base_body, 0}, {1, base_body, 1}},
+                         {Awake::to_blocks, Awake::no},
+                         {1, 1}};
+    detection.set_skipped_pairs(skipped);
+    detection.set_was_awake({Awake::to_blocks, Awake::no});
+    detection.update(g, contacts);
+    for (const Contact &c : contacts)
+      EXPECT_TRUE(c.vertex_body != base_body && c.edge_body != base_body);
+
+    skipped.awake = {Awake::to_blocks, Awake::to_all};
+    detection.set_skipped_pairs(skipped);
+    detection.update(g, contacts);
+    const Contact *corner = find(contacts, 4, base_body, 0);
+    EXPECT_EQ(corner, nullptr) << "the second block begins beyond the first segment";
+    EXPECT_EQ(find(contacts, 5, base_body, 1), nullptr) << "still bonded to its own segment";
+  }
+
+  TEST(ContactDetection, FirstLookAtTheBaseStartsWithoutForceToo)
+  {
+    Geometry g   = blocks({square(0.9, -0.004)});
+    g.base_nodes = {{-1., 0.}, {1., 0.}, {4., 0.}};
+    ContactDetection detection(parameters);
+    detection.set_neighbours({0, 0}, {});
+    Contacts contacts;
+    detection.set_skipped_pairs({{}, {{0, base_body, 1}}, {Awake::to_all}, {1}});
+    detection.set_was_awake({Awake::to_blocks});
+    detection.update(g, contacts);
+    const Contact *corner = find(contacts, 0, base_body, 0);
+    ASSERT_NE(corner, nullptr) << "over the segment to which it was never bonded";
+    EXPECT_NEAR(corner->rest_gap, -0.004 - 0.01 * parameters.reach, 1e-12);
+  }
+
+  TEST(ContactDetection, BondedBlockThatIsNotHeldOffLooksAtTheBase)
+  {
+    Geometry g   = blocks({square(0., -0.001)});
+    g.base_nodes = {{-1., 0.}, {4., 0.}};
+    ContactDetection detection(parameters);
+    detection.set_neighbours({0, 0}, {});
+    Contacts contacts;
+    detection.set_skipped_pairs({{}, {}, {Awake::no}, {0}});
+    detection.set_was_awake({Awake::no});
+    detection.update(g, contacts);
+    ASSERT_EQ(contacts.size(), 2u);
+    for (const Contact &c : contacts)
+      EXPECT_EQ(c.rest_gap, 0.) << "it has always looked";
+    detection.set_skipped_pairs({{}, {}, {Awake::no}, {1}});
+    detection.update(g, contacts);
+    EXPECT_TRUE(contacts.empty());
+  }
+
+  // ------------------------------------------------------------- rest
+
+  TEST(ContactDetection, WhatLiesStillIsNotSearchedAgain)
+  {
+    Geometry g   = blocks({square(0., 0.), square(0., 1.), square(3., 0.), square(3., 1.)});
+    g.base_nodes = {{-1., 0.}, {2., 0.}, {5., 0.}};
+    ContactDetection detection(parameters);
+    RestState        rest;
+    Contacts         contacts;
+    for (int step = 0; step < 3; ++step)
+      detection.update(g, contacts, rest);
+    const Contacts found    = contacts;
+    const long     searches = detection.report().searches;
+    ASSERT_EQ(found.size(), 12u) << "six for each stack";
+
+    detection.update(g, contacts, rest);
+    EXPECT_EQ(detection.report().searches, searches) << "all rests";
+    expect_equal(contacts, found);
+
+    move_block(g, 3, {0., 1e-3});
+    detection.update(g, contacts, rest);
+    EXPECT_EQ(detection.report().searches, searches + 1);
+    Contacts all;
+    ContactDetection(parameters).update(g, all);
+    EXPECT_LT(detection.report().edge_tests, 30) << "only what is near block 3";
+    ASSERT_EQ(contacts.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      EXPECT_EQ(key(contacts[i]), key(all[i]));
+  }
+
+  TEST(ContactDetection, SlowCreepIsNoRest)
+  {
+    Geometry         g = blocks({square(0., 0.), square(0.2, 1.)});
+    ContactDetection detection(parameters);
+    RestState        rest;
+    Contacts         contacts;
+    for (int step = 0; step < 3000; ++step)
+      {
+        move_block(g, 1, {-1e-4 * step / 1500., 0.});
+        detection.update(g, contacts, rest);
+      }
+    Contacts all;
+    ContactDetection(parameters).update(g, all);
+    ASSERT_EQ(contacts.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      EXPECT_EQ(key(contacts[i]), key(all[i]))
+        << "the upper block has crept beyond the lower one's end";
+  }
+
+  // ------------------------------------------------------------- cost
+
+  TEST(ContactDetection, CostIsLinearInTheNumberOfBlocks)
+  {
+    const auto tests_per_block = [](const int n) {
+      Geometry         g = cloud(n, 2);
+      ContactDetection detection(parameters);
+      Contacts         contacts;
+      detection.update(g, contacts);
+      return std::make_pair(double(detection.report().edge_tests) / n,
+                            double(detection.n_build_tests()) / n);
+    };
+    const auto small = tests_per_block(1000), large = tests_per_block(10000);
+    EXPECT_LT(large.first, 1.2 * small.first);
+    EXPECT_LT(large.second, 1.2 * small.second);
+    EXPECT_LT(large.first, 60.);
+  }
+
+  TEST(ContactDetection, SteadyStateAllocatesNothing)
+  {
+    Geometry         g = cloud(300, 4);
+    ContactDetection detection(parameters);
+    Contacts         contacts;
+    detection.update(g, contacts);
+    detection.update(g, contacts);
+    const Contact    *data     = contacts.data();
+    const std::size_t capacity = contacts.capacity();
+    for (int i = 0; i < 5; ++i)
+      detection.update(g, contacts);
+    EXPECT_EQ(contacts.data(), data);
+    EXPECT_EQ(contacts.capacity(), capacity);
+  }
+} // namespace

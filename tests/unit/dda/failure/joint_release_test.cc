@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/failure/joint_release.h>
+
+#include <gtest/gtest.h>
+
+using namespace hybrid;
+using namespace hybrid::dda;
+
+namespace
+{
+  constexpr double overlap = 1e-3; ///< of the blocks of the joint, and of its springs [m]
+
+  /// Two unit squares, one on the other, that overlap; their joint has been released under
+  /// pressure.
+  struct Pair
+  {
+    Model    model;
+    DdaState state;
+
+    Pair()
+    {
+      const JointStrength strength = JointStrength::bond(Material(), 0., 0.1);
+      model.joints.push_back({1, 4, 0, 1., {}, JointLaw(strength, 1e9, 1e9)});
+      state.geometry.vertices = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}};
+      state.geometry.offset   = {0, 4, 8};
+      state.geometry.block_of = {0, 0, 0, 0, 1, 1, 1, 1};
+      for (int v = 0; v < 4; ++v)
+        state.geometry.vertices.push_back(state.geometry.vertices[v] + Vec2(0.1, 1. - overlap));
+      JointState now;
+      now.failure       = FailureKind::shear;
+      now.released      = true;
+      now.points[0].gap = -overlap;
+      now.points[1].gap = -0.5 * overlap;
+      state.joints.push_back(now);
+    }
+
+    /// rest_gap of a contact of the upper block's first vertex on the lower block's top that had @p
+    /// rest_gap, after the release.
+    double after(const double rest_gap)
+    {
+      Contact contact{1, 4, 0, 2};
+      contact.edge_position = 0.9;
+      contact.rest_gap      = rest_gap;
+      state.contacts        = {contact};
+      hand_over_released_joints(model, state);
+      return state.contacts[0].rest_gap;
+    }
+  };
+} // namespace
+
+
+TEST(JointRelease, contacts_press_from_the_overlap_of_the_joint)
+{
+  EXPECT_NEAR(Pair().after(-2. * overlap), 0., 1e-15);
+}
+
+
+TEST(JointRelease, contacts_bear_no_more_than_the_joint_did)
+{
+  Pair sheared; // its blocks overlap more than its springs
+  for (SpringState &point : sheared.state.joints[0].points)
+    point.gap = -0.2 * overlap;
+  EXPECT_NEAR(sheared.after(-2. * overlap), -0.8 * overlap, 1e-15);
+
+  Pair torn;
+  for (SpringState &point : torn.state.joints[0].points)
+    point.gap = 3. * overlap;
+  EXPECT_NEAR(torn.after(-2. * overlap), -overlap, 1e-15);
+}
+
+
+TEST(JointRelease, what_presses_already_stays_as_it_is)
+{
+  Pair pair;
+  for (SpringState &point : pair.state.joints[0].points)
+    point.gap = -0.2 * overlap;
+  EXPECT_EQ(pair.after(-0.1 * overlap), -0.1 * overlap);
+}
+
+
+TEST(JointRelease, happens_once_and_to_the_bodies_of_the_joint)
+{
+  Pair pair;
+  pair.after(-2. * overlap);
+  EXPECT_TRUE(pair.state.joints[0].handed_over);
+  EXPECT_EQ(pair.after(-2. * overlap), -2. * overlap);
+
+  Pair holding;
+  holding.state.joints[0].released = false;
+  EXPECT_EQ(holding.after(-2. * overlap), -2. * overlap);
+  EXPECT_FALSE(holding.state.joints[0].handed_over);
+
+  Pair other;
+  other.model.joints[0].other = base_body;
+  EXPECT_EQ(other.after(-2. * overlap), -2. * overlap);
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "random_block_matrix.h"
+
+#include <hybrid/dda/linear/base_band.h>
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+namespace
+{
+  using namespace hybrid::dda;
+  using hybrid::test::dense;
+  using hybrid::test::random_block_matrix;
+
+  constexpr int n_blocks = 6, n_nodes = 8, size = 2 * n_nodes;
+
+  /// Banded stiffness as of a chain of nodes, times @p factor.
+  Eigen::MatrixXd chain(const double factor)
+  {
+    Eigen::MatrixXd s = Eigen::MatrixXd::Zero(size, size);
+    for (int i = 0; i < size; ++i)
+      for (int j = std::max(0, i - 3); j <= std::min(size - 1, i + 3); ++j)
+        s(i, j) = factor * (i == j ? 5. : -0.5 / std::abs(i - j));
+    return s;
+  }
+
+  /// S + P as the factor and as the products have it must be @p expected.
+  void expect_matrix(const BaseBand &base, const Eigen::MatrixXd &expected)
+  {
+    const Eigen::VectorXd x       = Eigen::VectorXd::Random(size);
+    Eigen::VectorXd       product = Eigen::VectorXd::Zero(size);
+    base.add_product(x.data(), product.data());
+    base.add_nodes(x.data(), product.data(), 1.);
+    EXPECT_LT((product - expected * x).norm(), 1e-13 * product.norm());
+    Eigen::VectorXd solution = product;
+    base.solve(solution.data());
+    EXPECT_LT((solution - x).norm(), 1e-12 * x.norm());
+  }
+} // namespace
+
+
+
+TEST(BaseBand, stiff_base_is_factored_alone)
+{
+  const BlockMatrix     m = random_block_matrix(n_blocks, n_nodes);
+  const Eigen::MatrixXd s = chain(1e4);
+  BaseBand              base;
+  base.set(&s);
+  base.matrix_changed(m);
+  expect_matrix(base, s);
+}
+
+
+
+TEST(BaseBand, soft_base_is_factored_with_what_joints_add)
+{
+  const BlockMatrix     m = random_block_matrix(n_blocks, n_nodes);
+  const Eigen::MatrixXd s = chain(1.);
+  BaseBand              base;
+  base.set(&s);
+  base.matrix_changed(m);
+  expect_matrix(base, s + dense(m).bottomRightCorner(size, size));
+}
+
+
+
+TEST(BaseBand, unsymmetric_joints_count_with_their_symmetric_part)
+{
+  BlockMatrix m = random_block_matrix(n_blocks, n_nodes);
+  m.node_diagonal[2](0, 1) += 0.4;
+  m.node_next[3](1, 0) += 0.3;
+  const Eigen::MatrixXd s = chain(1.), nodes = dense(m).bottomRightCorner(size, size);
+  BaseBand              base;
+  base.set(&s);
+  base.matrix_changed(m);
+  expect_matrix(base, s + 0.5 * (nodes + nodes.transpose()));
+}
+
+
+
+TEST(BaseBand, softening_that_would_make_it_indefinite_is_left_out)
+{
+  BlockMatrix m            = random_block_matrix(n_blocks, n_nodes);
+  m.node_diagonal[0](0, 0) = -100.;
+  const Eigen::MatrixXd s  = chain(1.);
+  BaseBand              base;
+  base.set(&s);
+  base.matrix_changed(m);
+  expect_matrix(base, s);
+}
+
+
+
+TEST(BaseBand, without_a_base_nothing_changes)
+{
+  BaseBand base;
+  base.set(nullptr);
+  base.matrix_changed(random_block_matrix(n_blocks, n_nodes));
+  EXPECT_FALSE(base.exists());
+  Eigen::VectorXd x = Eigen::VectorXd::Random(size), same = x;
+  base.solve(x.data());
+  base.add_product(same.data(), x.data());
+  EXPECT_EQ(x, same);
+}

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "random_block_matrix.h"
+
+#include <hybrid/dda/linear/swept_system.h>
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <Eigen/LU>
+
+namespace
+{
+  using namespace hybrid::dda;
+  using hybrid::test::dense;
+  using hybrid::test::random_block_matrix;
+  using hybrid::test::unsymmetric_block_matrix;
+
+  constexpr int n_blocks = 15, n_nodes = 8;
+
+  /// Two slices: blocks 0 to 7 and the others.
+  std::vector<int> two_slices()
+  {
+    std::vector<int> slice(n_blocks, 0);
+    std::fill(slice.begin() + 8, slice.end(), 1);
+    return slice;
+  }
+
+
+
+  /// A, and its parts below, on and above the diagonal as the class defines them.
+  struct Parts
+  {
+    Eigen::MatrixXd a, lower, diagonal, upper;
+
+    /// @p base: S, or nothing.  @p slice of each block.
+    Parts(const BlockMatrix &m, const Eigen::MatrixXd *base, const std::vector<int> &slice)
+      : a(dense(m))
+      , lower(Eigen::MatrixXd::Zero(m.size(), m.size()))
+      , diagonal(Eigen::MatrixXd::Zero(m.size(), m.size()))
+      , upper(lower)
+    {
+      const int nodes = 2 * m.n_nodes(), first = 6 * m.n_blocks();
+      for (int i = 0; i < first; i += 6)
+        {
+          diagonal.block(i, i, 6, 6) = a.block(i, i, 6, 6);
+        }
+      const SweepOrder order(m.n_blocks(), slice, m.pairs);
+      for (int i = 0; i < m.n_blocks(); ++i)
+        for (int j = 0; j < m.n_blocks(); ++j)
+          if (i != j)
+            (order.place[j] < order.place[i] ? lower : upper).block(6 * i, 6 * j, 6, 6) =
+              a.block(6 * i, 6 * j, 6, 6);
+      upper.topRightCorner(first, nodes)   = a.topRightCorner(first, nodes);
+      lower.bottomLeftCorner(nodes, first) = a.bottomLeftCorner(nodes, first);
+      auto own                             = diagonal.bottomRightCorner(nodes, nodes);
+      own.setIdentity();
+      if (base != nullptr)
+        {
+          own = *base;
+          a.bottomRightCorner(nodes, nodes) += *base;
+        }
+    }
+  };
+
+  void
+  check(const BlockMatrix &m, const Eigen::MatrixXd *stiffness, const std::vector<int> &slice = {})
+  {
+    BaseBand base;
+    base.set(stiffness);
+    base.matrix_changed(m);
+    SweptSystem swept;
+    swept.set_slices(slice);
+    swept.set(m, base, {});
+    const Parts           parts(m, stiffness, slice);
+    const Eigen::MatrixXd forward = parts.diagonal + parts.lower;
+    const Eigen::MatrixXd back    = (parts.diagonal + parts.upper).lu().solve(parts.diagonal);
+    const Eigen::VectorXd x       = Eigen::VectorXd::Random(m.size());
+    Eigen::VectorXd       y(m.size());
+    const auto            expect = [&](const Eigen::VectorXd &expected) {
+      EXPECT_LT((y - expected).norm(), 1e-11 * expected.norm());
+    };
+    swept.multiply(x, y);
+    expect(forward.lu().solve(parts.a * back * x));
+    swept.sweep_forward(x, y);
+    expect(forward.lu().solve(x));
+    swept.sweep_backward(x, y);
+    expect(back * x);
+    swept.multiply_diagonal(x, y);
+    expect(parts.diagonal * x);
+    swept.undo_forward(x, y);
+    expect(forward * x);
+  }
+
+  /// So stiff that joints and contacts do not count beside it.
+  Eigen::MatrixXd stiff_base()
+  {
+    const Eigen::MatrixXd a = Eigen::MatrixXd::Random(2 * n_nodes, 2 * n_nodes);
+    return 1e3 * (a * a.transpose() + Eigen::MatrixXd::Identity(2 * n_nodes, 2 * n_nodes));
+  }
+} // namespace
+
+
+
+TEST(SweptSystem, symmetric_matrix_with_a_base)
+{
+  const Eigen::MatrixXd s = stiff_base();
+  check(random_block_matrix(n_blocks, n_nodes), &s);
+}
+
+
+
+TEST(SweptSystem, unsymmetric_matrix_with_a_base)
+{
+  const Eigen::MatrixXd s = stiff_base();
+  check(unsymmetric_block_matrix(n_blocks, n_nodes, 0.05), &s);
+}
+
+
+
+TEST(SweptSystem, nodes_without_a_base)
+{
+  check(unsymmetric_block_matrix(n_blocks, n_nodes, 0.05), nullptr);
+}
+
+
+
+TEST(SweptSystem, blocks_alone)
+{
+  check(random_block_matrix(n_blocks, 0), nullptr);
+}
+
+
+
+TEST(SweptSystem, slices_are_swept_before_the_blocks_between_them)
+{
+  const Eigen::MatrixXd s = stiff_base();
+  check(unsymmetric_block_matrix(n_blocks, n_nodes, 0.05), &s, two_slices());
+}
+
+
+
+TEST(SweptSystem, any_number_of_threads_gives_the_same_bits)
+{
+  const BlockMatrix m = random_block_matrix(n_blocks, 0);
+  BaseBand          base;
+  base.set(nullptr);
+  base.matrix_changed(m);
+  SweptSystem swept;
+  swept.set_slices(two_slices());
+  swept.set(m, base, {});
+  const Eigen::VectorXd x = Eigen::VectorXd::Random(m.size());
+  Eigen::VectorXd       one(m.size()), two(m.size());
+  const int             threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  swept.multiply(x, one);
+  omp_set_num_threads(2);
+  swept.multiply(x, two);
+  omp_set_num_threads(threads);
+  EXPECT_TRUE(one == two);
+}
+
+
+
+TEST(SweptSystem, pairs_that_part_and_touch_again)
+{
+  const BlockMatrix touching = unsymmetric_block_matrix(n_blocks, 0, 0.05);
+  BlockMatrix       m        = touching;
+  BaseBand          base;
+  base.set(nullptr);
+  SweptSystem           swept;
+  const Eigen::VectorXd x       = Eigen::VectorXd::Random(m.size());
+  const auto            product = [&](SweptSystem &system, const std::vector<int> &changed) {
+    Eigen::VectorXd y(m.size());
+    system.set(m, base, changed);
+    system.multiply(x, y);
+    return y;
+  };
+  const Eigen::VectorXd all = product(swept, {});
+  std::vector<int>      changed;
+  for (std::size_t s = 0; s < m.pairs.size(); s += 2)
+    {
+      m.off_diagonal[s].setZero();
+      m.lower[s].setZero();
+      changed.insert(changed.end(), m.pairs[s].begin(), m.pairs[s].end());
+    }
+  check(m, nullptr);
+  SweptSystem           fresh;
+  const Eigen::VectorXd without = product(swept, changed);
+  EXPECT_GT((without - all).norm(), 0.01 * all.norm());
+  EXPECT_EQ(without, product(fresh, {}));
+  m.off_diagonal = touching.off_diagonal;
+  m.lower        = touching.lower;
+  EXPECT_EQ(product(swept, changed), all);
+}

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "expect_warning.h"
+
+#include <hybrid/scene/checks/free_field_check.h>
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    using hybrid::test::expect_warning;
+
+    /// Bedrock whose ground goes from 100 m on the left over @p y [m] at x = 100 m to 100 m on the
+    /// right, at x = 1000 m, and level over 400 m there.
+    SectionMesh section(const double y)
+    {
+      SectionMesh mesh;
+      mesh.nodes          = {{0., 0.},
+                             {100., 0.},
+                             {600., 0.},
+                             {1000., 0.},
+                             {0., 100.},
+                             {100., y},
+                             {600., 100.},
+                             {1000., 100.}};
+      mesh.bedrock_cells  = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}};
+      mesh.lines["left"]  = {{0, 4}};
+      mesh.lines["right"] = {{3, 7}};
+      return mesh;
+    }
+
+
+    SceneParameters free_field()
+    {
+      SceneParameters scene;
+      scene.continuum.sides = SideBoundary::free_field;
+      return scene;
+    }
+
+
+    TEST(FreeFieldCheck, LevelGroundBesideTheSidesPasses)
+    {
+      expect_warning(free_field_warnings(section(100.), free_field()), {});
+      expect_warning(free_field_warnings(section(110.), free_field()), {}); // 2.5 m within 25 m
+      expect_warning(free_field_warnings(section(160.), SceneParameters()), {}); // viscous
+    }
+
+
+    TEST(FreeFieldCheck, ASlopeThatBeginsAtTheSideIsNamed)
+    {
+      expect_warning(free_field_warnings(section(140.), free_field()),
+                     {"line left", "is up to 10 m higher (at x = 25 m)", "keep it level for 25 m"});
+      expect_warning(free_field_warnings(section(60.), free_field()),
+                     {"line left", "is up to 10 m lower (at x = 25 m)"});
+    }
+
+
+    TEST(FreeFieldCheck, BlocksOnTheColumnAreNamed)
+    {
+      SectionMesh mesh = section(100.);
+      mesh.nodes.emplace_back(1000., 103.);
+      mesh.blocks = {{6, 7, 8}};
+      expect_warning(free_field_warnings(mesh, free_field()),
+                     {"line right",
+                      "is up to 3 m higher (at x = 1000 m)",
+                      "which is 100 m high and ends at y = 100 m"});
+      SceneParameters scene = free_field();
+      scene.blocks.enabled  = false;
+      expect_warning(free_field_warnings(mesh, scene), {});
+    }
+  } // namespace
+} // namespace hybrid::scene

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/checks/settings_without_effect.h>
+
+#include <gtest/gtest.h>
+
+#include "expect_warning.h"
+
+namespace hybrid::scene
+{
+  namespace
+  {
+    class SettingsWithoutEffect : public testing::Test
+    {
+    protected:
+      SectionMesh     mesh;
+      SceneParameters scene;
+
+      void SetUp() override
+      {
+        mesh.nodes    = {{0., 5.}, {1., 5.}, {1., 6.}};
+        mesh.blocks   = {{0, 1, 2}};
+        scene.bedrock = BedrockModel::continuum;
+      }
+
+      void expect(const std::vector<std::string> &words) const
+      {
+        test::expect_warning(settings_without_effect(mesh, scene), words);
+      }
+    };
+  } // namespace
+
+
+  TEST_F(SettingsWithoutEffect, AFixedBaseLetsNoMotionIn)
+  {
+    scene.motion.type = "ricker";
+    expect({});
+    scene.continuum.base = BaseBoundary::fixed;
+    expect({"Motion/Type = ricker has no effect", "Continuum/Base = fixed"});
+    scene.continuum_model = ContinuumModel::none;
+    for (const BedrockModel blocks : {BedrockModel::layers, BedrockModel::triangles})
+      {
+        scene.bedrock = blocks;
+        expect({"Motion/Type = ricker has no effect", "Continuum/Base = fixed"});
+      }
+    scene.bedrock = BedrockModel::rigid; // it moves by itself
+    expect({});
+  }
+
+
+  TEST_F(SettingsWithoutEffect, ARecordIsReadByItsTypesOnly)
+  {
+    scene.motion.file = "quake.txt";
+    for (const char *type : {"none", "text", "at2"})
+      {
+        scene.motion.type = type;
+        expect({});
+      }
+    scene.motion.type = "ricker";
+    expect({"Motion/File = quake.txt is not read", "Motion/Type = ricker"});
+  }
+
+
+  TEST_F(SettingsWithoutEffect, WaterMustReachABlockAndDoSomething)
+  {
+    scene.environment.water_level = 5.5;
+    expect({"Water/Level = 5.5 m has no effect", "Blocks/Saturated material"});
+    scene.blocks.saturated_material = "clay";
+    expect({});
+    scene.blocks.saturated_material.clear();
+    scene.environment.water_method = WaterMethod::pressures;
+    expect({});
+    scene.environment.water_level = -100.;
+    expect({"Water/Level = -100 m has no effect", "(0, 5) m"});
+    scene.blocks.enabled = false;
+    expect({"acts on blocks and there are none"});
+  }
+
+
+  TEST_F(SettingsWithoutEffect, ARigidBedrockHasNoPlanes)
+  {
+    scene.bedding.names = {"bedding_1", "bedding_2"};
+    expect({});
+    scene.bedrock = BedrockModel::rigid;
+    expect({"Bedding planes/Names = bedding_1, ... has no effect", "rigid"});
+  }
+} // namespace hybrid::scene

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/mesh/downhill.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace hybrid;
+
+  double sign_of(const std::vector<Vec2> &nodes)
+  {
+    scene::SectionMesh mesh;
+    mesh.nodes = nodes;
+    for (int k = 0; k + 1 < static_cast<int>(nodes.size()); ++k)
+      mesh.lines["sliding_surface"].push_back({k, k + 1});
+    return scene::downhill_sign(mesh);
+  }
+} // namespace
+
+
+
+TEST(Downhill, points_to_the_lower_end_of_the_sliding_surface)
+{
+  EXPECT_EQ(sign_of({{0., 0.}, {10., 5.}}), -1.);
+  EXPECT_EQ(sign_of({{0., 5.}, {10., 0.}}), 1.);
+  EXPECT_EQ(sign_of({{10., 0.}, {0., 5.}}), 1.);
+  EXPECT_EQ(sign_of({{0., 4.}, {4., -2.}, {10., 1.}}), 1.);            // rises at the toe
+  EXPECT_EQ(sign_of({{0., 0.}, {10., 3.}, {10., 8.}}), -1.);           // scarp
+  EXPECT_EQ(sign_of({{0., 9.}, {0., 0.}, {10., 3.}, {10., 4.}}), -1.); // between walls
+}
+
+
+
+TEST(Downhill, a_level_surface_or_none_has_no_downhill)
+{
+  EXPECT_EQ(sign_of({{0., 1.}, {10., 1. + 1e-7}}), 0.);
+  EXPECT_EQ(sign_of({{0., 5.}, {0., 0.}, {10., 0.}, {10., 5.}}), 0.);
+  EXPECT_EQ(scene::downhill_sign({}), 0.);
+}

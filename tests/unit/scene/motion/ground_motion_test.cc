@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/motion/ground_motion.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+  using namespace hybrid;
+  using namespace hybrid::scene;
+
+  /// 2 m/s2 for one second from t = 0.25 s, in the direction (0.6, 0.8).
+  GroundMotion given(const bool outcrop)
+  {
+    MotionParameters parameters;
+    parameters.outcrop = outcrop;
+    parameters.angle   = std::atan2(0.8, 0.6) * 180. / M_PI;
+    parameters.start   = 0.25;
+    return {Motion(0.5, {2., 2., 2.}), parameters};
+  }
+
+  void expect_near(const Vec2 &found, const double expected)
+  {
+    EXPECT_NEAR(found.x(), 0.6 * expected, 1e-14);
+    EXPECT_NEAR(found.y(), 0.8 * expected, 1e-14);
+  }
+} // namespace
+
+
+
+TEST(GroundMotion, an_outcrop_moves_twice_as_much_as_the_upgoing_wave)
+{
+  const double t = 0.75, v = 2. * 0.5, u = 0.5 * 2. * 0.5 * 0.5;
+  for (const bool outcrop : {true, false})
+    {
+      const GroundMotion motion  = given(outcrop);
+      const double       to_rock = outcrop ? 1. : 2.;
+      expect_near(motion.outcrop_acceleration(t), to_rock * 2.);
+      expect_near(motion.outcrop_velocity(t), to_rock * v);
+      expect_near(motion.outcrop_displacement(t), to_rock * u);
+      expect_near(motion.upgoing_velocity(t), 0.5 * to_rock * v);
+      expect_near(motion.upgoing_displacement(t), 0.5 * to_rock * u);
+      EXPECT_EQ(motion.outcrop().peak_acceleration(), to_rock * 2.);
+    }
+}
+
+
+
+TEST(GroundMotion, nothing_moves_before_the_start_or_without_a_motion)
+{
+  expect_near(given(true).outcrop_acceleration(0.2), 0.);
+  expect_near(given(true).outcrop_displacement(0.2), 0.);
+  EXPECT_FALSE(given(true).empty());
+  EXPECT_TRUE(GroundMotion().empty());
+  expect_near(GroundMotion().upgoing_velocity(1.), 0.);
+  expect_near(GroundMotion().outcrop_acceleration(0.), 0.);
+}
