@@ -173,8 +173,8 @@ namespace
     const Interruption interruption; // before anything is written
     if (command.action != Action::check)
       prepare_directory(scene, force, log);
-    simulation->print_card();
-    simulation->print_memory(command.action != Action::check);
+    simulation->report().card();
+    simulation->report().memory(command.action != Action::check);
     if (command.action == Action::check)
       {
         warn_of_earlier_run(scene.output.directory, log);

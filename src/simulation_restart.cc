@@ -9,22 +9,24 @@
 namespace hybrid
 {
   Simulation::Run::Run(Simulation &simulation, const output::HistoryFile::Mode mode)
-    : solver(simulation.blocks != nullptr ? std::make_unique<dda::BlockSolver>(*simulation.blocks)
-                                          : nullptr)
-    , step(solver.get(), simulation.base.get(), simulation.continuum.get())
-    , clock(simulation.scene.time.time_step,
-            simulation.scene.time.end_time,
-            simulation.scene.time.maximum_halvings)
-    , recorder({simulation.scene,
-                simulation.mesh,
-                simulation.motion,
-                simulation.input.fit,
-                simulation.blocks.get(),
-                simulation.continuum.get(),
-                simulation.base.get()},
+    : solver(simulation.model.blocks != nullptr
+               ? std::make_unique<dda::BlockSolver>(*simulation.model.blocks)
+               : nullptr)
+    , step(solver.get(), simulation.model.base.get(), simulation.model.continuum.get())
+    , clock(simulation.model.scene.time.time_step,
+            simulation.model.scene.time.end_time,
+            simulation.model.scene.time.maximum_halvings)
+    , recorder({simulation.model.scene,
+                simulation.model.mesh,
+                simulation.model.motion,
+                simulation.model.input.fit,
+                simulation.model.blocks.get(),
+                simulation.model.continuum.get(),
+                simulation.model.base.get()},
                mode)
-    , schedule(simulation.scene.checkpoint)
-    , energy(simulation.scene.output.energy_warning, simulation.scene.output.energy_limit)
+    , schedule(simulation.model.scene.checkpoint)
+    , energy(simulation.model.scene.output.energy_warning,
+             simulation.model.scene.output.energy_limit)
   {}
 
 
@@ -32,8 +34,8 @@ namespace hybrid
   void Simulation::serialize(restart::Archive &archive, Run &run)
   {
     archive(state);
-    if (continuum != nullptr)
-      continuum->serialize_rest(archive);
+    if (model.continuum != nullptr)
+      model.continuum->serialize_rest(archive);
     if (run.solver != nullptr)
       archive(*run.solver);
     double        wall_time  = run.wall_time();
@@ -47,7 +49,7 @@ namespace hybrid
     if (!archive.is_reading())
       return;
     run.earlier_wall_time = wall_time;
-    log.resume_file(scene.output.directory + "/log.txt", log_length);
+    log.resume_file(model.scene.output.directory + "/log.txt", log_length);
   }
 
 
@@ -65,10 +67,10 @@ namespace hybrid
   {
     run.recorder.flush(); // run.h5 is never behind the checkpoint
     restart::Archive archive = restart::Archive::writer();
-    archive.put(scene.used_prm);
-    archive.put(fingerprint(mesh, motion.outcrop()));
+    archive.put(model.scene.used_prm);
+    archive.put(fingerprint(model.mesh, model.motion.outcrop()));
     serialize(archive, run);
-    restart::write_checkpoint(checkpoint_file(scene.output.directory),
+    restart::write_checkpoint(checkpoint_file(model.scene.output.directory),
                               {layout(run), archive.content()});
     run.schedule.written();
   }
@@ -78,7 +80,7 @@ namespace hybrid
   void Simulation::load(const restart::CheckpointContent &checkpoint, Run &run)
   {
     if (checkpoint.layout != layout(run))
-      throw InputError("the checkpoint '" + checkpoint_file(scene.output.directory) +
+      throw InputError("the checkpoint '" + checkpoint_file(model.scene.output.directory) +
                        "' was written by a program whose state has other parts: resume with that "
                        "program");
     restart::Archive archive = restart::Archive::reader(checkpoint.state);
@@ -87,22 +89,8 @@ namespace hybrid
     archive(parameters, number);
     serialize(archive, run);
     if (!archive.at_end())
-      throw InputError("the checkpoint '" + checkpoint_file(scene.output.directory) +
+      throw InputError("the checkpoint '" + checkpoint_file(model.scene.output.directory) +
                        "' is longer than its state");
-  }
-
-
-
-  void Simulation::warn_of_missing_pictures(const Run &run) const
-  {
-    const std::vector<std::string> files = run.recorder.missing_pictures();
-    if (files.empty())
-      return;
-    const bool one = files.size() == 1;
-    log.warning(std::to_string(files.size()) + (one ? " picture" : " pictures") +
-                " of the part before " + (one ? "is" : "are") + " gone from '" +
-                scene.output.directory + "'" + (one ? ", " : ", the first is ") + files.front() +
-                ": the .pvd files list the others, and all other results go on");
   }
 
 
@@ -114,26 +102,17 @@ namespace hybrid
     std::string      parameters;
     std::uint64_t    number = 0;
     archive(parameters, number);
-    check_same_scene(parameters, scene.used_prm);
-    if (number != fingerprint(mesh, motion.outcrop()))
+    check_same_scene(parameters, model.scene.used_prm);
+    if (number != fingerprint(model.mesh, model.motion.outcrop()))
       throw InputError("the mesh or the motion is not that of the run in '" +
-                       scene.output.directory + "': a file of the scene has changed since");
+                       model.scene.output.directory + "': a file of the scene has changed since");
 
     Run run(*this, output::HistoryFile::Mode::resume);
     load(checkpoint, run);
-    write_parameters(scene);
-    std::remove((scene.output.directory + "/summary.json").c_str()); // of the part before
-    char text[200];
-    std::snprintf(text,
-                  sizeof(text),
-                  "Resumed from the checkpoint at t = %.6g s, after %ld steps%s",
-                  run.clock.time(),
-                  run.summary.steps,
-                  run.clock.at_end()
-                    ? ", the end of the run (a later one: -s \"Time/End time=...\")"
-                    : "");
-    log.info(text);
-    warn_of_missing_pictures(run);
+    write_parameters(model.scene);
+    std::remove((model.scene.output.directory + "/summary.json").c_str()); // of the part before
+    run_report.resumed(run.clock.time(), run.summary.steps, run.clock.at_end());
+    run_report.missing_pictures(run.recorder.missing_pictures());
     const RunStatus status = advance(run, interruption);
     return finish(run, status);
   }

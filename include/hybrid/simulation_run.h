@@ -2,8 +2,11 @@
 #pragma once
 
 #include <hybrid/checkpoint.h>
+#include <hybrid/clock.h>
+#include <hybrid/coupling/coupled_step.h>
 #include <hybrid/dda/step/block_solver.h>
 #include <hybrid/output/energy_watch.h>
+#include <hybrid/output/run_recorder.h>
 #include <hybrid/simulation.h>
 
 #include <chrono>

@@ -29,7 +29,7 @@ namespace hybrid::coupling
    * predict() changes no state, so a step that does not converge leaves no trace.
    *
    * To add a base: derive from this class in a file of its own and construct
-   * it in Simulation's constructor.
+   * it in SceneModel.
    */
   class Base
   {
@@ -41,6 +41,12 @@ namespace hybrid::coupling
 
     /// Per two nodes: what the first bears of a uniform load between them [-]; empty: half.
     virtual std::vector<double> surface_shares() const
+    {
+      return {};
+    }
+
+    /// At rest; a base without unknowns has only a time.
+    virtual continuum::ContinuumState initial_state() const
     {
       return {};
     }

@@ -41,7 +41,7 @@ namespace hybrid::coupling
     }
 
     /// At rest.
-    continuum::ContinuumState initial_state() const;
+    continuum::ContinuumState initial_state() const override;
 
     const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) override;
 

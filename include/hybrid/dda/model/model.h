@@ -6,6 +6,7 @@
 #include <hybrid/dda/block/edge_loads.h>
 #include <hybrid/dda/block/moving_blocks.h>
 #include <hybrid/dda/block/water.h>
+#include <hybrid/dda/contact/contact.h>
 #include <hybrid/dda/geometry/geometry.h>
 #include <hybrid/dda/joint/joint_law.h>
 #include <hybrid/scene/newmark.h>

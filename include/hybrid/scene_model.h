@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/continuum/continuum.h>
+#include <hybrid/coupling/base.h>
+#include <hybrid/coupling/coupled_state.h>
+#include <hybrid/dda/model/model.h>
+#include <hybrid/output/log.h>
+#include <hybrid/scene/mesh/section_mesh.h>
+#include <hybrid/scene/motion/ground_motion.h>
+#include <hybrid/scene/motion/input_motion.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
+
+#include <memory>
+#include <mpi.h>
+
+namespace hybrid
+{
+  /// What a scene calls for, built. Parts that it does not have are never made.
+  struct SceneModel
+  {
+    /// Read the mesh and motion and build the parts; writes no file. @throws InputError.
+    SceneModel(const scene::SceneParameters &scene, output::Log &log, MPI_Comm communicator);
+
+    /// At rest, unstressed.
+    coupling::CoupledState initial_state() const;
+
+    const scene::SceneParameters          scene;
+    scene::SectionMesh                    mesh;
+    const scene::InputMotion              input; ///< as given
+    const scene::GroundMotion             motion;
+    std::unique_ptr<continuum::Continuum> continuum; ///< the bedrock of finite elements, or null
+    std::unique_ptr<dda::Model>           blocks;    ///< of the mass and of the bedrock, or null
+    std::unique_ptr<coupling::Base>       base;      ///< what the blocks stand on, or null
+
+  private:
+    void make_blocks();
+
+    /// A bedrock of blocks and what it stands on.
+    void make_bedrock_blocks();
+
+    /// Every monitor and borehole lies in the model: found before anything is written. @throws
+    /// InputError.
+    void check_points() const;
+  };
+} // namespace hybrid

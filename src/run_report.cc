@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/line_card.h>
+#include <hybrid/output/memory_estimate.h>
+#include <hybrid/output/scene_card.h>
+#include <hybrid/run_directory.h>
+#include <hybrid/run_report.h>
+#include <hybrid/scene/checks/doubtful_values.h>
+#include <hybrid/scene/checks/free_field_check.h>
+#include <hybrid/scene/checks/geometry_warnings.h>
+#include <hybrid/scene/checks/settings_without_effect.h>
+#include <hybrid/scene/mesh/unit_check.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace hybrid
+{
+  namespace
+  {
+    /// What of the slip on the sliding surface is left at the end, in the last line of a run.
+    std::string describe(const output::Summary::Slip &slip)
+    {
+      if (std::isnan(slip.mean_left))
+        return "";
+      char text[100];
+      std::snprintf(text,
+                    sizeof(text),
+                    "slip left on the sliding surface %.3g m, at most %.3g m, ",
+                    slip.mean_left,
+                    slip.largest_left);
+      return text;
+    }
+  } // namespace
+
+
+
+  RunReport::RunReport(const SceneModel &scene_model, output::Log &run_log)
+    : model(scene_model)
+    , log(run_log)
+  {}
+
+
+
+  void RunReport::card() const
+  {
+    const scene::InputMotion &input = model.input;
+    const output::SceneCard   card  = output::make_scene_card(model.scene,
+                                                           model.motion.outcrop(),
+                                                           model.blocks.get(),
+                                                           model.continuum.get());
+    log.info(card.text);
+    const std::string lines = output::describe_lines(model.mesh, model.scene);
+    if (!lines.empty())
+      log.info(lines);
+    if (!input.scaling.empty())
+      log.info("Motion     " + input.scaling);
+    for (const std::string &note : input.notes)
+      log.info("Motion     " + note);
+    for (const std::string &warning : input.warnings)
+      log.warning(warning);
+    for (const std::string &warning : scene::unit_warnings(model.mesh, model.scene))
+      log.warning(warning);
+    for (const std::string &warning : scene::geometry_warnings(model.mesh, model.scene))
+      log.warning(warning);
+    for (const std::string &warning : scene::free_field_warnings(model.mesh, model.scene))
+      log.warning(warning);
+    for (const std::string &warning : scene::doubtful_values(model.scene, input.motion))
+      log.warning(warning);
+    for (const std::string &warning : scene::settings_without_effect(model.mesh, model.scene))
+      log.warning(warning);
+    for (const std::string &warning : card.warnings)
+      log.warning(warning);
+  }
+
+
+
+  void RunReport::memory(const bool warning_only) const
+  {
+    const auto estimate =
+      output::estimate_memory(model.scene, model.blocks.get(), model.continuum.get());
+    if (!warning_only)
+      log.info(output::describe(estimate));
+    const std::string warning = output::memory_warning(estimate, output::available_memory());
+    if (!warning.empty())
+      log.warning(warning);
+  }
+
+
+
+  void RunReport::static_stage(const dda::StaticResult &settled,
+                               const dda::DdaState     &state,
+                               const bool               has_failed) const
+  {
+    int    tensile = 0, shear = 0;
+    double slip = 0.;
+    for (const dda::JointState &joint : state.joints)
+      {
+        for (const dda::SpringState &point : joint.points)
+          slip = std::max(slip, std::abs(point.slip));
+        tensile += joint.failure == dda::FailureKind::tensile ? 1 : 0;
+        shear += joint.failure == dda::FailureKind::shear ? 1 : 0;
+      }
+    char text[300];
+    std::snprintf(
+      text,
+      sizeof(text),
+      "Static stage: relative residual %.1e after %d steps (%d iterations), largest settlement %.3g m; "
+      "joints failed: %d tensile, %d shear; largest slip of a joint %.3g m",
+      settled.residual,
+      settled.steps,
+      settled.iterations,
+      settled.largest_displacement,
+      tensile,
+      shear,
+      slip);
+    log.info(text);
+    if (settled.equilibrium)
+      {
+        fallen_blocks(settled, state, has_failed);
+        return;
+      }
+    std::string where;
+    if (settled.moving_block >= 0)
+      {
+        const Vec2 &c = state.blocks[settled.moving_block].centroid;
+        std::snprintf(text,
+                      sizeof(text),
+                      ", most of all block %d at (%.2f, %.2f)",
+                      settled.moving_block,
+                      c.x(),
+                      c.y());
+        where = text;
+      }
+    log.warning(
+      "no static equilibrium was found: the mass moves under its own weight" + where +
+      (has_failed
+         ? "; the run ends here: give it more strength (Blocks/Material, Blocks/Belt material), or "
+           "set Gravity/Static stage to held (settles with unlimited strengths), none (starts "
+           "unloaded) or equilibrium or move (starts from where it has got to)"
+         : "; the dynamic stage starts from rest there"));
+  }
+
+
+
+  void RunReport::fallen_blocks(const dda::StaticResult &settled,
+                                const dda::DdaState     &state,
+                                const bool               has_failed) const
+  {
+    if (settled.fallen_block < 0)
+      return;
+    const Vec2 &c = state.blocks[settled.fallen_block].centroid;
+    char        text[200];
+    std::snprintf(
+      text,
+      sizeof(text),
+      "the mass does not stand as it was drawn: block %d has moved by %.3g m and turned by %.3g "
+      "degrees before it came to rest at (%.2f, %.2f)",
+      settled.fallen_block,
+      settled.fallen_by,
+      settled.turned_by * 180. / M_PI,
+      c.x(),
+      c.y());
+    log.warning(
+      text + std::string(
+               has_failed
+                 ? "; the run ends here: draw it where it stands, give it more strength, or set "
+                   "Gravity/Static stage to equilibrium or move (starts from where it has got to) "
+                   "or none (starts unloaded)"
+                 : "; the dynamic stage starts from there"));
+  }
+
+
+
+  void RunReport::planes(const continuum::StaticSlip &planes) const
+  {
+    if (!model.scene.bedding.slips || model.scene.bedding.names.empty())
+      return;
+    char text[200];
+    std::snprintf(text,
+                  sizeof(text),
+                  "Bedding planes at rest: %d points slip, %d are open, largest slip %.3g m",
+                  planes.slipping,
+                  planes.open,
+                  planes.largest);
+    log.info(text);
+    if (planes.equilibrium)
+      return;
+    std::snprintf(
+      text,
+      sizeof(text),
+      "the bedding planes cannot carry their load at rest, most of all near (%.2f, %.2f)",
+      planes.where.x(),
+      planes.where.y());
+    log.warning(text);
+  }
+
+
+
+  void RunReport::resumed(const double time, const long steps, const bool at_end) const
+  {
+    char text[200];
+    std::snprintf(text,
+                  sizeof(text),
+                  "Resumed from the checkpoint at t = %.6g s, after %ld steps%s",
+                  time,
+                  steps,
+                  at_end ? ", the end of the run (a later one: -s \"Time/End time=...\")" : "");
+    log.info(text);
+  }
+
+
+
+  void RunReport::missing_pictures(const std::vector<std::string> &files) const
+  {
+    if (files.empty())
+      return;
+    const bool one = files.size() == 1;
+    log.warning(std::to_string(files.size()) + (one ? " picture" : " pictures") +
+                " of the part before " + (one ? "is" : "are") + " gone from '" +
+                model.scene.output.directory + "'" + (one ? ", " : ", the first is ") +
+                files.front() + ": the .pvd files list the others, and all other results go on");
+  }
+
+
+
+  void RunReport::no_convergence(const dda::StepResult &result, const double time) const
+  {
+    char text[400];
+    std::snprintf(
+      text,
+      sizeof(text),
+      "stopped at t = %.6g s: the open-close iteration does not settle at the smallest step %.3g s "
+      "(relative residual %.2e after %d iterations, largest displacement ratio %.3g)",
+      time,
+      std::ldexp(model.scene.time.time_step, -model.scene.time.maximum_halvings),
+      result.residual,
+      result.iterations,
+      result.displacement_ratio);
+    log.warning(text);
+  }
+
+
+
+  void RunReport::end(const output::Summary &summary, const RunStatus status) const
+  {
+    char text[300];
+    std::snprintf(
+      text,
+      sizeof(text),
+      "%s: %ld steps, %.4g s simulated, %ld cuts, joints failed %ld tensile %ld shear, %senergy residual %.2e",
+      summary.finished ? "Finished" : "Stopped",
+      summary.steps,
+      summary.simulated_time,
+      summary.wasted.cuts,
+      summary.joints.tensile,
+      summary.joints.shear,
+      describe(summary.slip).c_str(),
+      summary.energy_residual);
+    log.info(text);
+    if (status == RunStatus::interrupted)
+      log.info("Interrupted; to continue: " + resume_command(model.scene.output.directory));
+    if (status == RunStatus::energy_limit)
+      log.info("To go on nevertheless: " + resume_command(model.scene.output.directory) +
+               " -s \"Output/Energy limit=0\"");
+  }
+} // namespace hybrid

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/coupling/block_bedrock.h>
+#include <hybrid/coupling/condensed_base.h>
+#include <hybrid/coupling/rigid_base.h>
+#include <hybrid/dda/model/bedrock_blocks.h>
+#include <hybrid/dda/model/model_builder.h>
+#include <hybrid/dda/step/initial_state.h>
+#include <hybrid/output/mesh_progress.h>
+#include <hybrid/output/probes.h>
+#include <hybrid/scene/checks/mesh_check.h>
+#include <hybrid/scene/mesh/edge_chain.h>
+#include <hybrid/scene_model.h>
+
+namespace hybrid
+{
+  namespace
+  {
+    /// The polyline of a rigid base: sliding surface and ground of the mesh, left to right.
+    std::vector<Vec2> surface_of(const scene::SectionMesh &mesh)
+    {
+      std::vector<scene::SectionMesh::Edge> edges;
+      for (const char *name : {"ground", "sliding_surface"})
+        {
+          const auto line = mesh.lines.find(name);
+          if (line != mesh.lines.end())
+            edges.insert(edges.end(), line->second.begin(), line->second.end());
+        }
+      std::vector<Vec2> nodes;
+      int               last = -1;
+      for (const auto &edge :
+           scene::chain_edges(edges, mesh.nodes, "of ground and sliding_surface"))
+        {
+          if (last >= 0 && edge[0] != last)
+            break; // another path, farther right
+          if (last < 0)
+            nodes.push_back(mesh.nodes[edge[0]]);
+          nodes.push_back(mesh.nodes[last = edge[1]]);
+        }
+      return nodes;
+    }
+  } // namespace
+
+
+
+  SceneModel::SceneModel(const scene::SceneParameters &parameters,
+                         output::Log                  &log,
+                         MPI_Comm                      communicator)
+    : scene(parameters)
+    , mesh(output::read_section_mesh(parameters.mesh, log))
+    , input(scene::make_input_motion(parameters.motion, parameters.time))
+    , motion(input.motion, parameters.motion)
+  {
+    const auto heartbeat = output::tell_of_preparation(mesh, log);
+    scene::check_section_mesh(mesh, scene);
+    if (scene.continuum_model == scene::ContinuumModel::elastic)
+      continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
+    if (scene.has_blocks())
+      make_blocks();
+    check_points();
+  }
+
+
+
+  void SceneModel::make_blocks()
+  {
+    if (scene.has_bedrock_blocks())
+      {
+        make_bedrock_blocks();
+        return;
+      }
+    if (continuum != nullptr)
+      base = std::make_unique<coupling::CondensedBase>(*continuum);
+    else
+      base = std::make_unique<coupling::RigidBase>(surface_of(mesh), motion);
+    blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, base->surface_nodes()));
+    blocks->initial.base_shares = base->surface_shares();
+  }
+
+
+
+  void SceneModel::make_bedrock_blocks()
+  {
+    std::vector<Vec2> nodes;
+    for (const int node : dda::cut_bedrock(mesh, scene).base)
+      nodes.push_back(mesh.nodes[node]);
+    blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, nodes));
+    base   = std::make_unique<coupling::BlockBedrock>(nodes, motion, scene, blocks->boundary);
+  }
+
+
+
+  coupling::CoupledState SceneModel::initial_state() const
+  {
+    coupling::CoupledState state;
+    if (continuum != nullptr)
+      state.continuum = continuum->initial_state();
+    else if (base != nullptr)
+      state.continuum = base->initial_state();
+    if (blocks != nullptr)
+      state.blocks = dda::initial_state(*blocks);
+    return state;
+  }
+
+
+
+  void SceneModel::check_points() const
+  {
+    output::Probes probes(blocks.get(), continuum.get(), base.get());
+    for (const scene::Monitor &monitor : scene.monitors.monitors)
+      probes.add(monitor.position, monitor.name);
+    for (const scene::Borehole &hole : scene.monitors.boreholes)
+      {
+        for (const Vec2 &end : {hole.top, hole.bottom})
+          probes.add(end, hole.name);
+        for (int k = 1; k + 1 < hole.samples; ++k)
+          probes.add(hole.top + k / (hole.samples - 1.) * (hole.bottom - hole.top),
+                     hole.name + " sample " + std::to_string(k));
+      }
+  }
+} // namespace hybrid
