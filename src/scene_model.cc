@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/coupling/block_bedrock.h>
-#include <hybrid/coupling/condensed_base.h>
-#include <hybrid/coupling/rigid_base.h>
+#include <hybrid/coupling/block_foundation.h>
+#include <hybrid/coupling/condensed_foundation.h>
+#include <hybrid/coupling/rigid_foundation.h>
 #include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/model/model_builder.h>
 #include <hybrid/dda/step/initial_state.h>
@@ -69,11 +69,12 @@ namespace hybrid
         return;
       }
     if (continuum != nullptr)
-      base = std::make_unique<coupling::CondensedBase>(*continuum);
+      foundation = std::make_unique<coupling::CondensedFoundation>(*continuum);
     else
-      base = std::make_unique<coupling::RigidBase>(surface_of(mesh), motion);
-    blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, base->surface_nodes()));
-    blocks->initial.base_shares = base->surface_shares();
+      foundation = std::make_unique<coupling::RigidFoundation>(surface_of(mesh), motion);
+    blocks =
+      std::make_unique<dda::Model>(dda::build_model(mesh, scene, foundation->surface_nodes()));
+    blocks->initial.base_shares = foundation->surface_shares();
   }
 
 
@@ -84,7 +85,8 @@ namespace hybrid
     for (const int node : dda::cut_bedrock(mesh, scene).base)
       nodes.push_back(mesh.nodes[node]);
     blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, nodes));
-    base   = std::make_unique<coupling::BlockBedrock>(nodes, motion, scene, blocks->boundary);
+    foundation =
+      std::make_unique<coupling::BlockFoundation>(nodes, motion, scene, blocks->boundary);
   }
 
 
@@ -94,8 +96,8 @@ namespace hybrid
     coupling::CoupledState state;
     if (continuum != nullptr)
       state.continuum = continuum->initial_state();
-    else if (base != nullptr)
-      state.continuum = base->initial_state();
+    else if (foundation != nullptr)
+      state.continuum = foundation->initial_state();
     if (blocks != nullptr)
       state.blocks = dda::initial_state(*blocks);
     return state;
@@ -105,7 +107,7 @@ namespace hybrid
 
   void SceneModel::check_points() const
   {
-    output::Probes probes(blocks.get(), continuum.get(), base.get());
+    output::Probes probes(blocks.get(), continuum.get(), foundation.get());
     for (const scene::Monitor &monitor : scene.monitors.monitors)
       probes.add(monitor.position, monitor.name);
     for (const scene::Borehole &hole : scene.monitors.boreholes)

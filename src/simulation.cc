@@ -145,8 +145,9 @@ namespace hybrid
     summary.blocks         = model.blocks != nullptr ? model.blocks->n_blocks() : 0;
     summary.continuum_unknowns =
       model.continuum != nullptr ? static_cast<long>(model.continuum->n_unknowns()) : 0;
-    summary.interface_unknowns =
-      model.base != nullptr ? 2 * static_cast<long>(model.base->surface_nodes().size()) : 0;
+    summary.interface_unknowns   = model.foundation != nullptr
+                                     ? 2 * static_cast<long>(model.foundation->surface_nodes().size())
+                                     : 0;
     summary.wasted.cuts          = run.clock.cuts();
     summary.timings["continuum"] = run.step.timings().continuum;
     summary.timings["blocks"]    = run.step.timings().blocks;

@@ -12,7 +12,7 @@ namespace hybrid
     : solver(simulation.model.blocks != nullptr
                ? std::make_unique<dda::BlockSolver>(*simulation.model.blocks)
                : nullptr)
-    , step(solver.get(), simulation.model.base.get(), simulation.model.continuum.get())
+    , step(solver.get(), simulation.model.foundation.get(), simulation.model.continuum.get())
     , clock(simulation.model.scene.time.time_step,
             simulation.model.scene.time.end_time,
             simulation.model.scene.time.maximum_halvings)
@@ -22,7 +22,7 @@ namespace hybrid
                 simulation.model.input.fit,
                 simulation.model.blocks.get(),
                 simulation.model.continuum.get(),
-                simulation.model.base.get()},
+                simulation.model.foundation.get()},
                mode)
     , schedule(simulation.model.scene.checkpoint)
     , energy(simulation.model.scene.output.energy_warning,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/statics/bedding_rest.h>
+#include <hybrid/dda/statics/initial_bedding_tractions.h>
 #include <hybrid/dda/step/block_energy.h>
 #include <hybrid/output/static_progress.h>
 #include <hybrid/output/terminal.h>
@@ -25,7 +25,7 @@ namespace hybrid
     if (model.scene.environment.static_stage == scene::StaticStage::none ||
         model.scene.environment.gravity == 0. || !model.scene.blocks.enabled)
       {
-        state.blocks.energy = dda::held_energy(*model.blocks, state.blocks);
+        state.blocks.energy = dda::stored_energy(*model.blocks, state.blocks);
         stress_planes();
         return true;
       }

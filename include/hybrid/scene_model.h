@@ -2,8 +2,8 @@
 #pragma once
 
 #include <hybrid/continuum/continuum.h>
-#include <hybrid/coupling/base.h>
 #include <hybrid/coupling/coupled_state.h>
+#include <hybrid/coupling/foundation.h>
 #include <hybrid/dda/model/model.h>
 #include <hybrid/output/log.h>
 #include <hybrid/scene/mesh/section_mesh.h>
@@ -29,9 +29,9 @@ namespace hybrid
     scene::SectionMesh                    mesh;
     const scene::InputMotion              input; ///< as given
     const scene::GroundMotion             motion;
-    std::unique_ptr<continuum::Continuum> continuum; ///< the bedrock of finite elements, or null
-    std::unique_ptr<dda::Model>           blocks;    ///< of the mass and of the bedrock, or null
-    std::unique_ptr<coupling::Base>       base;      ///< what the blocks stand on, or null
+    std::unique_ptr<continuum::Continuum> continuum;  ///< the bedrock of finite elements, or null
+    std::unique_ptr<dda::Model>           blocks;     ///< of the mass and of the bedrock, or null
+    std::unique_ptr<coupling::Foundation> foundation; ///< what the blocks stand on, or null
 
   private:
     void make_blocks();

@@ -35,13 +35,13 @@ namespace hybrid::coupling
 
 
   CoupledStep::CoupledStep(dda::BlockSolver     *block_solver,
-                           Base                 *block_base,
+                           Foundation           *of_blocks,
                            continuum::Continuum *bedrock)
     : blocks(block_solver)
-    , base(block_base)
+    , foundation(of_blocks)
     , continuum(bedrock)
   {
-    assert(blocks == nullptr || base != nullptr);
+    assert(blocks == nullptr || foundation != nullptr);
   }
 
 
@@ -78,7 +78,7 @@ namespace hybrid::coupling
     const dda::BaseResponse *response = nullptr;
     {
       const Stopwatch watch(elapsed.continuum);
-      response = &base->predict(state.continuum, dt);
+      response = &foundation->predict(state.continuum, dt);
     }
     auto slip = continuum::SlipStatus::changed;
     for (int round = 0; slip == continuum::SlipStatus::changed; ++round)
@@ -88,7 +88,8 @@ namespace hybrid::coupling
         if (!result.converged)
           return result;
         const Stopwatch watch(elapsed.continuum);
-        slip = base->solve_slip(state.continuum, dt, blocks->solved_step().base_displacement());
+        slip =
+          foundation->solve_slip(state.continuum, dt, blocks->solved_step().base_displacement());
         if (slip == continuum::SlipStatus::failed || round == most_slip_rounds)
           {
             result.converged = false;
@@ -101,12 +102,12 @@ namespace hybrid::coupling
     }
     const Stopwatch                watch(elapsed.continuum);
     const dda::OpenCloseIteration &solved = blocks->solved_step();
-    base->correct(state.continuum,
-                  dt,
-                  solved.base_displacement(),
-                  {solved.base_force_increment(),
-                   solved.base_contact_increment(),
-                   state.blocks.base_contact_force - state.blocks.static_contact_force});
+    foundation->correct(state.continuum,
+                        dt,
+                        solved.base_displacement(),
+                        {solved.base_force_increment(),
+                         solved.base_contact_increment(),
+                         state.blocks.base_contact_force - state.blocks.static_contact_force});
     return result;
   }
 

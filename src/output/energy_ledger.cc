@@ -21,7 +21,7 @@ namespace hybrid::output
     /// Numbers of the time integration and the contact search, not of physics.
     bool is_of_scheme(const std::string &name)
     {
-      return name == "contact_switch_loss" || name == "blocks_integration_loss" ||
+      return name == "spring_replacement_loss" || name == "blocks_integration_loss" ||
              name == "bedrock_integration_loss";
     }
 
@@ -56,7 +56,7 @@ namespace hybrid::output
                                        {"fracture_loss", b.fracture_loss},
                                        {"blocks_damping_loss", b.damping_loss},
                                        {"blocks_integration_loss", b.integration_loss},
-                                       {"contact_switch_loss", b.switch_loss}};
+                                       {"spring_replacement_loss", b.spring_replacement_loss}};
       if (effects.edge_loads)
         terms.push_back({"edge_load_work", -b.edge_load_work});
       if (!has_continuum)

@@ -45,10 +45,10 @@ namespace hybrid::output
 
   Probes::Probes(const dda::Model           *blocks,
                  const continuum::Continuum *bedrock,
-                 const coupling::Base       *block_base)
+                 const coupling::Foundation *of_blocks)
     : model(blocks)
     , continuum(bedrock)
-    , base(block_base)
+    , foundation(of_blocks)
     , section(size_of(blocks, bedrock))
   {}
 
@@ -244,11 +244,12 @@ namespace hybrid::output
     else if (state.blocks.base_displacement.size() > 0)
       {
         motion.displacement = state.blocks.base_displacement.head<2>();
-        if (base != nullptr)
+        if (foundation != nullptr)
           {
-            const coupling::PrescribedMotion prescribed = base->prescribed_motion(state.time());
-            motion.velocity                             = prescribed.velocity;
-            motion.acceleration                         = prescribed.acceleration;
+            const coupling::PrescribedMotion prescribed =
+              foundation->prescribed_motion(state.time());
+            motion.velocity     = prescribed.velocity;
+            motion.acceleration = prescribed.acceleration;
           }
       }
     return motion;

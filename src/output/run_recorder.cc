@@ -13,7 +13,7 @@ namespace hybrid::output
 {
   RunRecorder::RunRecorder(const RunParts &run, const HistoryFile::Mode mode)
     : parts(run)
-    , probes(run.blocks, run.continuum, run.base)
+    , probes(run.blocks, run.continuum, run.foundation)
     , file(run.scene.output.directory + "/run.h5", mode)
     , pictures(run.scene.output.directory, run.blocks, run.continuum)
     , downhill(scene::downhill_sign(run.mesh))

@@ -13,7 +13,7 @@ MARGIN = 4.0  # of the elastic settlement over that of a column
 CREEP = 0.05  # of the elastic settlement: what is at rest stays where it is
 SLIP = 0.02  # of Newmark's block
 SPREADS = 0.1  # loose triangles spread while they slide, so that some slide less and some more
-SCHEME = ("blocks_integration_loss", "bedrock_integration_loss", "contact_switch_loss")
+SCHEME = ("blocks_integration_loss", "bedrock_integration_loss", "spring_replacement_loss")
 
 
 def judge(run):

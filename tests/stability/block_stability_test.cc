@@ -50,7 +50,7 @@ namespace hybrid::test
 
     void start_energy(FixedBaseRun &run)
     {
-      run.state.energy = dda::held_energy(run.model, run.state);
+      run.state.energy = dda::stored_energy(run.model, run.state);
     }
 
 
@@ -157,7 +157,8 @@ namespace hybrid::test
     EXPECT_GT(failed, static_cast<int>(run.state.joints.size()) / 2);
     EXPECT_LT(deepest(run.state), 0.01);
     EXPECT_LT(fastest(run.state), std::sqrt(2. * g * 8.));
-    // Nothing may be created; what vanishes when contacts take over from joints is in switch_loss.
+    // Nothing may be created; what vanishes when contacts take over from joints is in
+    // spring_replacement_loss.
     EXPECT_LT(run.state.energy.balance() - before, 0.01 * 8. * 32. * 2220. * g);
     std::printf("collapse: %d of %zu joints failed, %d steps, %d cuts\n",
                 failed,

@@ -3,7 +3,7 @@
 
 #include "coupled_section.h"
 
-#include <hybrid/coupling/condensed_base.h>
+#include <hybrid/coupling/condensed_foundation.h>
 #include <hybrid/coupling/coupled_step.h>
 #include <hybrid/dda/model/model_builder.h>
 #include <hybrid/dda/step/initial_state.h>
@@ -32,7 +32,7 @@ namespace hybrid::test
    * other free. The rock's sides are held by stiff springs on its surface unknowns; the blocks'
    * sides by joints (add_wall_joints()) to nodes that do not move.
    */
-  class WalledBase final : public coupling::Base
+  class WalledBase final : public coupling::Foundation
   {
   public:
     WalledBase(continuum::Continuum &rock, const Section &layout, const Wave kind)
@@ -120,7 +120,7 @@ namespace hybrid::test
     }
 
   private:
-    coupling::CondensedBase           condensed;
+    coupling::CondensedFoundation     condensed;
     const Wave                        wave;
     const int                         n_wall;
     std::vector<Vec2>                 nodes; ///< left wall downwards, rock, right wall upwards
@@ -141,7 +141,7 @@ namespace hybrid::test
                const scene::Motion          &motion = {})
       : scene(parameters)
       , rock(section_mesh(layout), scene, {motion, scene.motion}, MPI_COMM_WORLD)
-      , base(std::make_unique<coupling::CondensedBase>(rock))
+      , base(std::make_unique<coupling::CondensedFoundation>(rock))
       , model(dda::build_model(section_mesh(layout), scene, base->surface_nodes()))
     {
       start();
@@ -199,7 +199,7 @@ namespace hybrid::test
 
     scene::SceneParameters                 scene;
     continuum::Continuum                   rock;
-    std::unique_ptr<coupling::Base>        base;
+    std::unique_ptr<coupling::Foundation>  base;
     dda::Model                             model;
     coupling::CoupledState                 state;
     std::unique_ptr<dda::BlockSolver>      solver;

@@ -49,7 +49,7 @@ namespace hybrid::test
     }
 
     void move(const Eigen::VectorXd      &d,
-              const Springs::ReversedSlip reversed = Springs::ReversedSlip::slides)
+              const Springs::SlipReversal reversed = Springs::SlipReversal::slides)
     {
       trial.motion.clear();
       trial.displacement.resize(8);

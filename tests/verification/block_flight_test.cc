@@ -96,12 +96,12 @@ TEST(BlockFlight, spinning_bonded_pair_neither_grows_nor_gains_energy)
           run.state.blocks[b].velocity[1] = (b == 0 ? -0.5 : 0.5) * spin;
           run.state.blocks[b].velocity[2] = spin;
         }
-      const double start    = dda::held_energy(run.model, run.state).kinetic;
+      const double start    = dda::stored_energy(run.model, run.state).kinetic;
       double       distance = 0., energy = 0.;
       for (int turn = 0; turn < 10; ++turn)
         {
           ASSERT_TRUE(run.run(turn + 1., 1e-3));
-          const dda::BlockEnergy held = dda::held_energy(run.model, run.state);
+          const dda::BlockEnergy held = dda::stored_energy(run.model, run.state);
           energy                      = std::max(energy, held.kinetic + held.strain + held.springs);
           distance                    = std::max(distance,
                               (run.state.blocks[1].centroid - run.state.blocks[0].centroid).norm());

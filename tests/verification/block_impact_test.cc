@@ -87,7 +87,7 @@ namespace
     FixedBaseRun run(impact_mesh(impact), p, straight_base(0., 20., 20.));
     const double angle                     = impact.obliquity * M_PI / 180.;
     run.state.blocks[0].velocity.head<2>() = impact.speed * Vec2(std::sin(angle), -std::cos(angle));
-    run.state.energy                       = dda::held_energy(run.model, run.state);
+    run.state.energy                       = dda::stored_energy(run.model, run.state);
 
     const double kinetic  = run.state.energy.kinetic;
     const double balance  = run.state.energy.balance();

@@ -145,7 +145,7 @@ namespace
         velocity.head<2>()  = (body == 0 ? 0.5 : -0.5) * speed * towards;
         velocity[2]         = random.below(2) * random.uniform(-1., 1.) * speed;
       }
-    run.state.energy   = dda::held_energy(run.model, run.state);
+    run.state.energy   = dda::stored_energy(run.model, run.state);
     const double start = run.state.energy.kinetic;
     outcome.way        = std::min(1e-3 * speed, random.uniform(1e-3, 1e-2));
     while (outcome.converges && run.state.time < 0.1 / speed)

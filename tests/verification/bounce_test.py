@@ -72,7 +72,7 @@ subsection Output
 end
 """
 FALLS = "Blocks/Initial velocities=all: 0, 2, 1, 4, 0, -2, 0"
-SCHEME = ("blocks_integration_loss", "bedrock_integration_loss", "contact_switch_loss")
+SCHEME = ("blocks_integration_loss", "bedrock_integration_loss", "spring_replacement_loss")
 
 
 class Bounces:
@@ -100,7 +100,7 @@ class Bounces:
             terms = {n: t[()].ravel() for n, t in file["energy"].items() if n not in ("time", "residual")}
             moved = (file["section/blocks_points_final"][()] - file["section/blocks_points"][()]).mean(axis=0)[1]
         in_play = sum(np.abs(t) for n, t in terms.items() if n not in SCHEME).max()
-        return np.abs(sum(terms.values())).max() / in_play, np.abs(terms["contact_switch_loss"]).max() / in_play, moved
+        return np.abs(sum(terms.values())).max() / in_play, np.abs(terms["spring_replacement_loss"]).max() / in_play, moved
 
     def below(self, what, found, limit):
         print("%s %s: %.2g, allowed %g" % ("ok   " if found <= limit else "FAIL ", what, found, limit), flush=True)

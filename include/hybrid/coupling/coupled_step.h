@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/coupling/base.h>
 #include <hybrid/coupling/coupled_state.h>
+#include <hybrid/coupling/foundation.h>
 #include <hybrid/dda/step/block_solver.h>
 
 namespace hybrid::coupling
@@ -28,7 +28,7 @@ namespace hybrid::coupling
   public:
     /// @param blocks may be nullptr (site response); @param continuum may be nullptr (pure DDA);
     /// with blocks there is always a base. All must outlive the step.
-    CoupledStep(dda::BlockSolver *blocks, Base *base, continuum::Continuum *continuum);
+    CoupledStep(dda::BlockSolver *blocks, Foundation *foundation, continuum::Continuum *continuum);
 
     dda::StepResult solve(CoupledState &state, double dt);
 
@@ -48,7 +48,7 @@ namespace hybrid::coupling
                       dda::StepResult         &result);
 
     dda::BlockSolver     *blocks;
-    Base                 *base;
+    Foundation           *foundation;
     continuum::Continuum *continuum;
     StepTimings           elapsed;
   };

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <hybrid/continuum/continuum.h>
-#include <hybrid/coupling/base.h>
 #include <hybrid/coupling/coupled_state.h>
+#include <hybrid/coupling/foundation.h>
 #include <hybrid/dda/model/model.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
@@ -36,7 +36,7 @@ namespace hybrid::output
     /// What the scene does not have is nullptr. All must outlive the probes.
     Probes(const dda::Model           *blocks,
            const continuum::Continuum *bedrock,
-           const coupling::Base       *base = nullptr);
+           const coupling::Foundation *foundation = nullptr);
 
     /// Follow the point at the initial position @p x. @return its number. @throws InputError if
     /// it is farther than a thousandth of the section from everything.
@@ -63,7 +63,7 @@ namespace hybrid::output
 
     const dda::Model           *model;
     const continuum::Continuum *continuum;
-    const coupling::Base       *base;
+    const coupling::Foundation *foundation;
     double                      section = 0.; ///< larger side of all there is [m]
     std::vector<Probe>          probes;
 

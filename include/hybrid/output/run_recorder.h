@@ -30,7 +30,7 @@ namespace hybrid::output
     const scene::SpectrumFit     &fit; ///< to a target spectrum; empty: none
     const dda::Model             *blocks;
     const continuum::Continuum   *continuum;
-    const coupling::Base         *base;
+    const coupling::Foundation   *foundation;
   };
 
 

@@ -283,8 +283,9 @@ namespace hybrid::dda
   {
     if (block == other || has_pair(lookup.bonded, block, other))
       return true;
-    const bool is_awake = lookup.awake.empty() ||
-                          std::max(lookup.awake[block], lookup.awake[other]) >= Awake::to_blocks;
+    const bool is_awake =
+      lookup.awake.empty() ||
+      std::max(lookup.awake[block], lookup.awake[other]) >= ContactScope::to_blocks;
     return !is_awake && are_neighbours(block, other);
   }
 
@@ -300,7 +301,7 @@ namespace hybrid::dda
 
 
 
-  bool ContactCandidates::is_first_look(const int body, const int other) const
+  bool ContactCandidates::is_first_activation(const int body, const int other) const
   {
     if (was_awake.empty())
       return false;
@@ -308,9 +309,9 @@ namespace hybrid::dda
       if (surface == base_body || surface >= first_bedrock)
         {
           const int block = surface == body ? other : body;
-          return is_held_off(block) && was_awake[block] != Awake::to_all;
+          return is_held_off(block) && was_awake[block] != ContactScope::to_all;
         }
-    return std::max(was_awake[body], was_awake[other]) < Awake::to_blocks &&
+    return std::max(was_awake[body], was_awake[other]) < ContactScope::to_blocks &&
            are_neighbours(body, other);
   }
 
@@ -325,7 +326,7 @@ namespace hybrid::dda
 
   bool ContactCandidates::is_skipped_edge(const BondedEdge &pair) const
   {
-    const bool is_awake = lookup.awake.empty() || lookup.awake[pair.block] == Awake::to_all;
+    const bool is_awake = lookup.awake.empty() || lookup.awake[pair.block] == ContactScope::to_all;
     return (!is_awake && is_held_off(pair.block)) ||
            std::binary_search(lookup.surface.begin(), lookup.surface.end(), pair);
   }

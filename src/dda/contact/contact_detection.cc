@@ -91,8 +91,8 @@ namespace hybrid::dda
         {
           Contact &contact = trials[i].contact;
           if (trials[i].history == ContactTrial::History::none &&
-              candidates.is_first_look(contact.vertex_body, contact.edge_body))
-            contact.rest_gap = std::min(0., trials[i].gap - tolerances.extension());
+              candidates.is_first_activation(contact.vertex_body, contact.edge_body))
+            contact.stress_free_gap = std::min(0., trials[i].gap - tolerances.extension());
           contacts.push_back(contact);
         }
     settle(contacts, rest);
@@ -117,7 +117,7 @@ namespace hybrid::dda
     for (std::size_t i = group.begin; i < group.end; ++i)
       {
         const ContactCandidate &pair = candidates.awake()[i];
-        if (!watch.rests(pair) || candidates.is_first_look(pair.vertex_body, pair.edge_body))
+        if (!watch.rests(pair) || candidates.is_first_activation(pair.vertex_body, pair.edge_body))
           return false;
       }
     return true;
@@ -133,7 +133,8 @@ namespace hybrid::dda
     for (std::size_t i = 0; i < list.size(); i = group.end)
       {
         group = group_at(i);
-        if (!RestWatch::settled(rest, list[i].vertex_body, list[i].vertex) || !group_rests(group))
+        if (!StillnessCache::settled(rest, list[i].vertex_body, list[i].vertex) ||
+            !group_rests(group))
           return false;
         while (kept < contacts.size() && is_of(contacts[kept], list[i]))
           ++kept;
@@ -164,7 +165,7 @@ namespace hybrid::dda
           }
         is_same = is_same && (then == previous.cend() || !is_of(*then, list[i]));
         if (!is_same || !group_rests(group))
-          RestWatch::settled(rest, list[i].vertex_body, list[i].vertex) = 0;
+          StillnessCache::settled(rest, list[i].vertex_body, list[i].vertex) = 0;
       }
   }
 
@@ -217,7 +218,7 @@ namespace hybrid::dda
       {
         group          = group_at(i);
         const int body = list[i].vertex_body, vertex = list[i].vertex;
-        char     &settled = RestWatch::settled(rest, body, vertex);
+        char     &settled = StillnessCache::settled(rest, body, vertex);
         if (frames.corner(body, vertex) != Corner::convex && !is_surface(geometry, body))
           {
             settled = 1;

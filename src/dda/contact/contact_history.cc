@@ -82,9 +82,9 @@ namespace hybrid::dda
     const double slip =
       from.contact->slip + (from.position - from.contact->edge_position) * then.length;
 
-    contact.slip         = sign * slip;
-    contact.plastic_slip = sign * from.contact->plastic_slip;
-    contact.state        = from.contact->state;
-    contact.rest_gap     = from.contact->rest_gap;
+    contact.slip            = sign * slip;
+    contact.plastic_slip    = sign * from.contact->plastic_slip;
+    contact.state           = from.contact->state;
+    contact.stress_free_gap = from.contact->stress_free_gap;
   }
 } // namespace hybrid::dda

@@ -57,7 +57,7 @@ namespace hybrid::dda
     const double given_way = std::max(way_given(state.points[0]), way_given(state.points[1]));
     if (state.failure != FailureKind::none ||
         (joint.kind == JointKind::body && given_way > loosened_part * joint.length))
-      state.loosened = true;
+      state.given_way = true;
     const double reach = released_part * joint.length;
     if (state.failure != FailureKind::none && !joint.within_bedrock() &&
         (std::max(state.points[0].jump.norm(), state.points[1].jump.norm()) > reach))

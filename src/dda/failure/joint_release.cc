@@ -69,8 +69,9 @@ namespace hybrid::dda
         const Overlap of_pair{in_order(model, contact.vertex_body, contact.edge_body), 0.};
         const auto    found = std::equal_range(overlaps.begin(), overlaps.end(), of_pair);
         for (auto joint = found.first; joint != found.second; ++joint)
-          contact.rest_gap =
-            std::max(contact.rest_gap, std::min(0., gap(contact, state.geometry) + joint->depth));
+          contact.stress_free_gap =
+            std::max(contact.stress_free_gap,
+                     std::min(0., gap(contact, state.geometry) + joint->depth));
       }
   }
 } // namespace hybrid::dda

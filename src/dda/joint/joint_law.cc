@@ -89,7 +89,7 @@ namespace hybrid::dda
 
 
 
-  JointStrength JointStrength::broken(const Material &material)
+  JointStrength JointStrength::residual(const Material &material)
   {
     JointStrength s = bond(material, 0., 0.);
     s.tensile       = 0.;
@@ -112,7 +112,7 @@ namespace hybrid::dda
 
   JointStrength JointStrength::broken_belt(const Material &material)
   {
-    JointStrength s     = broken(material);
+    JointStrength s     = residual(material);
     s.residual_cohesion = belt(material, 0., 0.).residual_cohesion;
     s.cohesion          = s.residual_cohesion;
     return s;
@@ -185,7 +185,8 @@ namespace hybrid::dda
 
 
 
-  JointLaw::Fading JointLaw::fading(const double damage, const double residual_cohesion) const
+  JointLaw::CohesionTaper JointLaw::cohesion_taper(const double damage,
+                                                   const double residual_cohesion) const
   {
     if (!std::isfinite(residual_cohesion))
       return {0., 0.};
@@ -200,7 +201,7 @@ namespace hybrid::dda
 
   double JointLaw::parting_opening() const
   {
-    return fading(0., strength.residual_cohesion).end;
+    return cohesion_taper(0., strength.residual_cohesion).end;
   }
 
 
@@ -260,8 +261,8 @@ namespace hybrid::dda
     hold(kinematics, history, r);
     const double left_by_opening = strength.opening_ends_cohesion && history.damage >= 1. ? 0. : 1.;
     const double residual_cohesion =
-      left_by_opening * kinematics.cohesive * strength.residual_cohesion;
-    const Fading fade = fading(r.history.damage, residual_cohesion);
+      left_by_opening * kinematics.cohesion_length_ratio * strength.residual_cohesion;
+    const CohesionTaper fade = cohesion_taper(r.history.damage, residual_cohesion);
     if (kinematics.gap > 0. && kinematics.gap >= fade.end && has_let_go(r.history))
       {
         // Open for good: no shear; the friction spring starts anew on closing.
@@ -277,7 +278,7 @@ namespace hybrid::dda
     else
       {
         r.normal += viscous;
-        r.normal_by_gap += dashpot;
+        r.k_nn += dashpot;
       }
 
     // Spring and dashpot of the step together: a stiffer spring from a shifted origin. Friction
@@ -326,12 +327,12 @@ namespace hybrid::dda
     if (r.elastic_normal + viscous >= limit)
       {
         r.normal += viscous;
-        r.normal_by_gap += dashpot;
+        r.k_nn += dashpot;
       }
     else if (r.elastic_normal > limit)
       {
-        r.normal        = limit;
-        r.normal_by_gap = 0.;
+        r.normal = limit;
+        r.k_nn   = 0.;
       }
   }
 
@@ -347,14 +348,14 @@ namespace hybrid::dda
         const double secant = (1. - r.history.damage) * k_n;
         r.normal            = secant == 0. ? 0. : -secant * gap;
         if (!cracks)
-          r.normal_by_gap = secant;
+          r.k_nn = secant;
         else if (damage < 1.)
-          r.normal_by_gap = -strength.tensile / (critical_opening() - strength.tensile / k_n);
+          r.k_nn = -strength.tensile / (critical_opening() - strength.tensile / k_n);
       }
     else
       {
-        r.normal        = -k_n * gap;
-        r.normal_by_gap = k_n;
+        r.normal = -k_n * gap;
+        r.k_nn   = k_n;
       }
     r.elastic_normal = r.normal;
   }
@@ -376,8 +377,8 @@ namespace hybrid::dda
     r.history.held = left;
     if (kinematics.gap > 0.)
       {
-        r.normal        = -tension;
-        r.normal_by_gap = tension < left ? k_n : 0.;
+        r.normal = -tension;
+        r.k_nn   = tension < left ? k_n : 0.;
       }
   }
 
@@ -409,11 +410,11 @@ namespace hybrid::dda
     r.state             = ContactState::sliding;
 
     r.shear_by_slip     = -slope * spring / (spring - slope);
-    const double by_gap = r.shear == 0. ? 0.
-                                        : friction_at(r.history.softening) * r.normal_by_gap +
-                                            at.cohesion_by_gap +
-                                            bond_cohesion(r.history.softening) * at.damage_by_gap;
-    r.shear_by_gap      = std::copysign(spring / (spring - slope) * by_gap, trial);
+    const double by_gap = r.shear == 0.
+                            ? 0.
+                            : friction_at(r.history.softening) * r.k_nn + at.cohesion_by_gap +
+                                bond_cohesion(r.history.softening) * at.damage_by_gap;
+    r.k_tn              = std::copysign(spring / (spring - slope) * by_gap, trial);
   }
 
 

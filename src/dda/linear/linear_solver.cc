@@ -47,7 +47,7 @@ namespace hybrid::dda
 
   void LinearSolver::serialize(restart::Archive &archive, const BlockMatrix &matrix)
   {
-    archive(use_factor, factor_is_current, failures, passed_over, patience, factors);
+    archive(use_factor, factor_is_current, failures, passed_over, factors_before_retry, factors);
     factor.serialize(archive, matrix);
   }
 
@@ -166,7 +166,7 @@ namespace hybrid::dda
 
 
   template <typename System>
-  LinearSolver::Result LinearSolver::stabilised_gradients(System &system, const int limit)
+  LinearSolver::Result LinearSolver::bicgstab(System &system, const int limit)
   {
     Result result;
     system.weigh(r, dual_r);
@@ -214,8 +214,8 @@ namespace hybrid::dda
   {
     Swept system{*this, target};
     swept.sweep_forward(r, r);
-    const Result result = symmetric ? conjugate_gradients(system, target.limit)
-                                    : stabilised_gradients(system, target.limit);
+    const Result result =
+      symmetric ? conjugate_gradients(system, target.limit) : bicgstab(system, target.limit);
     swept.sweep_backward(unknown, x);
     return result;
   }
@@ -227,7 +227,7 @@ namespace hybrid::dda
                                                        Eigen::VectorXd   &x)
   {
     Factored     system{*this, matrix, target};
-    const Result result = stabilised_gradients(system, target.limit);
+    const Result result = bicgstab(system, target.limit);
     precondition(matrix, unknown);
     x = z;
     return result;
@@ -237,15 +237,15 @@ namespace hybrid::dda
 
   bool LinearSolver::are_sweeps_due() const
   {
-    return !factor_is_current && !factor.is_cheap() && factors >= patience;
+    return !factor_is_current && !factor.is_cheap() && factors >= factors_before_retry;
   }
 
 
 
   void LinearSolver::judge_sweeps(const bool served)
   {
-    patience = served ? few_factors : std::min(2 * patience, many_factors);
-    factors  = 0;
+    factors_before_retry = served ? few_factors : std::min(2 * factors_before_retry, many_factors);
+    factors              = 0;
   }
 
 

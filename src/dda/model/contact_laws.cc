@@ -195,11 +195,11 @@ namespace hybrid::dda
       const bool             bedrock = model.is_bedrock(block);
       const Material        &own     = bedrock ? materials[block] : material(false, p.saturated);
       const double k_n = scene.blocks.penalty_ratio * own.young_modulus * p.modulus_factor / p.size;
-      JointStrength strength = JointStrength::broken(own);
+      JointStrength strength = JointStrength::residual(own);
       if (surface.kind == Kind::belt)
         strength = JointStrength::broken_belt(*surface.made_of);
       else if (surface.made_of != nullptr)
-        strength = strength.weaker_of(JointStrength::broken(*surface.made_of));
+        strength = strength.weaker_of(JointStrength::residual(*surface.made_of));
       if (surface.kind == Kind::bedrock)
         strength.cohesion = strength.residual_cohesion = 0.;
       return {JointLaw(strength, k_n, scene.blocks.shear_ratio * k_n), 0.5 * p.size};

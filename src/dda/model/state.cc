@@ -24,9 +24,9 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, JointState &joint)
   {
-    auto &[points, failure, failure_time, loosened, released, handed_over, parted, rest_slip] =
+    auto &[points, failure, failure_time, given_way, released, handed_over, parted, rest_slip] =
       joint;
-    archive(points, failure, failure_time, loosened, released, handed_over, parted[0], parted[1]);
+    archive(points, failure, failure_time, given_way, released, handed_over, parted[0], parted[1]);
     archive(rest_slip[0], rest_slip[1]);
   }
 
@@ -34,11 +34,24 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, Contact &contact)
   {
-    auto
-      &[vertex_body, vertex, edge_body, edge, edge_position, slip, plastic_slip, state, rest_gap] =
-        contact;
-    archive(
-      vertex_body, vertex, edge_body, edge, edge_position, slip, plastic_slip, state, rest_gap);
+    auto &[vertex_body,
+           vertex,
+           edge_body,
+           edge,
+           edge_position,
+           slip,
+           plastic_slip,
+           state,
+           stress_free_gap] = contact;
+    archive(vertex_body,
+            vertex,
+            edge_body,
+            edge,
+            edge_position,
+            slip,
+            plastic_slip,
+            state,
+            stress_free_gap);
   }
 
 
@@ -65,14 +78,15 @@ namespace hybrid::dda
            fracture_loss,
            damping_loss,
            integration_loss,
-           switch_loss,
+           spring_replacement_loss,
            base_work,
            boundary_loss,
            input_work,
            static_work,
            edge_load_work] = energy;
     archive(kinetic, strain, gravity, springs, friction_loss, fracture_loss, damping_loss);
-    archive(integration_loss, switch_loss, base_work, boundary_loss, input_work, static_work);
+    archive(
+      integration_loss, spring_replacement_loss, base_work, boundary_loss, input_work, static_work);
     archive(edge_load_work, bedding_loss);
   }
 

@@ -69,7 +69,7 @@ namespace hybrid::dda
         if (std::binary_search(before.begin(), before.end(), contact, comes_before))
           continue;
         const double gap = Place(contact, geometry).gap;
-        if (gap >= contact.rest_gap)
+        if (gap >= contact.stress_free_gap)
           continue;
         if (!is_found)
           find_pressing(before, geometry);
@@ -81,7 +81,7 @@ namespace hybrid::dda
         double depth = 0.;
         for (auto it = between.first; it != between.second; ++it)
           depth = std::max(depth, it->depth);
-        contact.rest_gap = std::min(contact.rest_gap, gap + depth);
+        contact.stress_free_gap = std::min(contact.stress_free_gap, gap + depth);
       }
   }
 
@@ -100,7 +100,7 @@ namespace hybrid::dda
     pressing.clear();
     for (std::size_t c = 0; c < before.size(); ++c)
       {
-        const double depth = before[c].rest_gap - Place(before[c], geometry).gap;
+        const double depth = before[c].stress_free_gap - Place(before[c], geometry).gap;
         if (depth > 0.)
           pressing.push_back({bodies_of(before[c], geometry), static_cast<int>(c), depth});
       }
@@ -146,8 +146,8 @@ namespace hybrid::dda
       is_surface(geometry, nearest->vertex_body) == is_surface(geometry, contact.vertex_body);
     const double role = same_role ? 1. : -1.;
     const double own = lists.length(lists.now, contact), its = lists.length(lists.before, *nearest);
-    const double part = own > its ? its / own : 1.;
-    contact.rest_gap  = std::min(0., place.gap + part * depth);
+    const double part       = own > its ? its / own : 1.;
+    contact.stress_free_gap = std::min(0., place.gap + part * depth);
     contact.plastic_slip =
       contact.slip - role * turn * part * (nearest->slip - nearest->plastic_slip);
     return true;

@@ -49,15 +49,15 @@ namespace hybrid::dda
     const double part       = spring.contact_part;
     const double weight     = 1. + part * (choice.contact_weight - 1.);
     const double length     = weight * spring.length;
-    const bool   coupled    = choice.follow_softening || response.normal_by_gap >= 0.;
+    const bool   coupled    = choice.follow_softening || response.k_nn >= 0.;
     const bool   slides     = part == 1. && response.now.state == ContactState::sliding;
     const double kept_shear = slides ? choice.sliding_share * spring.law->shear_stiffness() : 0.;
     // Open, only the bond of a joint acts; closed, its contact has the part of k_n.
     const double pressing = response.now.gap > 0. ? 0. : part * spring.law->normal_stiffness();
-    return {spring.length * std::max(floor, response.normal_by_gap - pressing) +
+    return {spring.length * std::max(floor, response.k_nn - pressing) +
               choice.contact_weight * spring.length * pressing,
             length * (std::max(floor, response.shear_by_slip) + kept_shear),
-            coupled ? length * response.shear_by_gap : 0.};
+            coupled ? length * response.k_tn : 0.};
   }
 
 

@@ -110,10 +110,10 @@ namespace hybrid::dda
 
 
 
-  double turning_work(const SpringStep        &step,
-                      const std::size_t        number,
-                      const Springs::Traction &start,
-                      const Springs::Traction &end)
+  double rotation_work(const SpringStep        &step,
+                       const std::size_t        number,
+                       const Springs::Traction &start,
+                       const Springs::Traction &end)
   {
     const Springs::Spring &spring = step.springs.springs[number];
     const SpringState     &old = spring.old, &now = step.springs.responses[number].now;

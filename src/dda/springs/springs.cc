@@ -42,9 +42,9 @@ namespace hybrid::dda
       now.shear              = r.shear;
       now.elastic_normal     = r.elastic_normal;
       now.elastic_shear      = r.elastic_shear;
-      response.normal_by_gap = r.normal_by_gap;
+      response.k_nn          = r.k_nn;
       response.shear_by_slip = r.shear_by_slip;
-      response.shear_by_gap  = r.shear_by_gap;
+      response.k_tn          = r.k_tn;
     }
 
 
@@ -148,7 +148,7 @@ namespace hybrid::dda
           contact_length(geometry, state.contacts, contact, law.length, &bonded_area);
         s.length = length.spring;
         if (law.law.has_residual_cohesion())
-          s.cohesive = cohesive_part(model, contact, length);
+          s.cohesion_length_ratio = cohesive_part(model, contact, length);
         if (on_base)
           {
             s.node[0] = node_on_block ? contact.vertex : contact.edge;
@@ -162,10 +162,11 @@ namespace hybrid::dda
         const ContactPlaces start = places(contact, geometry);
         const ContactFrame  frame(contact, start.from_q(contact), start.second - start.first);
         s.old.history.plastic_slip = contact.plastic_slip;
-        s.old.gap                  = frame.gap - contact.rest_gap;
+        s.old.gap                  = frame.gap - contact.stress_free_gap;
         s.old.slip                 = frame.slip;
-        const JointResponse r = law.law.respond({s.old.gap, frame.slip, s.cohesive}, s.old.history);
-        s.old.history         = r.history;
+        const JointResponse r =
+          law.law.respond({s.old.gap, frame.slip, s.cohesion_length_ratio}, s.old.history);
+        s.old.history = r.history;
         s.old.normal = s.old.elastic_normal = r.normal;
         s.old.shear = s.old.elastic_shear = r.shear;
         s.old.state                       = r.state;
@@ -211,7 +212,7 @@ namespace hybrid::dda
   void Springs::evaluate(const Model       &model,
                          const DdaState    &state,
                          const Trial       &trial,
-                         const ReversedSlip reversed)
+                         const SlipReversal reversed)
   {
 #pragma omp parallel for schedule(static)
     for (std::size_t s = 0; s < springs.size(); ++s)
@@ -230,7 +231,7 @@ namespace hybrid::dda
                                const DdaState    &state,
                                const Trial       &trial,
                                const std::size_t  s,
-                               const ReversedSlip reversed)
+                               const SlipReversal reversed)
   {
     const Spring   &spring   = springs[s];
     Response       &response = responses[s];
@@ -274,9 +275,9 @@ namespace hybrid::dda
     const JointDamping    damping{damping_time / trial.dt,
                                old.gap,
                                old.slip - old.history.plastic_slip};
-    const JointKinematics kinematics{now.gap, now.slip, spring.cohesive, trial.dt};
+    const JointKinematics kinematics{now.gap, now.slip, spring.cohesion_length_ratio, trial.dt};
     set_response(spring.law->respond(kinematics, old.history, damping), response);
-    response.held = reversed == ReversedSlip::locks && is_reversed(response.slid, now);
+    response.held = reversed == SlipReversal::locks && is_reversed(response.slid, now);
     if (response.held)
       set_response(spring.law->respond_locked(kinematics, old.history, damping), response);
   }
@@ -286,7 +287,7 @@ namespace hybrid::dda
   void Springs::evaluate_contact(const DdaState    &state,
                                  const Trial       &trial,
                                  const std::size_t  s,
-                                 const ReversedSlip reversed)
+                                 const SlipReversal reversed)
   {
     const Spring   &spring     = springs[s];
     Response       &response   = responses[s];
@@ -317,11 +318,13 @@ namespace hybrid::dda
     response.weight[1]     = edge_on_base ? xi : 0.;
 
     const JointHistory   &history = spring.old.history;
-    const JointKinematics kinematics{frame.gap - contact.rest_gap, frame.slip, spring.cohesive};
+    const JointKinematics kinematics{frame.gap - contact.stress_free_gap,
+                                     frame.slip,
+                                     spring.cohesion_length_ratio};
     response.now.gap  = kinematics.gap;
     response.now.slip = kinematics.slip;
     set_response(spring.law->respond(kinematics, history), response);
-    response.held = reversed == ReversedSlip::locks && is_reversed(response.slid, response.now);
+    response.held = reversed == SlipReversal::locks && is_reversed(response.slid, response.now);
     if (response.held)
       set_response(spring.law->respond_locked(kinematics, history), response);
   }

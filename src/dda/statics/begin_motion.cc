@@ -20,7 +20,7 @@ namespace hybrid::dda
 
 
 
-  void bear_rest(const Model &model, DdaState &state, const bool held)
+  void store_static_reactions(const Model &model, DdaState &state, const bool held)
   {
     const RestForces springs(held ? with_unlimited_strengths(model) : model, state);
     const int        first = 6 * model.n_blocks(), n = 2 * model.n_base_nodes();

@@ -104,7 +104,7 @@ namespace hybrid::dda
     state.time                 = start_time;
     state.static_force         = state.base_force;
     state.static_contact_force = state.base_contact_force;
-    state.energy               = held_energy(model, state);
+    state.energy               = stored_energy(model, state);
     return result;
   }
 } // namespace hybrid::dda

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/statics/static_steps.h>
-#include <hybrid/dda/statics/steps_from_hold.h>
+#include <hybrid/dda/statics/stick_predictor_steps.h>
 #include <hybrid/dda/step/block_solver.h>
 
 #include <algorithm>
@@ -132,7 +132,8 @@ namespace hybrid::dda
       watch ? watch_of_step(watch, result) : OpenCloseIteration::Watch();
     BlockSolver solver(problem);
     solver.set_watch(watch_step);
-    std::optional<StepsFromHold> from_hold; // of loose blocks, once plain steps have not converged
+    std::optional<StickPredictorSteps>
+      from_hold; // of loose blocks, once plain steps have not converged
 
     for (double dt = first_step; result.steps < pace.maximum_steps && dt >= smallest_step;)
       {

@@ -174,12 +174,12 @@ namespace hybrid::dda
           energy.damping_loss += spring.length * (elastic - work - friction);
           energy.integration_loss +=
             spring.length * (-elastic - (stored - stored_before) - fracture) -
-            turning_work({step.model, step.before, step.trial, step.springs},
-                         i,
-                         traction.beyond_mean(old, traction.before),
-                         traction.beyond_mean(now, traction.after));
+            rotation_work({step.model, step.before, step.trial, step.springs},
+                          i,
+                          traction.beyond_mean(old, traction.before),
+                          traction.beyond_mean(now, traction.after));
         }
-      energy.switch_loss += step.before.energy.springs - before;
+      energy.spring_replacement_loss += step.before.energy.springs - before;
     }
   } // namespace
 
@@ -201,7 +201,7 @@ namespace hybrid::dda
 
 
 
-  BlockEnergy held_energy(const Model &model, const DdaState &state)
+  BlockEnergy stored_energy(const Model &model, const DdaState &state)
   {
     BlockEnergy energy;
     for (int b = 0; b < model.n_blocks(); ++b)

@@ -120,22 +120,23 @@ namespace hybrid::dda
 
 
 
-  std::vector<Awake> BlockSolver::awake_blocks(const DdaState &state) const
+  std::vector<ContactScope> BlockSolver::awake_blocks(const DdaState &state) const
   {
-    std::vector<Awake> now(model.blocks.size(), Awake::no);
+    std::vector<ContactScope> now(model.blocks.size(), ContactScope::no);
     for (std::size_t b = 0; b < now.size(); ++b)
       if (!model.bonded[b])
-        now[b] = Awake::to_all;
+        now[b] = ContactScope::to_all;
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       {
         const JointState &joint = state.joints[j];
-        if (!joint.loosened)
+        if (!joint.given_way)
           continue;
         for (const int body : {model.joints[j].block, model.joints[j].other})
           if (body != base_body && !model.is_bedrock(body))
             {
               const bool to_all = joint.failure != FailureKind::none || !is_on_belt[body];
-              now[body]         = std::max(now[body], to_all ? Awake::to_all : Awake::to_blocks);
+              now[body] =
+                std::max(now[body], to_all ? ContactScope::to_all : ContactScope::to_blocks);
             }
       }
     return now;
@@ -160,7 +161,7 @@ namespace hybrid::dda
       find_blocks_on_surface();
     int now = 0;
     for (const JointState &joint : state.joints)
-      now += (joint.loosened ? 1 : 0) + (joint.failure != FailureKind::none ? 1 : 0) +
+      now += (joint.given_way ? 1 : 0) + (joint.failure != FailureKind::none ? 1 : 0) +
              (joint.released ? 1 : 0);
     if (now == changes)
       return false;

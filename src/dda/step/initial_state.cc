@@ -52,6 +52,6 @@ namespace hybrid::dda
           }
       }
     if (!model.moving_blocks.empty())
-      state.energy.kinetic = held_energy(model, state).kinetic;
+      state.energy.kinetic = stored_energy(model, state).kinetic;
   }
 } // namespace hybrid::dda

@@ -57,7 +57,7 @@ namespace hybrid::dda
 
 
 
-  void OpenCloseIteration::hand_over_contacts(const Model &model, DdaState &state) const
+  void OpenCloseIteration::carry_contact_accelerations(const Model &model, DdaState &state) const
   {
     const int       n = model.n_blocks();
     Eigen::VectorXd torn; // forces of what becomes a contact of joints
@@ -146,9 +146,9 @@ namespace hybrid::dda
         contact.slip          = response.now.slip;
         contact.plastic_slip  = response.now.history.plastic_slip;
         contact.state         = response.now.state;
-        if (contact.rest_gap + response.now.gap >= 0.) // they have parted
-          contact.rest_gap = 0.;
+        if (contact.stress_free_gap + response.now.gap >= 0.) // they have parted
+          contact.stress_free_gap = 0.;
       }
-    hand_over_contacts(model, state);
+    carry_contact_accelerations(model, state);
   }
 } // namespace hybrid::dda

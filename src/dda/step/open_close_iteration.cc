@@ -35,8 +35,8 @@ namespace hybrid::dda
   void OpenCloseIteration::subtract_base_product(const Eigen::VectorXd      &displacement,
                                                  Eigen::Ref<Eigen::VectorXd> force) const
   {
-    const BaseBand    &rock = solver.base_stiffness();
-    const Eigen::Index n    = displacement.size();
+    const InterfaceStiffness &rock = solver.base_stiffness();
+    const Eigen::Index        n    = displacement.size();
 #pragma omp parallel for schedule(static)
     for (Eigen::Index k = 0; k < n; ++k)
       force[k] -= rock.row_product(static_cast<int>(k), displacement);
@@ -77,7 +77,7 @@ namespace hybrid::dda
     springs.evaluate(model,
                      state,
                      trial,
-                     takes_whole ? Springs::ReversedSlip::locks : Springs::ReversedSlip::slides);
+                     full_steps ? Springs::SlipReversal::locks : Springs::SlipReversal::slides);
 
     residual.setZero(6 * n + 2 * m);
     contact_force.setZero(6 * n + 2 * m);
@@ -246,11 +246,11 @@ namespace hybrid::dda
         if (!base.prescribed)
           trial.base += (part - done) * update.tail(trial.base.size());
         done = part;
-        if (takes_whole)
+        if (full_steps)
           springs.remember();
         const double norm = evaluate(model, state, base);
         const double work = residual.dot(update);
-        if (takes_whole || start <= 0. || cut == maximum_cuts || !std::isfinite(norm) ||
+        if (full_steps || start <= 0. || cut == maximum_cuts || !std::isfinite(norm) ||
             std::abs(work) <= good_part * start || (cut == 0 && work > 0.))
           return {norm, done};
         // Regula falsi; an end that stays is given half its weight (Illinois).
@@ -300,10 +300,10 @@ namespace hybrid::dda
     springs.connect(model, matrix);
     bool stale =
       tangent_dt != dt || tangent_pattern != matrix.pattern_version() || tangent_share > 0.;
-    takes_whole = whole_updates.begin(model.iteration.whole_updates, result.residual);
+    full_steps = whole_updates.begin(model.iteration.whole_updates, result.residual);
     for (; result.iterations < model.iteration.maximum_iterations; ++result.iterations)
       {
-        if (takes_whole && !whole_updates.go_on())
+        if (full_steps && !whole_updates.go_on())
           {
             search_start    = result.iterations;
             result.residual = begin_line_search(model, state, base);
@@ -320,7 +320,7 @@ namespace hybrid::dda
         result.stopped = watch && !watch(result);
         if (result.stopped)
           return result;
-        if (!takes_whole && (result.iterations - search_start) % stall_window == 0)
+        if (!full_steps && (result.iterations - search_start) % stall_window == 0)
           {
             if (result.residual > stalled_part * window_start)
               return result; // a shorter step is cheaper than more of the same
@@ -343,9 +343,9 @@ namespace hybrid::dda
         previous                  = result.residual;
         const LineSearch searched = search_line(model, state, base);
         result.residual           = searched.residual;
-        if (takes_whole)
+        if (full_steps)
           whole_updates.judge(result.residual);
-        if (model.iteration.eases_sliding)
+        if (model.iteration.regularises_sliding)
           stale = sliding_share.adapt(searched.part);
       }
     if (!result.converged)

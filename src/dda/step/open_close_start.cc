@@ -101,7 +101,7 @@ namespace hybrid::dda
     predict(model, state, base, dt);
     if (guess != nullptr)
       trial.increment = *guess;
-    takes_whole   = false;
+    full_steps    = false;
     sliding_share = {};
   }
 
@@ -111,7 +111,7 @@ namespace hybrid::dda
                                                const DdaState     &state,
                                                const BaseResponse &base)
   {
-    takes_whole       = false;
+    full_steps        = false;
     const double norm = evaluate(model, state, base);
     if (norm <= whole_updates.first_residual())
       return norm;

@@ -150,10 +150,10 @@ TEST(EnergyLedger, terms_of_the_scheme_do_not_hide_an_imbalance)
   EnergyLedger           ledger(true);
   coupling::CoupledState state;
   ledger.update(state);
-  state.blocks.energy.gravity          = -785e3;
-  state.blocks.energy.kinetic          = 324e3;
-  state.blocks.energy.switch_loss      = -4.5e8;
-  state.blocks.energy.integration_loss = 4.5e8;
+  state.blocks.energy.gravity                 = -785e3;
+  state.blocks.energy.kinetic                 = 324e3;
+  state.blocks.energy.spring_replacement_loss = -4.5e8;
+  state.blocks.energy.integration_loss        = 4.5e8;
   ledger.update(state);
   EXPECT_NEAR(ledger.sum(), -461e3, 1.);
   EXPECT_NEAR(ledger.residual(), 461. / 1109., 1e-6);

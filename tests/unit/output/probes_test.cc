@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "block_scenes.h"
 
-#include <hybrid/coupling/rigid_base.h>
+#include <hybrid/coupling/rigid_foundation.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/scene/input_error.h>
 
@@ -111,11 +111,12 @@ TEST(Probes, points_outside_of_blocks_move_with_the_rigid_base)
 
 TEST(Probes, the_base_has_the_velocity_and_acceleration_of_the_motion)
 {
-  OneBlock                  scene;
-  const coupling::RigidBase base(scene.model.initial.base_nodes,
-                                 {scene::Motion(0.5, {2., 2., 2.}), scene::MotionParameters()});
-  Probes                    probes(&scene.model, nullptr, &base);
-  const int                 p = probes.add(Vec2(0.5, -5.), "below");
+  OneBlock                        scene;
+  const coupling::RigidFoundation base(scene.model.initial.base_nodes,
+                                       {scene::Motion(0.5, {2., 2., 2.}),
+                                        scene::MotionParameters()});
+  Probes                          probes(&scene.model, nullptr, &base);
+  const int                       p = probes.add(Vec2(0.5, -5.), "below");
   probes.set_reference(scene.state);
   scene.state.set_time(0.75);
   const PointMotion motion = probes.sample(scene.state, p);

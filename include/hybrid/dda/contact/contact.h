@@ -28,7 +28,7 @@ namespace hybrid::dda
     double plastic_slip =
       0.; ///< part of the slip that friction has taken; shear force = -k_s (slip - plastic_slip)
     ContactState state = ContactState::open; ///< when last accepted
-    double       rest_gap =
+    double       stress_free_gap =
       0.; ///< gap above which it carries nothing, <= 0 [m]: the overlap that neighbours of the mesh
           ///< had when they first looked at each other, and a little more, or that with which it
           ///< was found (contact_load.h), less that of a released joint; 0 once they part

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/contact/awake.h>
+#include <hybrid/dda/contact/contact_scope.h>
 #include <hybrid/dda/geometry/cell_grid.h>
 #include <hybrid/dda/geometry/geometry.h>
 
@@ -45,10 +45,10 @@ namespace hybrid::dda
   {
     std::vector<std::pair<int, int>>
       bonded; ///< blocks of the mass with an unreleased joint between them: never candidates
-    std::vector<BondedEdge> surface; ///< with an unreleased joint: never candidates
-    std::vector<Awake>      awake;   ///< per block; empty: all look at everything
-    std::vector<char> held_off{};    ///< per block: does not look at a surface unless awake to all;
-                                     ///< empty: none
+    std::vector<BondedEdge>   surface; ///< with an unreleased joint: never candidates
+    std::vector<ContactScope> awake;   ///< per block; empty: all look at everything
+    std::vector<char> held_off{}; ///< per block: does not look at a surface unless awake to all;
+                                  ///< empty: none
   };
 
 
@@ -95,14 +95,14 @@ namespace hybrid::dda
     bool update(const Geometry &geometry);
 
     /// @param awake_then per block: at the search before; empty: all looked at everything.
-    void set_was_awake(const std::vector<Awake> &awake_then)
+    void set_was_awake(const std::vector<ContactScope> &awake_then)
     {
       was_awake.assign(awake_then.begin(), awake_then.end());
     }
 
     /// For a pair of the list: true if neighbours of the mesh, or a block that was held off and a
     /// surface, look at each other for the first time.
-    bool is_first_look(int body, int other) const;
+    bool is_first_activation(int body, int other) const;
 
     /// Pairs of the list that are not asleep, sorted: all that are within the distance, and some
     /// more.
@@ -156,11 +156,11 @@ namespace hybrid::dda
     const double distance;
     const double margin;
 
-    std::vector<int>   neighbour_offset, neighbours; ///< rows sorted
-    SkippedPairs       skipped;                      ///< as given
-    SkippedPairs       lookup;                       ///< pairs sorted, blocks in both orders
-    std::vector<Awake> was_awake;                    ///< per block; empty: all
-    bool               is_outdated = true;
+    std::vector<int>          neighbour_offset, neighbours; ///< rows sorted
+    SkippedPairs              skipped;                      ///< as given
+    SkippedPairs              lookup;                       ///< pairs sorted, blocks in both orders
+    std::vector<ContactScope> was_awake;                    ///< per block; empty: all
+    bool                      is_outdated = true;
 
     std::vector<ContactCandidate> candidates, awake_pairs;
     std::vector<double>           apart_when_built; ///< per candidate [m]; 0 inside the body

@@ -3,7 +3,7 @@
 
 #include <hybrid/dda/contact/contact_candidates.h>
 #include <hybrid/dda/contact/contact_selection.h>
-#include <hybrid/dda/contact/rest_watch.h>
+#include <hybrid/dda/contact/stillness_cache.h>
 
 #include <utility>
 #include <vector>
@@ -19,7 +19,7 @@ namespace hybrid::dda
    * sleep until they can have come near enough (ContactCandidates); while all
    * sleep, so does the search, and blocks without an awake pair cost nothing
    * but the look at how far they have moved. The same holds for what lies
-   * still (RestWatch): it keeps the contacts that it has.
+   * still (StillnessCache): it keeps the contacts that it has.
    *
    * Rules, in the order in which they are applied:
    *
@@ -67,7 +67,7 @@ namespace hybrid::dda
    *    go with it; edge_position is that on the new edge. Others are dropped.
    * 9. *First look*: neighbours of the mesh that have slept may overlap a little when
    *    one of them wakes (joints give way before they fail). They carry nothing
-   *    (rest_gap) until they overlap more, by extension(): a spring that is loaded
+   *    (stress_free_gap) until they overlap more, by extension(): a spring that is loaded
    *    when it is made would throw them apart, and one at its limit would
    *    open and close with every tremor. (Contacts of a released joint: joint_release.h.)
    */
@@ -97,7 +97,7 @@ namespace hybrid::dda
     }
 
     /// Blocks that were awake at the search before; see ContactCandidates.
-    void set_was_awake(const std::vector<Awake> &awake_then)
+    void set_was_awake(const std::vector<ContactScope> &awake_then)
     {
       candidates.set_was_awake(awake_then);
     }
@@ -186,7 +186,7 @@ namespace hybrid::dda
     const ContactTolerances tolerances;
     ContactCandidates       candidates;
     ContactSelection        selection;
-    RestWatch               watch;
+    StillnessCache          watch;
     OutlineFrames           frames;
 
     std::vector<Contact>      previous;                       ///< contacts of the step before

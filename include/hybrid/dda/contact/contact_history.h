@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/contact/contact.h>
 #include <hybrid/dda/contact/contact_tolerances.h>
 #include <hybrid/dda/geometry/outline_frames.h>
 

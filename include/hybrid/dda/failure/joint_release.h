@@ -9,9 +9,9 @@ namespace hybrid::dda
   /**
    * Contacts between the bodies of joints that have been released since the last call take their
    * load over: they press from the overlap they have, but at most from that of the joint's springs
-   * (rest_gap), so what they store is what the joint stored. From zero, blocks would first have to
-   * sink onto each other, without friction on the way. Contacts that already press stay as they
-   * are.
+   * (stress_free_gap), so what they store is what the joint stored. From zero, blocks would first
+   * have to sink onto each other, without friction on the way. Contacts that already press stay as
+   * they are.
    *
    * To be called after the contact search of a step. Sets JointState::handed_over.
    */

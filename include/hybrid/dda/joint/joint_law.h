@@ -20,7 +20,7 @@ namespace hybrid::dda
     double slip; ///< s [m] along the tangent, since the joint was made
 
     /// Length on which the residual cohesion acts over that of the springs [-] (of contacts).
-    double cohesive = 1.;
+    double cohesion_length_ratio = 1.;
 
     /// Of the step that led there [s].
     double duration = std::numeric_limits<double>::infinity();
@@ -62,9 +62,9 @@ namespace hybrid::dda
     double       shear          = 0.; ///< total [Pa], opposes the elastic slip
     double       elastic_normal = 0.; ///< without damping [Pa]
     double       elastic_shear  = 0.; ///< without damping [Pa]
-    double       normal_by_gap  = 0.; ///< tangent -dN/dg [Pa/m]; negative on the softening branch
+    double       k_nn           = 0.; ///< tangent -dN/dg [Pa/m]; negative on the softening branch
     double       shear_by_slip  = 0.; ///< tangent -dT/ds [Pa/m]; negative while the strength falls
-    double       shear_by_gap   = 0.; ///< tangent -dT/dg [Pa/m]: friction follows the normal force
+    double       k_tn           = 0.; ///< tangent -dT/dg [Pa/m]: friction follows the normal force
     ContactState state          = ContactState::open;
     JointHistory history; ///< what is remembered if the step is accepted
   };
@@ -110,7 +110,7 @@ namespace hybrid::dda
     JointStrength weaker_of(const JointStrength &other) const;
 
     /// Contact without any bond: residual strength only.
-    static JointStrength broken(const Material &material);
+    static JointStrength residual(const Material &material);
 
     /// Contact on a belt: its residual strength, the cohesion on the area that is bonded still.
     static JointStrength broken_belt(const Material &material);
@@ -253,12 +253,12 @@ namespace hybrid::dda
     double tensile_strength(double damage) const;
 
     /// Openings between which the residual cohesion fades [m].
-    struct Fading
+    struct CohesionTaper
     {
       double begin, end;
     };
 
-    Fading fading(double damage, double residual_cohesion) const;
+    CohesionTaper cohesion_taper(double damage, double residual_cohesion) const;
 
     /// The opening that the residual cohesion has faded by: the present one, or the largest so far
     /// where opening takes it for good [m].

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/linear/base_band.h>
 #include <hybrid/dda/linear/block_matrix.h>
+#include <hybrid/dda/linear/interface_stiffness.h>
 #include <hybrid/dda/linear/sparse_factor.h>
-#include <hybrid/dda/linear/swept_system.h>
+#include <hybrid/dda/linear/ssor_system.h>
 
 #include <Eigen/Core>
 
@@ -22,7 +22,7 @@ namespace hybrid::dda
    * serves badly (static stage, stiff joints); where hundreds of contacts change from one
    * matrix to the next an old factor is mostly passed over, and sweeps are tried again now and
    * then. The choice follows iteration counts only, so results are deterministic. Preconditioner
-   * of the base: BaseBand, before the blocks with sweeps, after them with a factor.
+   * of the base: InterfaceStiffness, before the blocks with sweeps, after them with a factor.
    */
   class LinearSolver
   {
@@ -42,12 +42,12 @@ namespace hybrid::dda
     }
 
     /// The base's own stiffness.
-    const BaseBand &base_stiffness() const
+    const InterfaceStiffness &base_stiffness() const
     {
       return base;
     }
 
-    /// Slices of the blocks that threads share out, see SweptSystem.
+    /// Slices of the blocks that threads share out, see SsorSystem.
     void set_slices(const std::vector<int> &slice_of_block)
     {
       swept.set_slices(slice_of_block);
@@ -88,27 +88,27 @@ namespace hybrid::dda
       }
     };
 
-    BaseBand        base;
-    SweptSystem     swept;
-    SparseFactor    factor;
-    bool            use_factor        = false;
-    bool            factor_is_current = false;
-    int             failures          = 0; ///< of old factors, in a row
-    int             passed_over       = 0; ///< old factors since one was last tried
-    int             patience          = 4; ///< factors to be made before sweeps are tried again
-    int             factors           = 0; ///< made since sweeps were last tried
+    InterfaceStiffness base;
+    SsorSystem         swept;
+    SparseFactor       factor;
+    bool               use_factor        = false;
+    bool               factor_is_current = false;
+    int                failures          = 0; ///< of old factors, in a row
+    int                passed_over       = 0; ///< old factors since one was last tried
+    int             factors_before_retry = 4; ///< factors to be made before sweeps are tried again
+    int             factors              = 0; ///< made since sweeps were last tried
     Eigen::VectorXd unknown, r, dual_r, p, dual_p, q, t, dual_t, shadow, z; ///< work
 
     void precondition(const BlockMatrix &matrix, const Eigen::VectorXd &residual);
 
-    struct Swept;    ///< swept system, as conjugate_gradients() and stabilised_gradients() see it
+    struct Swept;    ///< swept system, as conjugate_gradients() and bicgstab() see it
     struct Factored; ///< system with the factor, likewise
 
     // Both start from unknown = 0 and r. A system has a product (multiply), a scalar product (dual)
     // and knows when the residual of the original system is small enough (solved).
     Result conjugate_gradients(Swept &system, int limit); ///< symmetric matrices only
     template <typename System>
-    Result stabilised_gradients(System &system, int limit);
+    Result bicgstab(System &system, int limit);
 
     Result solve_swept(bool symmetric, const Target &target, Eigen::VectorXd &x);
 

@@ -14,8 +14,8 @@ namespace hybrid::dda
    *
    * The blocks of each part come together, in order of their numbers, and are
    * coupled to no other part: a block that couples to a part before its own
-   * belongs to the seam, which comes last. A forward sweep takes all parts at
-   * once, then the seam; a backward sweep the seam, then all parts. The order
+   * belongs to the separator, which comes last. A forward sweep takes all parts at
+   * once, then the separator; a backward sweep the separator, then all parts. The order
    * depends on the blocks alone, so the bits do not depend on the number of
    * threads. (One level of nested dissection, George 1973.)
    */
@@ -29,7 +29,7 @@ namespace hybrid::dda
                const std::vector<int>                &part,
                const std::vector<std::array<int, 2>> &pairs);
 
-    /// Parts without the seam; at least one.
+    /// Parts without the separator; at least one.
     int n_parts() const
     {
       return static_cast<int>(begin.size()) - 2;
@@ -37,7 +37,7 @@ namespace hybrid::dda
 
     std::vector<int> block;          ///< in sweeping order
     std::vector<int> place;          ///< of each block in @p block
-    std::vector<int> begin{0, 0, 0}; ///< first place of each part, of the seam, and the end
+    std::vector<int> begin{0, 0, 0}; ///< first place of each part, of the separator, and the end
   };
 
 

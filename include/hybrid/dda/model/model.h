@@ -110,8 +110,9 @@ namespace hybrid::dda
     int    maximum_iterations         = 40;
     double tolerance                  = 1e-8; ///< residual over the sum of absolute forces [-]
     double maximum_displacement_ratio = 0.05; ///< displacement per step over block size [-]
-    bool   eases_sliding = false; ///< sliding contacts keep a share of stiffness, see SlidingShare
-    int    whole_updates = 16;    ///< iterations before the line search, see OpenCloseIteration
+    bool   regularises_sliding =
+      false; ///< sliding contacts keep a share of stiffness, see SlidingRegularisation
+    int whole_updates = 16; ///< iterations before the line search, see OpenCloseIteration
   };
 
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <hybrid/dda/block/block.h>
-#include <hybrid/dda/contact/awake.h>
 #include <hybrid/dda/contact/contact.h>
+#include <hybrid/dda/contact/contact_scope.h>
 #include <hybrid/dda/contact/rest_state.h>
 #include <hybrid/dda/geometry/geometry.h>
 #include <hybrid/dda/joint/joint_law.h>
@@ -45,8 +45,8 @@ namespace hybrid::dda
     SpringState points[2];
     FailureKind failure      = FailureKind::none;
     double      failure_time = 0.; ///< [s]; negative: in the static stage
-    bool        loosened = false;  ///< its blocks look at all their neighbours, see joint_failure.h
-    bool        released = false;  ///< slid or opened so far that vertex contacts took over
+    bool        given_way = false; ///< its blocks look at all their neighbours, see joint_failure.h
+    bool        released  = false; ///< slid or opened so far that vertex contacts took over
     bool        handed_over = false; ///< released, and its contacts have its load: joint_release.h
     bool        parted[2]   = {false, false}; ///< ends of a released belt that have lost their
                                               ///< cohesion for good: belt_parting.h
@@ -66,19 +66,19 @@ namespace hybrid::dda
     double fracture_loss    = 0.; ///< tensile cracking
     double damping_loss     = 0.; ///< stiffness-proportional damping and dynamic coefficient
     double integration_loss = 0.; ///< Newmark's own dissipation, springs included
-    double switch_loss      = 0.; ///< stored energy that vanished when springs were replaced
-    double base_work        = 0.; ///< done by the base on the blocks
-    double boundary_loss    = 0.; ///< dashpots on edges of the bedrock's blocks
-    double input_work       = 0.; ///< done by what comes in through them
-    double static_work      = 0.; ///< against the static forces that the bedrock bears
-    double edge_load_work   = 0.; ///< done by tractions on the blocks' edges
+    double spring_replacement_loss = 0.; ///< stored energy that vanished when springs were replaced
+    double base_work               = 0.; ///< done by the base on the blocks
+    double boundary_loss           = 0.; ///< dashpots on edges of the bedrock's blocks
+    double input_work              = 0.; ///< done by what comes in through them
+    double static_work             = 0.; ///< against the static forces that the bedrock bears
+    double edge_load_work          = 0.; ///< done by tractions on the blocks' edges
 
     /// Energy now held plus energy lost, less the work received: constant if nothing is created
     /// [J/m].
     double balance() const
     {
       return kinetic + strain + gravity + springs + friction_loss + bedding_loss + fracture_loss +
-             damping_loss + integration_loss + switch_loss - base_work + boundary_loss -
+             damping_loss + integration_loss + spring_replacement_loss - base_work + boundary_loss -
              input_work + static_work - edge_load_work;
     }
   };
@@ -87,16 +87,16 @@ namespace hybrid::dda
   /// All mutable state of the blocks: copied for roll-back, written for restart.
   struct DdaState
   {
-    double                  time = 0.; ///< [s]
-    Geometry                geometry;
-    std::vector<BlockState> blocks;
-    std::vector<JointState> joints;
-    std::vector<Contact>    contacts;
-    std::vector<Awake>      awake;              ///< per block, at the last search
-    RestState               rest;               ///< what lies still
-    Eigen::VectorXd         base_displacement;  ///< (x0, y0, x1, ...) [m], since the static state
-    Eigen::VectorXd         base_force;         ///< on the base nodes [N/m], now
-    Eigen::VectorXd         base_contact_force; ///< contacts' part of it [N/m], see Springs
+    double                    time = 0.; ///< [s]
+    Geometry                  geometry;
+    std::vector<BlockState>   blocks;
+    std::vector<JointState>   joints;
+    std::vector<Contact>      contacts;
+    std::vector<ContactScope> awake;              ///< per block, at the last search
+    RestState                 rest;               ///< what lies still
+    Eigen::VectorXd           base_displacement;  ///< (x0, y0, x1, ...) [m], since the static state
+    Eigen::VectorXd           base_force;         ///< on the base nodes [N/m], now
+    Eigen::VectorXd           base_contact_force; ///< contacts' part of it [N/m], see Springs
     Eigen::VectorXd static_force; ///< on the base nodes at the end of the static stage [N/m]
     Eigen::VectorXd static_contact_force; ///< contacts' part of it [N/m]
     Eigen::VectorXd bedrock_static_force; ///< on the bedrock's blocks then, six each; empty: none

@@ -27,7 +27,7 @@ namespace hybrid::dda
       bool follow_softening = true;
       /// Weight of contacts [-].
       double contact_weight = 1.;
-      /// Of the shear stiffness of contacts that slide, see SlidingShare [-].
+      /// Of the shear stiffness of contacts that slide, see SlidingRegularisation [-].
       double sliding_share = 0.;
       /// Every spring anew, whether it has changed or not.
       bool all = true;

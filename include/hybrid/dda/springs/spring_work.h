@@ -25,8 +25,8 @@ namespace hybrid::dda
    * w - 1/2 of it from the motion, which is how Newmark's dissipative pairs slow a spinning bonded
    * body: dW/dt = -(gamma - 1/2) dt W^3 for masses far from each other.
    */
-  double turning_work(const SpringStep        &step,
-                      std::size_t              number,
-                      const Springs::Traction &start,
-                      const Springs::Traction &end);
+  double rotation_work(const SpringStep        &step,
+                       std::size_t              number,
+                       const Springs::Traction &start,
+                       const Springs::Traction &end);
 } // namespace hybrid::dda

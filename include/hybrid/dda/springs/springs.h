@@ -68,9 +68,9 @@ namespace hybrid::dda
       int    end             = 0;        ///< of the joint
       double contact_part    = 0.;       ///< that acts as a contact [-]: 1, or the joint's damage
       const JointLaw *law    = nullptr;
-      double          length = 0.;   ///< [m]
-      double          cohesive = 1.; ///< see JointKinematics [-]
-      SpringState     old;           ///< when the step began
+      double          length = 0.;                ///< [m]
+      double          cohesion_length_ratio = 1.; ///< see JointKinematics [-]
+      SpringState     old;                        ///< when the step began
 
       /// What acts as a contact at the start or end of the step.
       Traction contact_traction(const SpringState &state) const
@@ -100,15 +100,15 @@ namespace hybrid::dda
       double      edge_position = 0.;       ///< projection on the contact's edge [-]
       SpringState now;                      ///< if the step is accepted
       double      slid = 0.;    ///< shear traction in the trial of remember() if it slid there [Pa]
-      bool        held = false; ///< locked beyond its strength, see ReversedSlip::locks
+      bool        held = false; ///< locked beyond its strength, see SlipReversal::locks
       Forces      force;        ///< without sense if there is no traction
       Forces contact; ///< of a joint's part that is a contact; without sense if it is all or none
-      double normal_by_gap = 0., shear_by_slip = 0., shear_by_gap = 0.; ///< tangents [Pa/m]
+      double k_nn = 0., shear_by_slip = 0., k_tn = 0.; ///< tangents [Pa/m]
     };
 
     /// What becomes of a joint or contact that slid one way in the trial remembered and slides the
     /// other way now.
-    enum class ReversedSlip
+    enum class SlipReversal
     {
       slides, ///< the law is followed: its friction turns round
       locks   ///< it is held, as in Shi's (1988) open-close iteration: between the two it sticks
@@ -122,15 +122,15 @@ namespace hybrid::dda
     void connect(const Model &model, BlockMatrix &matrix);
 
     /// Keep which way every spring slides in the trial that was evaluated last, for
-    /// ReversedSlip::locks.
+    /// SlipReversal::locks.
     void remember();
 
-    /// Forces of the springs in a trial: of that trial alone, and with ReversedSlip::locks of the
+    /// Forces of the springs in a trial: of that trial alone, and with SlipReversal::locks of the
     /// one that remember() kept. Same bits for any number of threads.
     void evaluate(const Model       &model,
                   const DdaState    &state,
                   const Trial       &trial,
-                  const ReversedSlip reversed = ReversedSlip::slides);
+                  const SlipReversal reversed = SlipReversal::slides);
 
     /// True if a contact is held: the forces are not those of its law.
     bool any_held() const;
@@ -210,12 +210,12 @@ namespace hybrid::dda
                         const DdaState &state,
                         const Trial    &trial,
                         std::size_t     s,
-                        ReversedSlip    reversed);
+                        SlipReversal    reversed);
 
     void evaluate_contact(const DdaState &state,
                           const Trial    &trial,
                           std::size_t     s,
-                          ReversedSlip    reversed);
+                          SlipReversal    reversed);
 
     BondedArea                     bonded_area;             ///< when the step began
     std::vector<BlockMatrix::Pair> block_pairs, node_pairs; ///< of these springs

@@ -18,5 +18,5 @@ namespace hybrid::dda
 
 
   /// The same, and the base's forces, after joints of the bedrock were given tractions.
-  void bear_rest(const Model &model, DdaState &state, bool held);
+  void store_static_reactions(const Model &model, DdaState &state, bool held);
 } // namespace hybrid::dda

@@ -30,5 +30,5 @@ namespace hybrid::dda
   BlockEnergy audit_step(const StepAudit &step);
 
   /// Energy held by a state, from scratch, with all losses and works zero [J/m].
-  BlockEnergy held_energy(const Model &model, const DdaState &state);
+  BlockEnergy stored_energy(const Model &model, const DdaState &state);
 } // namespace hybrid::dda

@@ -75,12 +75,12 @@ namespace hybrid::dda
     std::vector<Contact> contacts_before; ///< of the last step, for the loads
     std::vector<char>    is_on_belt;      ///< per block: bonded to a surface
     std::vector<char>    held_off;        ///< per block, see SkippedPairs
-    int changes = -1; ///< loosened, failed and released joints when the skip lists were made
-    std::vector<Awake> awake; ///< per block, now
+    int changes = -1; ///< given way, failed and released joints when the skip lists were made
+    std::vector<ContactScope> awake; ///< per block, now
 
     SearchSummary search_summary;
 
-    std::vector<Awake> awake_blocks(const DdaState &state) const;
+    std::vector<ContactScope> awake_blocks(const DdaState &state) const;
 
     /// Sets is_on_belt and held_off.
     void find_blocks_on_surface();

@@ -5,8 +5,8 @@
 #include <hybrid/dda/springs/spring_stiffness.h>
 #include <hybrid/dda/springs/springs.h>
 #include <hybrid/dda/step/base_response.h>
-#include <hybrid/dda/step/sliding_share.h>
-#include <hybrid/dda/step/whole_updates.h>
+#include <hybrid/dda/step/full_step_phase.h>
+#include <hybrid/dda/step/sliding_regularisation.h>
 
 #include <functional>
 #include <limits>
@@ -103,17 +103,17 @@ namespace hybrid::dda
     }
 
   private:
-    Watch               watch;
-    Springs             springs;
-    SpringStiffness     stiffness;
-    BlockMatrix         matrix;
-    LinearSolver        solver;
-    SlidingShare        sliding_share;
-    Trial               trial;
-    std::vector<Mat6>   mass;
-    std::vector<double> damping_time; ///< beta_K of each block in this step [s]
-    std::vector<Vec6>   predicted;    ///< Newmark's d*: a = (d - d*) / (beta dt^2)
-    std::vector<Vec6>   start_rate;   ///< velocity that the step begins with, k01 v
+    Watch                 watch;
+    Springs               springs;
+    SpringStiffness       stiffness;
+    BlockMatrix           matrix;
+    LinearSolver          solver;
+    SlidingRegularisation sliding_share;
+    Trial                 trial;
+    std::vector<Mat6>     mass;
+    std::vector<double>   damping_time; ///< beta_K of each block in this step [s]
+    std::vector<Vec6>     predicted;    ///< Newmark's d*: a = (d - d*) / (beta dt^2)
+    std::vector<Vec6>     start_rate;   ///< velocity that the step begins with, k01 v
     std::vector<Vec6> acceleration; ///< of all but contacts, end of the solved step, not yet turned
     std::vector<Vec6> contact_acceleration; ///< of contacts, likewise
     Eigen::VectorXd   residual, absolute, scale, update, force_increment, contact_increment;
@@ -124,12 +124,12 @@ namespace hybrid::dda
     Eigen::VectorXd contact_force; ///< of contacts on blocks and base nodes
     Eigen::VectorXd incoming;      ///< at artificial boundaries, end of the step [N/m]
     double          tangent_dt      = -1.; ///< step of the tangent in matrix
-    double          tangent_share   = 0.;  ///< SlidingShare of it
+    double          tangent_share   = 0.;  ///< SlidingRegularisation of it
     int             tangent_pattern = -1;
     bool            is_restored     = false; ///< the tangent is that of a checkpoint
     bool            expects_many    = false; ///< iterations, after the last step
-    WholeUpdates    whole_updates;
-    bool            takes_whole          = false; ///< updates: no line search, ReversedSlip::locks
+    FullStepPhase   whole_updates;
+    bool            full_steps           = false; ///< updates: no line search, SlipReversal::locks
     bool            guesses_acceleration = true;  ///< the trial begins as if it stayed the same
     double          reference            = 0.;    ///< norm of absolute forces [N]
 
@@ -159,7 +159,7 @@ namespace hybrid::dda
     }
 
     /// Forces of the trial and what is left of the balance; they depend on the trial alone (while
-    /// it takes_whole, on that of Springs::remember() as well). @return relative norm of the
+    /// it full_steps, on that of Springs::remember() as well). @return relative norm of the
     /// residual
     double evaluate(const Model &model, const DdaState &state, const BaseResponse &base);
 
@@ -192,7 +192,7 @@ namespace hybrid::dda
 
     /// Move the trial along the update, as far as the residual allows: a contact that locks, closes
     /// or slides back on the way would otherwise make the iteration cycle. All of it while
-    /// it takes_whole.
+    /// it full_steps.
     LineSearch search_line(const Model &model, const DdaState &state, const BaseResponse &base);
 
     /// Set the trial's motion to the guess: velocities as they were, and accelerations if
@@ -221,6 +221,6 @@ namespace hybrid::dda
 
     /// Joints that are torn or released in this step hand nothing to the next one either: the
     /// contacts' part of accelerations and of the base force is set in @p state.
-    void hand_over_contacts(const Model &model, DdaState &state) const;
+    void carry_contact_accelerations(const Model &model, DdaState &state) const;
   };
 } // namespace hybrid::dda

@@ -263,7 +263,7 @@ namespace
     SkippedPairs skipped{
       {{0, 1}, {1, 2}},
       {{0, base_body, 0}, {1, base_body, 0}, {1, base_body, 1}, {2, base_body, 1}},
-      {Awake::no, Awake::no, Awake::no},
+      {ContactScope::no, ContactScope::no, ContactScope::no},
       {1, 1, 1}};
     detection.set_skipped_pairs(skipped);
     Contacts contacts;
@@ -272,7 +272,7 @@ namespace
 
     skipped.bonded  = {{0, 1}}; // joint between 1 and 2 released
     skipped.surface = {{0, base_body, 0}, {1, base_body, 0}, {1, base_body, 1}};
-    skipped.awake   = {Awake::no, Awake::to_all, Awake::to_all};
+    skipped.awake   = {ContactScope::no, ContactScope::to_all, ContactScope::to_all};
     detection.set_skipped_pairs(skipped);
     detection.update(g, contacts);
     for (const Contact &c : contacts)
@@ -297,27 +297,27 @@ namespace
     ContactDetection detection(parameters);
     detection.set_neighbours({0, 1, 2}, {1, 0});
     Contacts contacts;
-    detection.set_skipped_pairs({{}, {}, {Awake::no, Awake::no}});
-    detection.set_was_awake({Awake::no, Awake::no});
+    detection.set_skipped_pairs({{}, {}, {ContactScope::no, ContactScope::no}});
+    detection.set_was_awake({ContactScope::no, ContactScope::no});
     detection.update(g, contacts);
     EXPECT_TRUE(contacts.empty()) << "neighbours that sleep";
 
-    detection.set_skipped_pairs({{}, {}, {Awake::no, Awake::to_blocks}});
+    detection.set_skipped_pairs({{}, {}, {ContactScope::no, ContactScope::to_blocks}});
     detection.update(g, contacts);
     ASSERT_FALSE(contacts.empty());
     for (const Contact &c : contacts)
-      EXPECT_NEAR(c.rest_gap, -overlap - slack, 1e-12);
+      EXPECT_NEAR(c.stress_free_gap, -overlap - slack, 1e-12);
 
-    detection.set_was_awake({Awake::no, Awake::to_blocks});
+    detection.set_was_awake({ContactScope::no, ContactScope::to_blocks});
     detection.update(g, contacts);
     for (const Contact &c : contacts)
-      EXPECT_NEAR(c.rest_gap, -overlap - slack, 1e-12) << "a contact keeps it";
+      EXPECT_NEAR(c.stress_free_gap, -overlap - slack, 1e-12) << "a contact keeps it";
 
     contacts.clear();
     detection.update(g, contacts);
     ASSERT_FALSE(contacts.empty());
     for (const Contact &c : contacts)
-      EXPECT_EQ(c.rest_gap, 0.) << "an overlap that comes about later is pushed out";
+      EXPECT_EQ(c.stress_free_gap, 0.) << "an overlap that comes about later is pushed out";
   }
 
   TEST(ContactDetection, BlockWhoseJointHasGivenWayStillDoesNotLookAtTheBase)
@@ -329,15 +329,15 @@ namespace
     Contacts     contacts;
     SkippedPairs skipped{{},
                          {{0, base_body, 0}, {1, base_body, 1}},
-                         {Awake::to_blocks, Awake::no},
+                         {ContactScope::to_blocks, ContactScope::no},
                          {1, 1}};
     detection.set_skipped_pairs(skipped);
-    detection.set_was_awake({Awake::to_blocks, Awake::no});
+    detection.set_was_awake({ContactScope::to_blocks, ContactScope::no});
     detection.update(g, contacts);
     for (const Contact &c : contacts)
       EXPECT_TRUE(c.vertex_body != base_body && c.edge_body != base_body);
 
-    skipped.awake = {Awake::to_blocks, Awake::to_all};
+    skipped.awake = {ContactScope::to_blocks, ContactScope::to_all};
     detection.set_skipped_pairs(skipped);
     detection.update(g, contacts);
     const Contact *corner = find(contacts, 4, base_body, 0);
@@ -352,12 +352,12 @@ namespace
     ContactDetection detection(parameters);
     detection.set_neighbours({0, 0}, {});
     Contacts contacts;
-    detection.set_skipped_pairs({{}, {{0, base_body, 1}}, {Awake::to_all}, {1}});
-    detection.set_was_awake({Awake::to_blocks});
+    detection.set_skipped_pairs({{}, {{0, base_body, 1}}, {ContactScope::to_all}, {1}});
+    detection.set_was_awake({ContactScope::to_blocks});
     detection.update(g, contacts);
     const Contact *corner = find(contacts, 0, base_body, 0);
     ASSERT_NE(corner, nullptr) << "over the segment to which it was never bonded";
-    EXPECT_NEAR(corner->rest_gap, -0.004 - 0.01 * parameters.reach, 1e-12);
+    EXPECT_NEAR(corner->stress_free_gap, -0.004 - 0.01 * parameters.reach, 1e-12);
   }
 
   TEST(ContactDetection, BondedBlockThatIsNotHeldOffLooksAtTheBase)
@@ -367,13 +367,13 @@ namespace
     ContactDetection detection(parameters);
     detection.set_neighbours({0, 0}, {});
     Contacts contacts;
-    detection.set_skipped_pairs({{}, {}, {Awake::no}, {0}});
-    detection.set_was_awake({Awake::no});
+    detection.set_skipped_pairs({{}, {}, {ContactScope::no}, {0}});
+    detection.set_was_awake({ContactScope::no});
     detection.update(g, contacts);
     ASSERT_EQ(contacts.size(), 2u);
     for (const Contact &c : contacts)
-      EXPECT_EQ(c.rest_gap, 0.) << "it has always looked";
-    detection.set_skipped_pairs({{}, {}, {Awake::no}, {1}});
+      EXPECT_EQ(c.stress_free_gap, 0.) << "it has always looked";
+    detection.set_skipped_pairs({{}, {}, {ContactScope::no}, {1}});
     detection.update(g, contacts);
     EXPECT_TRUE(contacts.empty());
   }

@@ -82,7 +82,7 @@ namespace
       {}, scene(passed), [](const Contact &) { return 1.; }, contacts);
     const Contacts touching = between(contacts);
     ASSERT_EQ(touching.size(), 1u);
-    EXPECT_NEAR(touching[0].rest_gap, -passed * std::min(steep, flat), 1e-12)
+    EXPECT_NEAR(touching[0].stress_free_gap, -passed * std::min(steep, flat), 1e-12)
       << "the way out is the shorter one";
 
     detection.update(scene(1.5 * passed), contacts);
@@ -95,7 +95,7 @@ namespace
     move_block(above, 1, {0., 5e-3});
     detection.update(above, contacts);
     for (const Contact &c : between(contacts))
-      EXPECT_EQ(c.rest_gap, 0.);
+      EXPECT_EQ(c.stress_free_gap, 0.);
   }
 
   TEST(ContactSelection, ASoleThatSlidesOffATipIsSeenByTheTip)

@@ -34,16 +34,16 @@ namespace
       state.joints.push_back(now);
     }
 
-    /// rest_gap of a contact of the upper block's first vertex on the lower block's top that had @p
-    /// rest_gap, after the release.
-    double after(const double rest_gap)
+    /// stress_free_gap of a contact of the upper block's first vertex on the lower block's top that
+    /// had @p stress_free_gap, after the release.
+    double after(const double stress_free_gap)
     {
       Contact contact{1, 4, 0, 2};
-      contact.edge_position = 0.9;
-      contact.rest_gap      = rest_gap;
-      state.contacts        = {contact};
+      contact.edge_position   = 0.9;
+      contact.stress_free_gap = stress_free_gap;
+      state.contacts          = {contact};
       hand_over_released_joints(model, state);
-      return state.contacts[0].rest_gap;
+      return state.contacts[0].stress_free_gap;
     }
   };
 } // namespace

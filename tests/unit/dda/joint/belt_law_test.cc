@@ -89,7 +89,7 @@ TEST(BeltLaw, cohesion_that_a_belt_has_lost_by_opening_partly_does_not_come_back
     {
       const JointResponse r     = law.respond({gap, 0.1}, then),
                           ahead = law.respond({gap + h, 0.1}, then);
-      EXPECT_NEAR(r.shear_by_gap, -(ahead.shear - r.shear) / h, 1e-4 * k_n);
+      EXPECT_NEAR(r.k_tn, -(ahead.shear - r.shear) / h, 1e-4 * k_n);
     }
 }
 
@@ -110,6 +110,6 @@ TEST(BeltLaw, friction_counts_the_normal_traction_that_acts)
         EXPECT_NEAR(std::abs(r.shear), r.normal * tan_deg(30.), 1e-6) << change;
         const double        h     = 1e-9;
         const JointResponse after = law.respond({-1e-5 + h, slip}, {}, damping);
-        EXPECT_NEAR(r.shear_by_gap, (r.shear - after.shear) / h, 1e-4 * k_n) << change;
+        EXPECT_NEAR(r.k_tn, (r.shear - after.shear) / h, 1e-4 * k_n) << change;
       }
 }

@@ -42,7 +42,7 @@ TEST(JointLawRelease, a_brittle_bond_lets_go_over_its_release_time)
       const JointResponse r    = law.respond({(1. + 0.1 * step) * gap, 1., 1., 1e-3}, history);
       EXPECT_NEAR(-r.normal, left * tension, 1e-9 * tension);
       EXPECT_NEAR(-r.shear, left * (cohesion - tension * tan_phi), 1e-9 * cohesion);
-      EXPECT_EQ(r.normal_by_gap, 0.);
+      EXPECT_EQ(r.k_nn, 0.);
       EXPECT_TRUE(law.broken_in_tension(r.history));
       EXPECT_EQ(law.has_let_go(r.history), step >= 8);
       history = r.history;
@@ -58,7 +58,7 @@ TEST(JointLawRelease, a_bond_that_lets_go_closes_and_opens_within_what_it_holds)
   const JointHistory  torn = law.respond({1.1 * gap, 0., 1., 0.1}, {}).history;
   const JointResponse back = law.respond({0.5 * gap, 0., 1., 0.1}, torn);
   EXPECT_NEAR(back.normal, -0.5 * tension, 1e-9 * tension);
-  EXPECT_EQ(back.normal_by_gap, k_n);
+  EXPECT_EQ(back.k_nn, k_n);
   const JointResponse closed = law.respond({-gap, 0., 1., 0.1}, back.history);
   EXPECT_NEAR(closed.normal, tension, 1e-9 * tension);
   const JointResponse open = law.respond({gap, 0., 1., 0.1}, closed.history);

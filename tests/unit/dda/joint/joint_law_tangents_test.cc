@@ -44,8 +44,8 @@ TEST(JointLawTangents, are_the_derivatives_of_the_tractions)
             };
             const std::string where = std::to_string(1e6 * gap) + " " + std::to_string(1e6 * slip);
             const JointResponse closer = at(gap - h, slip), wider = at(gap + h, slip);
-            EXPECT_NEAR(r.normal_by_gap, fall(closer.normal, wider.normal), 1e-5 * k_n) << where;
-            EXPECT_NEAR(r.shear_by_gap, fall(closer.shear, wider.shear), 1e-5 * k_n) << where;
+            EXPECT_NEAR(r.k_nn, fall(closer.normal, wider.normal), 1e-5 * k_n) << where;
+            EXPECT_NEAR(r.k_tn, fall(closer.shear, wider.shear), 1e-5 * k_n) << where;
             EXPECT_NEAR(r.shear_by_slip,
                         fall(at(gap, slip - h).shear, at(gap, slip + h).shear),
                         1e-5 * k_s)

@@ -57,7 +57,7 @@ TEST(JointLaw, compression_is_elastic_and_positive)
 {
   const JointResponse r = softening().respond({-1e-6, 0.}, {});
   EXPECT_DOUBLE_EQ(r.normal, k_n * 1e-6);
-  EXPECT_DOUBLE_EQ(r.normal_by_gap, k_n);
+  EXPECT_DOUBLE_EQ(r.k_nn, k_n);
   EXPECT_EQ(r.state, ContactState::locked);
   EXPECT_EQ(r.history.damage, 0.);
 }
@@ -107,7 +107,7 @@ TEST(JointLaw, a_locked_point_bears_what_is_beyond_its_strength)
       EXPECT_DOUBLE_EQ(locked.shear, -sign * k_s * 1e-3);
       EXPECT_GT(std::abs(locked.shear), std::abs(law.shear));
       EXPECT_EQ(locked.shear_by_slip, k_s);
-      EXPECT_EQ(locked.shear_by_gap, 0.);
+      EXPECT_EQ(locked.k_tn, 0.);
       EXPECT_EQ(locked.normal, law.normal);
       EXPECT_EQ(locked.history.plastic_slip, slid.plastic_slip);
     }
@@ -320,7 +320,7 @@ TEST(JointLaw, tangent_of_a_damped_bond_is_the_derivative_of_its_traction)
       const double        slope = (traction(c.gap - h, c.history, c.start).normal -
                             traction(c.gap + h, c.history, c.start).normal) /
                            (2. * h);
-      EXPECT_NEAR(r.normal_by_gap, slope, 1e-4 * k_n) << c.gap << ' ' << c.start;
+      EXPECT_NEAR(r.k_nn, slope, 1e-4 * k_n) << c.gap << ' ' << c.start;
       const double expected =
         c.expected == 0. ? law.respond({c.gap, 0.}, c.history).normal : c.expected;
       EXPECT_NEAR(r.normal, expected, 1e-9 * 1e4) << c.gap << ' ' << c.start;
@@ -347,7 +347,7 @@ TEST(JointLaw, tensile_damage_takes_its_part_of_the_cohesion)
 
 TEST(JointLaw, broken_contact_carries_neither_tension_nor_cohesion_above_residual)
 {
-  const JointLaw law(JointStrength::broken(rock()), k_n, k_s);
+  const JointLaw law(JointStrength::residual(rock()), k_n, k_s);
   EXPECT_EQ(law.respond({1e-5, 1e-3}, {}).state, ContactState::open);
   const JointResponse r = law.respond({-1e-5, 1e-2}, {});
   EXPECT_NEAR(-r.shear, 5e3 + 2e4 * tan_deg(20.), 1e-6);
@@ -357,7 +357,7 @@ TEST(JointLaw, broken_contact_carries_neither_tension_nor_cohesion_above_residua
 
 TEST(JointLaw, residual_cohesion_fades_while_a_broken_contact_opens)
 {
-  const JointLaw law(JointStrength::broken(rock()), k_n, k_s);
+  const JointLaw law(JointStrength::residual(rock()), k_n, k_s);
   const double   reach = 5e3 / k_n, h = 1e-4 * reach;
   EXPECT_NEAR(-law.respond({-1e-9 * reach, 1e-2}, {}).shear, 5e3, 1e-3);
   EXPECT_NEAR(-law.respond({1e-9 * reach, 1e-2}, {}).shear, 5e3, 1e-3);
@@ -365,7 +365,7 @@ TEST(JointLaw, residual_cohesion_fades_while_a_broken_contact_opens)
   EXPECT_NEAR(-half.shear, 2.5e3, 1e-6);
   EXPECT_EQ(half.normal, 0.);
   const double ahead = law.respond({0.5 * reach + h, 1e-2}, {}).shear;
-  EXPECT_NEAR(half.shear_by_gap, -(ahead - half.shear) / h, 1e-6 * k_n);
+  EXPECT_NEAR(half.k_tn, -(ahead - half.shear) / h, 1e-6 * k_n);
   EXPECT_EQ(law.respond({reach, 1e-2}, {}).shear, 0.);
 }
 
@@ -373,7 +373,7 @@ TEST(JointLaw, residual_cohesion_fades_while_a_broken_contact_opens)
 
 TEST(JointLaw, open_joint_starts_its_friction_spring_anew)
 {
-  const JointLaw      law(JointStrength::broken(rock()), k_n, k_s);
+  const JointLaw      law(JointStrength::residual(rock()), k_n, k_s);
   const JointResponse open   = law.respond({1e-3, 0.4}, {});
   const JointResponse closed = law.respond({-1e-6, 0.4 + 1e-7}, open.history);
   EXPECT_EQ(closed.state, ContactState::locked);
@@ -384,7 +384,7 @@ TEST(JointLaw, open_joint_starts_its_friction_spring_anew)
 
 TEST(JointLaw, residual_cohesion_acts_on_the_length_of_the_edges)
 {
-  const JointLaw law(JointStrength::broken(rock()), k_n, k_s);
+  const JointLaw law(JointStrength::residual(rock()), k_n, k_s);
   EXPECT_TRUE(law.has_residual_cohesion());
   EXPECT_FALSE(law.with(JointStrength::unlimited_friction()).has_residual_cohesion());
   const double friction = 2e4 * tan_deg(20.);
@@ -395,7 +395,7 @@ TEST(JointLaw, residual_cohesion_acts_on_the_length_of_the_edges)
       const double        reach = part * 5e3 / k_n;
       const JointResponse half  = law.respond({0.5 * reach, 1e-2, part}, {});
       EXPECT_NEAR(-half.shear, 0.5 * part * 5e3, 1e-6);
-      EXPECT_NEAR(half.shear_by_gap, part > 0. ? -k_n : 0., 1e-6 * k_n);
+      EXPECT_NEAR(half.k_tn, part > 0. ? -k_n : 0., 1e-6 * k_n);
       EXPECT_EQ(law.respond({1.0001 * reach + 1e-12, 1e-2, part}, {}).shear, 0.);
     }
 }
@@ -416,7 +416,7 @@ TEST(JointLaw, unlimited_strengths_neither_break_nor_slip)
 
 TEST(JointLaw, cyclic_shear_dissipates_the_area_of_the_loop)
 {
-  const JointLaw law(JointStrength::broken(rock()), k_n, k_s);
+  const JointLaw law(JointStrength::residual(rock()), k_n, k_s);
   const double   strength = 5e3 + 2e4 * tan_deg(20.), amplitude = 1e-3;
   JointHistory   history;
   double         work = 0., slip = 0., force = 0.;
@@ -452,7 +452,7 @@ TEST(JointLaw, a_bedding_plane_keeps_its_strength_while_it_slips)
       const JointResponse r = law.respond({-1e-5, slip}, history);
       EXPECT_NEAR(r.shear, -std::copysign(strength, slip), 1e-9 * strength);
       EXPECT_EQ(r.shear_by_slip, 0.);
-      EXPECT_NEAR(std::abs(r.shear_by_gap), k_n * tan_deg(30.), 1e-6);
+      EXPECT_NEAR(std::abs(r.k_tn), k_n * tan_deg(30.), 1e-6);
       EXPECT_EQ(r.state, ContactState::sliding);
       EXPECT_FALSE(law.broken_in_shear(r.history));
       history = r.history;

@@ -52,9 +52,9 @@ TEST(SweepOrder, no_pair_joins_two_parts)
     return std::upper_bound(order.begin.begin(), order.begin.end(), order.place[block]) -
            order.begin.begin();
   };
-  const int seam = order.n_parts() + 1;
+  const int separator = order.n_parts() + 1;
   for (const auto &[i, j] : pairs)
-    EXPECT_TRUE(part_of(i) == part_of(j) || part_of(i) == seam || part_of(j) == seam);
+    EXPECT_TRUE(part_of(i) == part_of(j) || part_of(i) == separator || part_of(j) == separator);
   EXPECT_GT(order.begin[order.n_parts()], 0);
 }
 

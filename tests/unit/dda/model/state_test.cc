@@ -81,7 +81,7 @@ namespace hybrid::dda
       joint.points[1].gap   = 2.;
       joint.failure         = FailureKind::shear;
       joint.failure_time    = 3.;
-      joint.loosened        = true;
+      joint.given_way       = true;
       joint.released        = true;
       joint.handed_over     = true;
       const JointState copy = copied(joint);
@@ -89,7 +89,7 @@ namespace hybrid::dda
       EXPECT_EQ(copy.points[1].gap, 2.);
       EXPECT_EQ(copy.failure, FailureKind::shear);
       EXPECT_EQ(copy.failure_time, 3.);
-      EXPECT_TRUE(copy.loosened);
+      EXPECT_TRUE(copy.given_way);
       EXPECT_TRUE(copy.released);
       EXPECT_TRUE(copy.handed_over);
     }
@@ -108,7 +108,7 @@ namespace hybrid::dda
       EXPECT_EQ(copy.slip, 6.);
       EXPECT_EQ(copy.plastic_slip, 7.);
       EXPECT_EQ(copy.state, ContactState::locked);
-      EXPECT_EQ(copy.rest_gap, -8.);
+      EXPECT_EQ(copy.stress_free_gap, -8.);
     }
 
 
@@ -141,7 +141,7 @@ namespace hybrid::dda
       state.joints.resize(2);
       state.joints[1].released   = true;
       state.contacts             = {{1, 2, 3, 4, 5., 6., 7., ContactState::locked}};
-      state.awake                = {Awake::no, Awake::to_blocks};
+      state.awake                = {ContactScope::no, ContactScope::to_blocks};
       state.rest                 = {{{1., 2.}}, {{3., 4.}}, {1}, {0}};
       state.base_displacement    = Eigen::VectorXd::Constant(2, 3.);
       state.base_force           = Eigen::VectorXd::Constant(2, 4.);

@@ -34,9 +34,9 @@ TEST(ContactLoad, what_is_new_where_nothing_pressed_begins_without_load)
 {
   std::vector<Contact> before = {{0, 1, base_body, 1, 0.5}};
   std::vector<Contact> now    = {{0, 0, base_body, 0, 0.5}};
-  before[0].rest_gap          = -0.1; // it only touched
+  before[0].stress_free_gap   = -0.1; // it only touched
   ContactLoads().carry(before, square_in_the_ground(), corner, now);
-  EXPECT_NEAR(now[0].rest_gap, -0.1, 1e-15);
+  EXPECT_NEAR(now[0].stress_free_gap, -0.1, 1e-15);
 }
 
 
@@ -47,7 +47,7 @@ TEST(ContactLoad, what_is_new_in_front_of_an_edge_is_open)
   g.vertices[0].y()        = 0.1;
   std::vector<Contact> now = {{0, 0, base_body, 0, 0.5}};
   ContactLoads().carry({}, g, corner, now);
-  EXPECT_EQ(now[0].rest_gap, 0.);
+  EXPECT_EQ(now[0].stress_free_gap, 0.);
 }
 
 
@@ -67,11 +67,11 @@ TEST(ContactLoad, two_blocks_press_on_as_they_pressed)
                                  {0.6, 0.1},
                                  {0.1, 0.2}};
   std::vector<Contact> before = {{1, 4, 0, 0, 0.5}};
-  before[0].rest_gap          = -0.07; // pressed by 0.03 m
+  before[0].stress_free_gap   = -0.07; // pressed by 0.03 m
   std::vector<Contact> now    = {{1, 5, 0, 0, 0.1}, {2, 7, 0, 0, 0.6}};
   ContactLoads().carry(before, g, corner, now);
-  EXPECT_NEAR(now[0].rest_gap, -0.17, 1e-15) << "0.2 m deep";
-  EXPECT_NEAR(now[1].rest_gap, -0.1, 1e-15) << "another block, 0.1 m deep";
+  EXPECT_NEAR(now[0].stress_free_gap, -0.17, 1e-15) << "0.2 m deep";
+  EXPECT_NEAR(now[1].stress_free_gap, -0.1, 1e-15) << "another block, 0.1 m deep";
 }
 
 
@@ -80,7 +80,7 @@ TEST(ContactLoad, what_was_there_stays_as_it_is)
 {
   std::vector<Contact> now = {{0, 0, base_body, 0, 0.5}};
   ContactLoads().carry(now, square_in_the_ground(), corner, now);
-  EXPECT_EQ(now[0].rest_gap, 0.);
+  EXPECT_EQ(now[0].stress_free_gap, 0.);
 }
 
 
@@ -88,11 +88,11 @@ TEST(ContactLoad, what_was_there_stays_as_it_is)
 TEST(ContactLoad, what_goes_on_along_another_edge_keeps_its_load)
 {
   std::vector<Contact> before = {{0, 0, base_body, 1, -0.5}};
-  before[0].rest_gap          = -0.07; // pressed by 0.03 m
+  before[0].stress_free_gap   = -0.07; // pressed by 0.03 m
   std::vector<Contact> now    = {{0, 0, base_body, 0, 0.5}, {0, 1, base_body, 1, 0.5}};
   ContactLoads().carry(before, square_in_the_ground(), corner, now);
-  EXPECT_NEAR(now[0].rest_gap, -0.07, 1e-15);
-  EXPECT_NEAR(now[1].rest_gap, -0.07, 1e-15) << "a metre away: what pressed between the two";
+  EXPECT_NEAR(now[0].stress_free_gap, -0.07, 1e-15);
+  EXPECT_NEAR(now[1].stress_free_gap, -0.07, 1e-15) << "a metre away: what pressed between the two";
 }
 
 
@@ -104,7 +104,7 @@ TEST(ContactLoad, no_deeper_than_it_is)
   g.base_nodes[0].y()         = -0.05; // the new edge lies lower
   std::vector<Contact> now    = {{0, 0, base_body, 0, 0.5}};
   ContactLoads().carry(before, g, corner, now);
-  EXPECT_EQ(now[0].rest_gap, 0.);
+  EXPECT_EQ(now[0].stress_free_gap, 0.);
 }
 
 
@@ -113,13 +113,13 @@ TEST(ContactLoad, place_that_enters_a_sole_takes_that_of_the_corner_which_passes
 {
   Geometry             g      = square_in_the_ground();
   std::vector<Contact> before = {{0, 0, base_body, 0, 0.5}, {0, 1, base_body, 1, 0.45}};
-  before[1].rest_gap          = -0.07; // pressed by 0.03 m
+  before[1].stress_free_gap   = -0.07; // pressed by 0.03 m
   before[1].slip              = 0.5;
   before[1].plastic_slip      = 0.498; // stretched by 2 mm to the right
   g.base_nodes.insert(g.base_nodes.begin() + 2, Vec2(1.45, 0.));
   std::vector<Contact> now = {{base_body, 2, 0, 0, 0.95}, before[0], before[1]};
   ContactLoads().carry(before, g, corner, now);
-  EXPECT_NEAR(now[0].rest_gap, -0.07, 1e-12);
+  EXPECT_NEAR(now[0].stress_free_gap, -0.07, 1e-12);
   EXPECT_NEAR(now[0].slip - now[0].plastic_slip, -0.002, 1e-12) << "of the base, to the left";
 }
 
@@ -133,10 +133,10 @@ TEST(ContactLoad, corner_that_passes_a_bend_presses_as_it_did)
   g.base_nodes      = {{0., 0.05}, {0.5, 0.}, {0.7, 0.}, {2., 0.}}; // a bend of 5.7 degrees
   g.vertices[0].x() = g.vertices[3].x() = 0.4999;
   std::vector<Contact> before           = {{base_body, 2, 0, 0, 0.2}, {0, 0, base_body, 1, 0.}};
-  before[1].rest_gap                    = -0.07; // pressed by 0.03 m over 0.1 m
+  before[1].stress_free_gap             = -0.07; // pressed by 0.03 m over 0.1 m
   before[1].slip                        = 0.002; // stretched by 2 mm
   std::vector<Contact> now              = {before[0], {0, 0, base_body, 0, 1.}};
   ContactLoads().carry(before, g, corner, now);
-  EXPECT_NEAR(now[1].rest_gap + 0.1 * std::cos(std::atan(0.1)), 0.03 / 5., 2e-4);
+  EXPECT_NEAR(now[1].stress_free_gap + 0.1 * std::cos(std::atan(0.1)), 0.03 / 5., 2e-4);
   EXPECT_NEAR(now[1].slip - now[1].plastic_slip, 0.002 / 5., 2e-5);
 }

@@ -147,7 +147,7 @@ namespace
                             const Eigen::VectorXd &there,
                             const Eigen::VectorXd &back)
   {
-    using Reversed  = Springs::ReversedSlip;
+    using Reversed  = Springs::SlipReversal;
     const auto &now = scene.springs.responses[0].now;
 
     scene.move(there, Reversed::locks);
@@ -210,7 +210,7 @@ TEST(Springs, equal_trials_have_equal_forces)
   slippery.friction_angle = 5.;
   for (std::vector<ContactLaw> &of_surface : scene.model.contacts.of)
     for (ContactLaw &contact : of_surface)
-      contact.law = JointLaw(JointStrength::broken(slippery), 1e9, 1e9);
+      contact.law = JointLaw(JointStrength::residual(slippery), 1e9, 1e9);
   scene.springs.collect(scene.model, scene.state);
   Eigen::VectorXd there = pressing(1e-6), back = there;
   there[0] = 1e-4;
@@ -220,7 +220,7 @@ TEST(Springs, equal_trials_have_equal_forces)
   Eigen::VectorXd forces[3];
   for (Eigen::VectorXd &f : forces)
     {
-      scene.move(back, Springs::ReversedSlip::locks);
+      scene.move(back, Springs::SlipReversal::locks);
       EXPECT_TRUE(scene.springs.any_held());
       f                        = Eigen::VectorXd::Zero(20);
       Eigen::VectorXd absolute = Eigen::VectorXd::Zero(2);

@@ -77,8 +77,9 @@ TEST(StaticSteps, a_wall_with_hundreds_of_contacts_at_their_limit_comes_to_rest)
   DdaState           state = initial_state(model);
   const StaticResult r     = take_static_steps(model, state);
   ASSERT_TRUE(r.equilibrium);
-  EXPECT_GE(r.cuts, 1);         // else it is no case for what is tested
-  EXPECT_LE(r.iterations, 150); // 60; 285 with all steps to the end, 2016 without SlidingShare
+  EXPECT_GE(r.cuts, 1); // else it is no case for what is tested
+  EXPECT_LE(r.iterations,
+            150); // 60; 285 with all steps to the end, 2016 without SlidingRegularisation
   double weight = 0., borne = 0.;
   for (const BlockProperties &block : model.blocks)
     weight += block.weight * model.gravity;

@@ -36,7 +36,7 @@ TEST(BlockEnergy, held_energy_is_kinetic_plus_strain)
   DdaState    state = initial_state(model);
   state.blocks[0].velocity << 3., 4., 2., 0., 0., 0.;
   state.blocks[0].stress << 1e4, 0., 0.;
-  const BlockEnergy e = held_energy(model, state);
+  const BlockEnergy e = stored_energy(model, state);
   EXPECT_NEAR(e.kinetic, 0.5 * 2220. * (25. + 4. / 6.), 1e-9);
   const double nu = 0.25, E = 50e6; // plane strain under uniaxial stress
   EXPECT_NEAR(e.strain, 0.5 * 1e8 * (1. - nu * nu) / E, 1e-9);
@@ -50,7 +50,7 @@ TEST(BlockEnergy, free_fall_exchanges_gravity_and_kinetic_energy)
   FixedBaseRun run(square_blocks(1, 1), block_parameters(30.), {});
   run.state.blocks[0].acceleration[1] = -9.81;
   const double fall                   = 0.5 * 9.81 * 0.25;
-  run.state.energy                    = held_energy(run.model, run.state);
+  run.state.energy                    = stored_energy(run.model, run.state);
   // the acceleration term of the scheme belongs to what is held
   const double start = run.state.energy.balance();
   ASSERT_TRUE(run.run(0.5, 1e-3));
@@ -69,7 +69,7 @@ TEST(BlockEnergy, vibrating_bonded_pair_balances)
       p.blocks.damping_ratio   = 0.02;
       FixedBaseRun run(square_blocks(2, 1), p, {});
       run.state.blocks[0].velocity[0] = 0.1;
-      run.state.energy                = held_energy(run.model, run.state);
+      run.state.energy                = stored_energy(run.model, run.state);
       const double start              = run.state.energy.balance();
       ASSERT_TRUE(run.run(0.2, 1e-3));
       EXPECT_NEAR(run.state.energy.balance(), start, 1e-3 * start) << preset;
@@ -94,7 +94,7 @@ TEST(BlockEnergy, damaged_joint_that_opens_and_closes_gives_nothing)
           end.history.damage = damage;
         run.state.blocks[0].velocity    = Vec6::Unit(0) * 0.1;
         run.state.blocks[0].velocity[2] = 0.05;
-        run.state.energy                = held_energy(run.model, run.state);
+        run.state.energy                = stored_energy(run.model, run.state);
         const double start              = run.state.energy.balance();
         while (run.state.time < 0.2)
           {
@@ -124,7 +124,7 @@ TEST(BlockEnergy, square_that_turns_about_an_end_of_its_joint_gains_nothing)
   const double spin                            = -3.;
   const Vec2   arm                             = run.state.blocks[1].centroid - Vec2(1., 0.);
   run.state.blocks[1].velocity << -spin * arm.y(), spin * arm.x(), spin, 0., 0., 0.;
-  run.state.energy   = held_energy(run.model, run.state);
+  run.state.energy   = stored_energy(run.model, run.state);
   const double start = run.state.energy.balance();
   ASSERT_TRUE(run.run(1., 1e-3));
   EXPECT_NEAR(run.state.energy.balance(), start, 1e-4 * start);
@@ -161,7 +161,7 @@ TEST(BlockEnergy, dynamic_coefficient_takes_its_part_of_the_kinetic_energy)
   p.time.dynamic_coefficient = 0.98;
   FixedBaseRun run(square_blocks(1, 1), p, {});
   run.state.blocks[0].velocity[0] = 1.;
-  run.state.energy                = held_energy(run.model, run.state);
+  run.state.energy                = stored_energy(run.model, run.state);
   const double start              = run.state.energy.balance();
   ASSERT_TRUE(run.run(0.01, 1e-3));
   EXPECT_NEAR(run.state.energy.kinetic, start * std::pow(0.98, 20.), 1e-9 * start);

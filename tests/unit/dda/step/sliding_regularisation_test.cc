@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/step/sliding_share.h>
+#include <hybrid/dda/step/sliding_regularisation.h>
 
 #include <gtest/gtest.h>
 
-using hybrid::dda::SlidingShare;
+using hybrid::dda::SlidingRegularisation;
 
 
 
-TEST(SlidingShare, grows_while_updates_are_cut_short_and_fades_while_they_are_whole)
+TEST(SlidingRegularisation, grows_while_updates_are_cut_short_and_fades_while_they_are_whole)
 {
-  SlidingShare share;
+  SlidingRegularisation share;
   EXPECT_EQ(share.value(), 0.);
   share.adapt(1.);
   EXPECT_EQ(share.value(), 0.);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/contact/contact.h>
-#include <hybrid/dda/contact/rest_watch.h>
+#include <hybrid/dda/contact/stillness_cache.h>
 
 #include <algorithm>
 
 namespace hybrid::dda
 {
-  RestWatch::RestWatch(const double tolerance_)
+  StillnessCache::StillnessCache(const double tolerance_)
     : tolerance(tolerance_)
   {}
 
 
 
-  void RestWatch::look(const Geometry &geometry, RestState &rest)
+  void StillnessCache::look(const Geometry &geometry, RestState &rest)
   {
     // New places are the first ones: they count as moved.
     if (rest.vertices.size() != geometry.vertices.size() ||
@@ -47,7 +47,7 @@ namespace hybrid::dda
 
 
 
-  bool RestWatch::rests(const ContactCandidate &pair) const
+  bool StillnessCache::rests(const ContactCandidate &pair) const
   {
     const bool vertex_rests =
       pair.vertex_body == base_body ? is_resting_node[pair.vertex] : is_resting[pair.vertex_body];

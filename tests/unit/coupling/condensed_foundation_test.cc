@@ -32,7 +32,7 @@ namespace
 
 
 
-TEST(CondensedBase, surface_is_that_of_the_continuum)
+TEST(CondensedFoundation, surface_is_that_of_the_continuum)
 {
   MovingRun run;
   EXPECT_EQ(run.base->surface_nodes(), run.rock.surface_nodes());
@@ -41,7 +41,7 @@ TEST(CondensedBase, surface_is_that_of_the_continuum)
 
 
 
-TEST(CondensedBase, prediction_changes_no_state)
+TEST(CondensedFoundation, prediction_changes_no_state)
 {
   MovingRun                       run;
   const continuum::ContinuumState before = run.state.continuum;
@@ -57,7 +57,7 @@ TEST(CondensedBase, prediction_changes_no_state)
 
 
 
-TEST(CondensedBase, response_is_a_symmetric_positive_definite_body)
+TEST(CondensedFoundation, response_is_a_symmetric_positive_definite_body)
 {
   MovingRun                run;
   const dda::BaseResponse &response = run.base->predict(run.state.continuum, 1e-3);
@@ -72,7 +72,7 @@ TEST(CondensedBase, response_is_a_symmetric_positive_definite_body)
 
 
 // The accepted surface motion is the solution of S w = g + lambda.
-TEST(CondensedBase, correction_takes_the_surface_where_the_blocks_found_it)
+TEST(CondensedFoundation, correction_takes_the_surface_where_the_blocks_found_it)
 {
   MovingRun                run;
   const dda::BaseResponse &response = run.base->predict(run.state.continuum, 1e-3);
@@ -92,7 +92,7 @@ TEST(CondensedBase, correction_takes_the_surface_where_the_blocks_found_it)
 
 
 // Action equals reaction: the momentum that blocks lose the rock's surface receives.
-TEST(CondensedBase, surface_force_is_what_the_blocks_feel)
+TEST(CondensedFoundation, surface_force_is_what_the_blocks_feel)
 {
   MovingRun run;
   for (int k = 0; k < 20; ++k)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/statics/static_steps.h>
-#include <hybrid/dda/statics/steps_from_hold.h>
+#include <hybrid/dda/statics/stick_predictor_steps.h>
 
 #include <algorithm>
 
@@ -14,22 +14,24 @@ namespace hybrid::dda
 
 
 
-  StepsFromHold::StepsFromHold(const Model &problem, const OpenCloseIteration::Watch &watch)
+  StickPredictorSteps::StickPredictorSteps(const Model                     &problem,
+                                           const OpenCloseIteration::Watch &watch)
     : held(with_unlimited_friction(problem))
     , eased(problem)
     , tolerance(problem.iteration.tolerance)
     , hold_solver(held)
     , solver(eased)
   {
-    held.iteration.tolerance      = std::max(tolerance, guess_tolerance);
-    eased.iteration.eases_sliding = true;
+    held.iteration.tolerance            = std::max(tolerance, guess_tolerance);
+    eased.iteration.regularises_sliding = true;
     hold_solver.set_watch(watch);
     solver.set_watch(watch);
   }
 
 
 
-  StepResult StepsFromHold::hold(const DdaState &state, const BaseResponse &base, const double dt)
+  StepResult
+  StickPredictorSteps::hold(const DdaState &state, const BaseResponse &base, const double dt)
   {
     DdaState         copy   = state;
     const StepResult result = hold_solver.solve(copy, base, dt);
@@ -39,10 +41,10 @@ namespace hybrid::dda
 
 
 
-  StepResult StepsFromHold::solve(DdaState           &state,
-                                  const BaseResponse &base,
-                                  const double        dt,
-                                  const double        residual)
+  StepResult StickPredictorSteps::solve(DdaState           &state,
+                                        const BaseResponse &base,
+                                        const double        dt,
+                                        const double        residual)
   {
     eased.iteration.tolerance = std::max(tolerance, fall * residual);
     return solver.solve(state,

@@ -14,7 +14,7 @@ namespace hybrid::dda
    * a circle (a residual comes back). A step that begins near balance, where few contacts change,
    * takes none.
    */
-  class WholeUpdates
+  class FullStepPhase
   {
   public:
     /// A step begins. @param most number, 0: none. @param residual [-] at the start

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/coupling/block_bedrock.h>
+#include <hybrid/coupling/block_foundation.h>
 #include <hybrid/scene/input_error.h>
 
 #include <algorithm>
@@ -25,12 +25,12 @@ namespace hybrid::coupling
 
 
 
-  BlockBedrock::BlockBedrock(std::vector<Vec2>                nodes,
-                             const scene::GroundMotion       &ground_motion,
-                             const SceneParameters           &scene,
-                             const std::vector<BoundaryEdge> &edges)
+  BlockFoundation::BlockFoundation(std::vector<Vec2>                nodes,
+                                   const scene::GroundMotion       &ground_motion,
+                                   const SceneParameters           &scene,
+                                   const std::vector<BoundaryEdge> &edges)
     : boundary(edges)
-    , base(std::move(nodes), is_fixed(scene) ? scene::GroundMotion() : ground_motion)
+    , below(std::move(nodes), is_fixed(scene) ? scene::GroundMotion() : ground_motion)
     , motion(is_fixed(scene) ? scene::GroundMotion() : ground_motion)
     , compliant(scene.bedrock == scene::BedrockModel::triangles &&
                 scene.continuum.base == scene::BaseBoundary::compliant)
@@ -46,7 +46,7 @@ namespace hybrid::coupling
 
 
 
-  void BlockBedrock::add_column(const BoundaryPart side, const SceneParameters &scene)
+  void BlockFoundation::add_column(const BoundaryPart side, const SceneParameters &scene)
   {
     std::vector<int> edges;
     const auto       bottom = [&](const int e) {
@@ -96,7 +96,7 @@ namespace hybrid::coupling
 
 
 
-  continuum::ContinuumState BlockBedrock::initial_state() const
+  continuum::ContinuumState BlockFoundation::initial_state() const
   {
     continuum::ContinuumState state;
     state.displacement.assign(u.size(), 0.);
@@ -107,7 +107,7 @@ namespace hybrid::coupling
 
 
 
-  void BlockBedrock::step_columns(const continuum::ContinuumState &state, const double dt)
+  void BlockFoundation::step_columns(const continuum::ContinuumState &state, const double dt)
   {
     const double                            time = state.time + dt;
     const continuum::FreeFieldColumn::Input input{motion.upgoing_velocity(time),
@@ -126,7 +126,7 @@ namespace hybrid::coupling
 
 
 
-  void BlockBedrock::set_forces(const double time)
+  void BlockFoundation::set_forces(const double time)
   {
     response.boundary_force.setZero(forces_per_edge * static_cast<Eigen::Index>(boundary.size()));
     if (!motion.empty())
@@ -146,7 +146,7 @@ namespace hybrid::coupling
 
 
 
-  void BlockBedrock::add_column_forces(const BesideColumn &side)
+  void BlockFoundation::add_column_forces(const BesideColumn &side)
   {
     const BoundaryEdge &edge   = boundary[side.edge];
     const double        length = (edge.ends[1] - edge.ends[0]).norm();
@@ -171,21 +171,21 @@ namespace hybrid::coupling
 
 
 
-  const dda::BaseResponse &BlockBedrock::predict(const continuum::ContinuumState &state,
-                                                 const double                     dt)
+  const dda::BaseResponse &BlockFoundation::predict(const continuum::ContinuumState &state,
+                                                    const double                     dt)
   {
     step_columns(state, dt);
-    response.displacement = base.predict(state, dt).displacement;
+    response.displacement = below.predict(state, dt).displacement;
     set_forces(state.time + dt);
     return response;
   }
 
 
 
-  void BlockBedrock::correct(continuum::ContinuumState &state,
-                             const double               dt,
-                             const Eigen::VectorXd &,
-                             const continuum::SurfaceForce &)
+  void BlockFoundation::correct(continuum::ContinuumState &state,
+                                const double               dt,
+                                const Eigen::VectorXd &,
+                                const continuum::SurfaceForce &)
   {
     state.displacement = u;
     state.velocity     = v;

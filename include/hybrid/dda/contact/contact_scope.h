@@ -4,7 +4,7 @@
 namespace hybrid::dda
 {
   /// What a block looks at besides the bodies that it never shared a vertex with.
-  enum class Awake : char
+  enum class ContactScope : char
   {
     no,        ///< nothing: all its joints hold
     to_blocks, ///< neighbours of the mesh: a joint of its has given way

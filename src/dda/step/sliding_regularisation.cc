@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/step/sliding_share.h>
+#include <hybrid/dda/step/sliding_regularisation.h>
 
 #include <algorithm>
 
 namespace hybrid::dda
 {
-  bool SlidingShare::adapt(const double part)
+  bool SlidingRegularisation::adapt(const double part)
   {
     const double     before = share;
     constexpr double least = 1e-3, most = 1., factor = 8.;

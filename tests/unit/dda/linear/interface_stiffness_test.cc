@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "random_block_matrix.h"
 
-#include <hybrid/dda/linear/base_band.h>
+#include <hybrid/dda/linear/interface_stiffness.h>
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ namespace
   }
 
   /// S + P as the factor and as the products have it must be @p expected.
-  void expect_matrix(const BaseBand &base, const Eigen::MatrixXd &expected)
+  void expect_matrix(const InterfaceStiffness &base, const Eigen::MatrixXd &expected)
   {
     const Eigen::VectorXd x       = Eigen::VectorXd::Random(size);
     Eigen::VectorXd       product = Eigen::VectorXd::Zero(size);
@@ -41,11 +41,11 @@ namespace
 
 
 
-TEST(BaseBand, stiff_base_is_factored_alone)
+TEST(InterfaceStiffness, stiff_base_is_factored_alone)
 {
   const BlockMatrix     m = random_block_matrix(n_blocks, n_nodes);
   const Eigen::MatrixXd s = chain(1e4);
-  BaseBand              base;
+  InterfaceStiffness    base;
   base.set(&s);
   base.matrix_changed(m);
   expect_matrix(base, s);
@@ -53,11 +53,11 @@ TEST(BaseBand, stiff_base_is_factored_alone)
 
 
 
-TEST(BaseBand, soft_base_is_factored_with_what_joints_add)
+TEST(InterfaceStiffness, soft_base_is_factored_with_what_joints_add)
 {
   const BlockMatrix     m = random_block_matrix(n_blocks, n_nodes);
   const Eigen::MatrixXd s = chain(1.);
-  BaseBand              base;
+  InterfaceStiffness    base;
   base.set(&s);
   base.matrix_changed(m);
   expect_matrix(base, s + dense(m).bottomRightCorner(size, size));
@@ -65,13 +65,13 @@ TEST(BaseBand, soft_base_is_factored_with_what_joints_add)
 
 
 
-TEST(BaseBand, unsymmetric_joints_count_with_their_symmetric_part)
+TEST(InterfaceStiffness, unsymmetric_joints_count_with_their_symmetric_part)
 {
   BlockMatrix m = random_block_matrix(n_blocks, n_nodes);
   m.node_diagonal[2](0, 1) += 0.4;
   m.node_next[3](1, 0) += 0.3;
   const Eigen::MatrixXd s = chain(1.), nodes = dense(m).bottomRightCorner(size, size);
-  BaseBand              base;
+  InterfaceStiffness    base;
   base.set(&s);
   base.matrix_changed(m);
   expect_matrix(base, s + 0.5 * (nodes + nodes.transpose()));
@@ -79,12 +79,12 @@ TEST(BaseBand, unsymmetric_joints_count_with_their_symmetric_part)
 
 
 
-TEST(BaseBand, softening_that_would_make_it_indefinite_is_left_out)
+TEST(InterfaceStiffness, softening_that_would_make_it_indefinite_is_left_out)
 {
   BlockMatrix m            = random_block_matrix(n_blocks, n_nodes);
   m.node_diagonal[0](0, 0) = -100.;
   const Eigen::MatrixXd s  = chain(1.);
-  BaseBand              base;
+  InterfaceStiffness    base;
   base.set(&s);
   base.matrix_changed(m);
   expect_matrix(base, s);
@@ -92,9 +92,9 @@ TEST(BaseBand, softening_that_would_make_it_indefinite_is_left_out)
 
 
 
-TEST(BaseBand, without_a_base_nothing_changes)
+TEST(InterfaceStiffness, without_a_base_nothing_changes)
 {
-  BaseBand base;
+  InterfaceStiffness base;
   base.set(nullptr);
   base.matrix_changed(random_block_matrix(n_blocks, n_nodes));
   EXPECT_FALSE(base.exists());

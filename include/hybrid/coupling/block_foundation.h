@@ -2,7 +2,7 @@
 #pragma once
 
 #include <hybrid/continuum/free_field_column.h>
-#include <hybrid/coupling/rigid_base.h>
+#include <hybrid/coupling/rigid_foundation.h>
 #include <hybrid/dda/block/boundary_edge.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
@@ -19,25 +19,25 @@ namespace hybrid::coupling
    *                   stress + Z velocity of a column   at a free-field side
    * (see dda::ViscousBoundary). The columns' motion is in ContinuumState.
    */
-  class BlockBedrock final : public Base
+  class BlockFoundation final : public Foundation
   {
   public:
     /// @param nodes of the prescribed base [m]; may be empty.  @param motion may be empty.
     /// @param boundary of the blocks, in the order of the forces.
     /// @throws InputError for free-field sides that are not vertical.
-    BlockBedrock(std::vector<Vec2>                     nodes,
-                 const scene::GroundMotion            &motion,
-                 const scene::SceneParameters         &scene,
-                 const std::vector<dda::BoundaryEdge> &boundary);
+    BlockFoundation(std::vector<Vec2>                     nodes,
+                    const scene::GroundMotion            &motion,
+                    const scene::SceneParameters         &scene,
+                    const std::vector<dda::BoundaryEdge> &boundary);
 
     const std::vector<Vec2> &surface_nodes() const override
     {
-      return base.surface_nodes();
+      return below.surface_nodes();
     }
 
     PrescribedMotion prescribed_motion(const double time) const override
     {
-      return base.prescribed_motion(time);
+      return below.prescribed_motion(time);
     }
 
     /// At rest.
@@ -58,7 +58,7 @@ namespace hybrid::coupling
     };
 
     const std::vector<dda::BoundaryEdge>    boundary;
-    RigidBase                               base;
+    RigidFoundation                         below;
     const scene::GroundMotion               motion; ///< empty if the base is fixed
     const bool                              compliant;
     const continuum::LagrangeLine           line;

@@ -9,20 +9,20 @@ namespace hybrid::dda
    * Static steps for loose masses in which hundreds of contacts reach their friction limit at once.
    *
    * Each begins where contacts that never slide would bring the blocks, sliding is eased
-   * (SlidingShare), and only steps near rest are solved to the problem's tolerance: the slip of the
-   * others is that of steps whose residual is a thousandth of the last one's. They are great from
-   * the start: on the way of small ones the upper blocks hardly weigh on the lower ones, and
-   * contacts without force open and close.
+   * (SlidingRegularisation), and only steps near rest are solved to the problem's tolerance: the
+   * slip of the others is that of steps whose residual is a thousandth of the last one's. They are
+   * great from the start: on the way of small ones the upper blocks hardly weigh on the lower ones,
+   * and contacts without force open and close.
    */
-  class StepsFromHold
+  class StickPredictorSteps
   {
   public:
     /// @param watch may be empty
-    StepsFromHold(const Model &problem, const OpenCloseIteration::Watch &watch);
+    StickPredictorSteps(const Model &problem, const OpenCloseIteration::Watch &watch);
 
     // The solvers refer to the models beside them.
-    StepsFromHold(const StepsFromHold &)            = delete;
-    StepsFromHold &operator=(const StepsFromHold &) = delete;
+    StickPredictorSteps(const StickPredictorSteps &)            = delete;
+    StickPredictorSteps &operator=(const StickPredictorSteps &) = delete;
 
     /// Find where contacts that never slide would bring the blocks. @return how it went
     StepResult hold(const DdaState &state, const BaseResponse &base, double dt);

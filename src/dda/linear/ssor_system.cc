@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/linear/swept_system.h>
+#include <hybrid/dda/linear/ssor_system.h>
 
 #include <Eigen/LU>
 
@@ -30,7 +30,7 @@ namespace hybrid::dda
 
 
 
-  void SweptSystem::set_slices(const std::vector<int> &slice_of_block)
+  void SsorSystem::set_slices(const std::vector<int> &slice_of_block)
   {
     if (slice_of_block == slice)
       return;
@@ -40,9 +40,9 @@ namespace hybrid::dda
 
 
 
-  void SweptSystem::set(const BlockMatrix      &block_matrix,
-                        const BaseBand         &base_band,
-                        const std::vector<int> &blocks)
+  void SsorSystem::set(const BlockMatrix        &block_matrix,
+                       const InterfaceStiffness &base_band,
+                       const std::vector<int>   &blocks)
   {
     const bool same = matrix == &block_matrix && version == block_matrix.pattern_version();
     matrix          = &block_matrix;
@@ -58,7 +58,7 @@ namespace hybrid::dda
 
 
 
-  void SweptSystem::set_row(const int block)
+  void SsorSystem::set_row(const int block)
   {
     const int p                  = order.place[block];
     inverse_diagonal[p]          = inverse(matrix->diagonal[block]);
@@ -81,7 +81,7 @@ namespace hybrid::dda
 
 
 
-  void SweptSystem::order_rows()
+  void SsorSystem::order_rows()
   {
     const int  n     = matrix->n_blocks();
     const bool known = static_cast<int>(slice.size()) == n;
@@ -125,7 +125,7 @@ namespace hybrid::dda
 
 
 
-  Vec6 SweptSystem::product(const int first, const int last, const Eigen::VectorXd &x) const
+  Vec6 SsorSystem::product(const int first, const int last, const Eigen::VectorXd &x) const
   {
     Vec6 sum = Vec6::Zero();
     for (int k = first; k < last; ++k)
@@ -135,7 +135,7 @@ namespace hybrid::dda
 
 
 
-  void SweptSystem::sweep_backward(const Eigen::VectorXd &hat, Eigen::VectorXd &x)
+  void SsorSystem::sweep_backward(const Eigen::VectorXd &hat, Eigen::VectorXd &x)
   {
     x.tail(2 * matrix->n_nodes()) = hat.tail(2 * matrix->n_nodes());
     const auto sweep              = [&](const int part) {
@@ -156,7 +156,7 @@ namespace hybrid::dda
 
 
 
-  void SweptSystem::sweep_forward(const Eigen::VectorXd &b, Eigen::VectorXd &result)
+  void SsorSystem::sweep_forward(const Eigen::VectorXd &b, Eigen::VectorXd &result)
   {
     const auto sweep = [&](const int part) {
       for (int p = order.begin[part]; p < order.begin[part + 1]; ++p)
@@ -178,7 +178,7 @@ namespace hybrid::dda
 
 
 
-  void SweptSystem::multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y)
+  void SsorSystem::multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y)
   {
     // A = (D + L) + (D + U) + (D_A - 2 D): with t = (D + U)^-1 D x the product is
     // t + (D + L)^-1 (U t + (D_A - D) t), and D_A differs from D at the nodes only.
@@ -196,7 +196,7 @@ namespace hybrid::dda
 
 
 
-  void SweptSystem::multiply_diagonal(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+  void SsorSystem::multiply_diagonal(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
   {
     const int n = matrix->n_blocks(), m = 2 * matrix->n_nodes();
 #pragma omp parallel for schedule(static)
@@ -215,7 +215,7 @@ namespace hybrid::dda
 
 
 
-  void SweptSystem::undo_forward(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+  void SsorSystem::undo_forward(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
   {
     const int n = matrix->n_blocks();
     multiply_diagonal(x, y);

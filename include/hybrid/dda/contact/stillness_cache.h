@@ -16,11 +16,11 @@ namespace hybrid::dda
    * all bodies near it rest is settled once a search has changed none of its
    * contacts; it keeps them until one of these bodies moves.
    */
-  class RestWatch
+  class StillnessCache
   {
   public:
     /// @param tolerance [m] below which two places are the same to the search.
-    explicit RestWatch(double tolerance);
+    explicit StillnessCache(double tolerance);
 
     /// Compare all places with @p rest, and note there those that have moved.
     void look(const Geometry &geometry, RestState &rest);

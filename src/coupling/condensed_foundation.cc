@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/coupling/condensed_base.h>
+#include <hybrid/coupling/condensed_foundation.h>
 
 namespace hybrid::coupling
 {
-  const dda::BaseResponse &CondensedBase::predict(const continuum::ContinuumState &state,
-                                                  const double                     dt)
+  const dda::BaseResponse &CondensedFoundation::predict(const continuum::ContinuumState &state,
+                                                        const double                     dt)
   {
     response.prescribed = false;
     response.stiffness  = &continuum.surface_stiffness(dt);
@@ -15,9 +15,9 @@ namespace hybrid::coupling
 
 
 
-  continuum::SlipStatus CondensedBase::solve_slip(const continuum::ContinuumState &state,
-                                                  const double                     dt,
-                                                  const Eigen::VectorXd           &displacement)
+  continuum::SlipStatus CondensedFoundation::solve_slip(const continuum::ContinuumState &state,
+                                                        const double                     dt,
+                                                        const Eigen::VectorXd &displacement)
   {
     const auto status = continuum.solve_slip(state, dt, displacement);
     if (status == continuum::SlipStatus::changed)

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/step/whole_updates.h>
+#include <hybrid/dda/step/full_step_phase.h>
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-using hybrid::dda::WholeUpdates;
+using hybrid::dda::FullStepPhase;
 
 
 
-TEST(WholeUpdates, as_many_as_are_allowed)
+TEST(FullStepPhase, as_many_as_are_allowed)
 {
-  WholeUpdates updates;
+  FullStepPhase updates;
   EXPECT_FALSE(updates.go_on());
   updates.begin(3, 1.);
   for (const double residual : {1.5, 1.2, 1.1})
@@ -27,11 +27,11 @@ TEST(WholeUpdates, as_many_as_are_allowed)
 
 
 
-TEST(WholeUpdates, those_that_lead_away_are_given_up)
+TEST(FullStepPhase, those_that_lead_away_are_given_up)
 {
   for (const double far : {101., std::numeric_limits<double>::quiet_NaN()})
     {
-      WholeUpdates updates;
+      FullStepPhase updates;
       updates.begin(9, 1.);
       updates.judge(30.);
       EXPECT_TRUE(updates.go_on());
@@ -42,9 +42,9 @@ TEST(WholeUpdates, those_that_lead_away_are_given_up)
 
 
 
-TEST(WholeUpdates, those_in_a_circle_are_given_up)
+TEST(FullStepPhase, those_in_a_circle_are_given_up)
 {
-  WholeUpdates updates;
+  FullStepPhase updates;
   updates.begin(9, 1.);
   for (const double residual : {0.8, 0.06, 0.3})
     updates.judge(residual);
@@ -55,9 +55,9 @@ TEST(WholeUpdates, those_in_a_circle_are_given_up)
 
 
 
-TEST(WholeUpdates, none_near_balance)
+TEST(FullStepPhase, none_near_balance)
 {
-  WholeUpdates updates;
+  FullStepPhase updates;
   updates.begin(9, 1e-4);
   EXPECT_FALSE(updates.go_on());
   updates.begin(9, 1e-2);

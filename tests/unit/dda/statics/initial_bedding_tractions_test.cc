@@ -3,7 +3,7 @@
 
 #include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/model/model_builder.h>
-#include <hybrid/dda/statics/bedding_rest.h>
+#include <hybrid/dda/statics/initial_bedding_tractions.h>
 #include <hybrid/dda/statics/static_stage.h>
 #include <hybrid/dda/step/initial_state.h>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/coupling/rigid_base.h>
+#include <hybrid/coupling/rigid_foundation.h>
 
 namespace hybrid::coupling
 {
-  RigidBase::RigidBase(std::vector<Vec2> surface, const scene::GroundMotion &base_motion)
+  RigidFoundation::RigidFoundation(std::vector<Vec2>          surface,
+                                   const scene::GroundMotion &base_motion)
     : nodes(std::move(surface))
     , motion(base_motion)
   {
@@ -13,8 +14,8 @@ namespace hybrid::coupling
 
 
 
-  const dda::BaseResponse &RigidBase::predict(const continuum::ContinuumState &state,
-                                              const double                     dt)
+  const dda::BaseResponse &RigidFoundation::predict(const continuum::ContinuumState &state,
+                                                    const double                     dt)
   {
     if (!motion.empty())
       {
@@ -27,17 +28,17 @@ namespace hybrid::coupling
 
 
 
-  PrescribedMotion RigidBase::prescribed_motion(const double time) const
+  PrescribedMotion RigidFoundation::prescribed_motion(const double time) const
   {
     return {motion.outcrop_velocity(time), motion.outcrop_acceleration(time)};
   }
 
 
 
-  void RigidBase::correct(continuum::ContinuumState &state,
-                          const double               dt,
-                          const Eigen::VectorXd &,
-                          const continuum::SurfaceForce &)
+  void RigidFoundation::correct(continuum::ContinuumState &state,
+                                const double               dt,
+                                const Eigen::VectorXd &,
+                                const continuum::SurfaceForce &)
   {
     state.time += dt;
   }

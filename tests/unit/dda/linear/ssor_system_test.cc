@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "random_block_matrix.h"
 
-#include <hybrid/dda/linear/swept_system.h>
+#include <hybrid/dda/linear/ssor_system.h>
 
 #include <gtest/gtest.h>
 #include <omp.h>
@@ -65,10 +65,10 @@ namespace
   void
   check(const BlockMatrix &m, const Eigen::MatrixXd *stiffness, const std::vector<int> &slice = {})
   {
-    BaseBand base;
+    InterfaceStiffness base;
     base.set(stiffness);
     base.matrix_changed(m);
-    SweptSystem swept;
+    SsorSystem swept;
     swept.set_slices(slice);
     swept.set(m, base, {});
     const Parts           parts(m, stiffness, slice);
@@ -101,7 +101,7 @@ namespace
 
 
 
-TEST(SweptSystem, symmetric_matrix_with_a_base)
+TEST(SsorSystem, symmetric_matrix_with_a_base)
 {
   const Eigen::MatrixXd s = stiff_base();
   check(random_block_matrix(n_blocks, n_nodes), &s);
@@ -109,7 +109,7 @@ TEST(SweptSystem, symmetric_matrix_with_a_base)
 
 
 
-TEST(SweptSystem, unsymmetric_matrix_with_a_base)
+TEST(SsorSystem, unsymmetric_matrix_with_a_base)
 {
   const Eigen::MatrixXd s = stiff_base();
   check(unsymmetric_block_matrix(n_blocks, n_nodes, 0.05), &s);
@@ -117,21 +117,21 @@ TEST(SweptSystem, unsymmetric_matrix_with_a_base)
 
 
 
-TEST(SweptSystem, nodes_without_a_base)
+TEST(SsorSystem, nodes_without_a_base)
 {
   check(unsymmetric_block_matrix(n_blocks, n_nodes, 0.05), nullptr);
 }
 
 
 
-TEST(SweptSystem, blocks_alone)
+TEST(SsorSystem, blocks_alone)
 {
   check(random_block_matrix(n_blocks, 0), nullptr);
 }
 
 
 
-TEST(SweptSystem, slices_are_swept_before_the_blocks_between_them)
+TEST(SsorSystem, slices_are_swept_before_the_blocks_between_them)
 {
   const Eigen::MatrixXd s = stiff_base();
   check(unsymmetric_block_matrix(n_blocks, n_nodes, 0.05), &s, two_slices());
@@ -139,13 +139,13 @@ TEST(SweptSystem, slices_are_swept_before_the_blocks_between_them)
 
 
 
-TEST(SweptSystem, any_number_of_threads_gives_the_same_bits)
+TEST(SsorSystem, any_number_of_threads_gives_the_same_bits)
 {
-  const BlockMatrix m = random_block_matrix(n_blocks, 0);
-  BaseBand          base;
+  const BlockMatrix  m = random_block_matrix(n_blocks, 0);
+  InterfaceStiffness base;
   base.set(nullptr);
   base.matrix_changed(m);
-  SweptSystem swept;
+  SsorSystem swept;
   swept.set_slices(two_slices());
   swept.set(m, base, {});
   const Eigen::VectorXd x = Eigen::VectorXd::Random(m.size());
@@ -161,15 +161,15 @@ TEST(SweptSystem, any_number_of_threads_gives_the_same_bits)
 
 
 
-TEST(SweptSystem, pairs_that_part_and_touch_again)
+TEST(SsorSystem, pairs_that_part_and_touch_again)
 {
-  const BlockMatrix touching = unsymmetric_block_matrix(n_blocks, 0, 0.05);
-  BlockMatrix       m        = touching;
-  BaseBand          base;
+  const BlockMatrix  touching = unsymmetric_block_matrix(n_blocks, 0, 0.05);
+  BlockMatrix        m        = touching;
+  InterfaceStiffness base;
   base.set(nullptr);
-  SweptSystem           swept;
+  SsorSystem            swept;
   const Eigen::VectorXd x       = Eigen::VectorXd::Random(m.size());
-  const auto            product = [&](SweptSystem &system, const std::vector<int> &changed) {
+  const auto            product = [&](SsorSystem &system, const std::vector<int> &changed) {
     Eigen::VectorXd y(m.size());
     system.set(m, base, changed);
     system.multiply(x, y);
@@ -184,7 +184,7 @@ TEST(SweptSystem, pairs_that_part_and_touch_again)
       changed.insert(changed.end(), m.pairs[s].begin(), m.pairs[s].end());
     }
   check(m, nullptr);
-  SweptSystem           fresh;
+  SsorSystem            fresh;
   const Eigen::VectorXd without = product(swept, changed);
   EXPECT_GT((without - all).norm(), 0.01 * all.norm());
   EXPECT_EQ(without, product(fresh, {}));

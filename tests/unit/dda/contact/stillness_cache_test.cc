@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/contact/contact.h>
-#include <hybrid/dda/contact/rest_watch.h>
+#include <hybrid/dda/contact/stillness_cache.h>
 
 #include <gtest/gtest.h>
 
@@ -29,11 +29,11 @@ namespace
 } // namespace
 
 
-TEST(RestWatch, a_body_rests_until_it_is_a_tolerance_away_from_where_it_last_moved)
+TEST(StillnessCache, a_body_rests_until_it_is_a_tolerance_away_from_where_it_last_moved)
 {
-  Geometry  g = two_blocks();
-  RestWatch watch(tolerance);
-  RestState rest;
+  Geometry       g = two_blocks();
+  StillnessCache watch(tolerance);
+  RestState      rest;
   watch.look(g, rest);
   EXPECT_TRUE(watch.rests(upper_on_lower));
   for (int step = 0; step < 10; ++step) // a fifth of the tolerance each
@@ -47,11 +47,11 @@ TEST(RestWatch, a_body_rests_until_it_is_a_tolerance_away_from_where_it_last_mov
 
 
 
-TEST(RestWatch, segments_of_the_base_rest_one_by_one)
+TEST(StillnessCache, segments_of_the_base_rest_one_by_one)
 {
-  Geometry  g = two_blocks();
-  RestWatch watch(tolerance);
-  RestState rest;
+  Geometry       g = two_blocks();
+  StillnessCache watch(tolerance);
+  RestState      rest;
   watch.look(g, rest);
   g.base_nodes[2].y() += 2. * tolerance;
   watch.look(g, rest);
@@ -61,11 +61,11 @@ TEST(RestWatch, segments_of_the_base_rest_one_by_one)
 
 
 
-TEST(RestWatch, not_a_number_never_rests)
+TEST(StillnessCache, not_a_number_never_rests)
 {
-  Geometry  g = two_blocks();
-  RestWatch watch(tolerance);
-  RestState rest;
+  Geometry       g = two_blocks();
+  StillnessCache watch(tolerance);
+  RestState      rest;
   g.vertices[4].x() = std::numeric_limits<double>::quiet_NaN();
   watch.look(g, rest);
   EXPECT_FALSE(watch.rests(upper_on_lower));

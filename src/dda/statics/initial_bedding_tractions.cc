@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/model/model_builder.h>
-#include <hybrid/dda/statics/bedding_rest.h>
 #include <hybrid/dda/statics/begin_motion.h>
+#include <hybrid/dda/statics/initial_bedding_tractions.h>
 #include <hybrid/dda/statics/static_steps.h>
 #include <hybrid/dda/step/block_energy.h>
 #include <hybrid/dda/step/initial_state.h>
@@ -103,7 +103,7 @@ namespace hybrid::dda
           if (model.joints[j].kind == JointKind::bedding)
             for (SpringState &point : state.joints[j].points)
               stretch(model, model.joints[j], {scene.bedding.initial_normal_stress}, point);
-        bear_rest(model, state, false);
+        store_static_reactions(model, state, false);
       }
 
       void load_weight()
@@ -292,8 +292,8 @@ namespace hybrid::dda
                   tractions.at(key_of(model, joint, end)),
                   state.joints[j].points[end]);
         }
-    bear_rest(model, state, held);
-    state.energy = held_energy(model, state);
+    store_static_reactions(model, state, held);
+    state.energy = stored_energy(model, state);
     return result;
   }
 } // namespace hybrid::dda

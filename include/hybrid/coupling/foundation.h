@@ -31,10 +31,10 @@ namespace hybrid::coupling
    * To add a base: derive from this class in a file of its own and construct
    * it in SceneModel.
    */
-  class Base
+  class Foundation
   {
   public:
-    virtual ~Base() = default;
+    virtual ~Foundation() = default;
 
     /// Nodes of the contact surface [m], left to right.
     virtual const std::vector<Vec2> &surface_nodes() const = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/linear/base_band.h>
+#include <hybrid/dda/linear/interface_stiffness.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,7 @@ namespace hybrid::dda
 
 
 
-  void BaseBand::set(const Eigen::MatrixXd *stiffness)
+  void InterfaceStiffness::set(const Eigen::MatrixXd *stiffness)
   {
     std::vector<double> entries;
     if (stiffness != nullptr && stiffness->rows() > 0)
@@ -84,7 +84,7 @@ namespace hybrid::dda
 
 
 
-  bool BaseBand::factorize(Eigen::MatrixXd &matrix) const
+  bool InterfaceStiffness::factorize(Eigen::MatrixXd &matrix) const
   {
     const int leading = width + 1;
     int       info    = 0;
@@ -94,7 +94,7 @@ namespace hybrid::dda
 
 
 
-  void BaseBand::matrix_changed(const BlockMatrix &matrix)
+  void InterfaceStiffness::matrix_changed(const BlockMatrix &matrix)
   {
     joined = false;
     if (source == nullptr)
@@ -128,7 +128,7 @@ namespace hybrid::dda
 
 
 
-  void BaseBand::add_product(const double *x, double *y) const
+  void InterfaceStiffness::add_product(const double *x, double *y) const
   {
     if (source == nullptr)
       return;
@@ -149,7 +149,7 @@ namespace hybrid::dda
 
 
 
-  double BaseBand::row_product(const int row, const Eigen::VectorXd &x) const
+  double InterfaceStiffness::row_product(const int row, const Eigen::VectorXd &x) const
   {
     // S is symmetric: its columns are read, in their order in memory.
     const int first = std::max(0, row - reach), n = std::min(size, row + reach + 1) - first;
@@ -158,7 +158,7 @@ namespace hybrid::dda
 
 
 
-  void BaseBand::add_nodes(const double *x, double *y, const double sign) const
+  void InterfaceStiffness::add_nodes(const double *x, double *y, const double sign) const
   {
     if (!joined)
       return;
@@ -176,7 +176,7 @@ namespace hybrid::dda
 
 
 
-  void BaseBand::diagonal(Eigen::Ref<Eigen::VectorXd> d) const
+  void InterfaceStiffness::diagonal(Eigen::Ref<Eigen::VectorXd> d) const
   {
     d.setOnes();
     if (source == nullptr)
@@ -189,7 +189,7 @@ namespace hybrid::dda
 
 
 
-  void BaseBand::solve(double *x) const
+  void InterfaceStiffness::solve(double *x) const
   {
     if (source == nullptr || size == 0)
       return;

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/coupling/base.h>
+#include <hybrid/coupling/foundation.h>
 #include <hybrid/scene/motion/ground_motion.h>
 
 namespace hybrid::coupling
 {
   /// A rigid base that moves as an outcrop: pure DDA.
-  class RigidBase final : public Base
+  class RigidFoundation final : public Foundation
   {
   public:
     /// @param nodes of the surface [m]; may be empty.
     /// @param motion may be empty (fixed base).
-    RigidBase(std::vector<Vec2> nodes, const scene::GroundMotion &motion);
+    RigidFoundation(std::vector<Vec2> nodes, const scene::GroundMotion &motion);
 
     const std::vector<Vec2> &surface_nodes() const override
     {

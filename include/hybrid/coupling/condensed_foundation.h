@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/coupling/base.h>
+#include <hybrid/coupling/foundation.h>
 
 namespace hybrid::coupling
 {
@@ -11,11 +11,11 @@ namespace hybrid::coupling
    * together is then the monolithic implicit solution, stable for any
    * stiffness ratio.
    */
-  class CondensedBase final : public Base
+  class CondensedFoundation final : public Foundation
   {
   public:
     /// The continuum must outlive the base.
-    explicit CondensedBase(continuum::Continuum &bedrock)
+    explicit CondensedFoundation(continuum::Continuum &bedrock)
       : continuum(bedrock)
     {}
 

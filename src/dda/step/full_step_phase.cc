@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/step/whole_updates.h>
+#include <hybrid/dda/step/full_step_phase.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace hybrid::dda
 {
-  bool WholeUpdates::begin(const int most, const double residual)
+  bool FullStepPhase::begin(const int most, const double residual)
   {
     constexpr double near_balance = 1e-3;
     left                          = residual > near_balance ? most : 0;
@@ -16,7 +16,7 @@ namespace hybrid::dda
 
 
 
-  void WholeUpdates::judge(const double residual)
+  void FullStepPhase::judge(const double residual)
   {
     constexpr double most_growth = 100., same = 1e-6;
     const bool       comes_back =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bedrock_section.h"
 
-#include <hybrid/coupling/block_bedrock.h>
+#include <hybrid/coupling/block_foundation.h>
 #include <hybrid/coupling/coupled_step.h>
 #include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/statics/static_stage.h>
@@ -25,11 +25,11 @@ namespace
 
 
 
-TEST(BlockBedrock, sends_twice_the_upgoing_wave_through_the_base)
+TEST(BlockFoundation, sends_twice_the_upgoing_wave_through_the_base)
 {
   const scene::SceneParameters p     = bedrock_parameters("triangles");
   const dda::Model             model = dda::build_model(layered_section(2, {2, 1}), p, {});
-  BlockBedrock                 base({}, constant_acceleration(), p, model.boundary);
+  BlockFoundation              base({}, constant_acceleration(), p, model.boundary);
   continuum::ContinuumState    state = base.initial_state();
   state.time                         = 0.3;
   const Eigen::VectorXd f            = base.predict(state, 0.1).boundary_force;
@@ -43,12 +43,12 @@ TEST(BlockBedrock, sends_twice_the_upgoing_wave_through_the_base)
 
 
 
-TEST(BlockBedrock, columns_change_no_state_before_the_step_is_accepted)
+TEST(BlockFoundation, columns_change_no_state_before_the_step_is_accepted)
 {
   scene::SceneParameters p        = bedrock_parameters("triangles");
   p.continuum.sides               = scene::SideBoundary::free_field;
   const dda::Model          model = dda::build_model(layered_section(2, {2, 1}), p, {});
-  BlockBedrock              base({}, constant_acceleration(), p, model.boundary);
+  BlockFoundation           base({}, constant_acceleration(), p, model.boundary);
   continuum::ContinuumState state = base.initial_state();
   EXPECT_EQ(state.displacement.size(), 2u * 2u * (3u * 2u + 1u));
   const Eigen::VectorXd first  = base.predict(state, 0.1).boundary_force;
@@ -61,20 +61,20 @@ TEST(BlockBedrock, columns_change_no_state_before_the_step_is_accepted)
 
 
 
-TEST(BlockBedrock, free_field_sides_must_be_vertical)
+TEST(BlockFoundation, free_field_sides_must_be_vertical)
 {
   scene::SceneParameters p = bedrock_parameters("triangles");
   p.continuum.sides        = scene::SideBoundary::free_field;
   scene::SectionMesh mesh  = layered_section(2, {2, 1});
   mesh.nodes[3].x() -= 0.2; // the left side, one up
   const dda::Model model = dda::build_model(mesh, p, {});
-  EXPECT_THROW(BlockBedrock({}, constant_acceleration(), p, model.boundary), InputError);
+  EXPECT_THROW(BlockFoundation({}, constant_acceleration(), p, model.boundary), InputError);
 }
 
 
 
 /// A square of the mass on a layer: the bedrock bears its weight without moving.
-TEST(BlockBedrock, a_mass_at_rest_stays_at_rest)
+TEST(BlockFoundation, a_mass_at_rest_stays_at_rest)
 {
   for (const std::string kind : {"layers", "triangles"})
     {
@@ -94,7 +94,7 @@ TEST(BlockBedrock, a_mass_at_rest_stays_at_rest)
       for (const int node : dda::cut_bedrock(mesh, p).base)
         nodes.push_back(mesh.nodes[node]);
       const dda::Model model = dda::build_model(mesh, p, nodes);
-      BlockBedrock     base(nodes, {}, p, model.boundary);
+      BlockFoundation  base(nodes, {}, p, model.boundary);
       CoupledState     state;
       state.continuum               = base.initial_state();
       state.blocks                  = dda::initial_state(model);

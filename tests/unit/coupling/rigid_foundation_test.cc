@@ -2,7 +2,7 @@
 #include "block_scenes.h"
 
 #include <hybrid/coupling/coupled_step.h>
-#include <hybrid/coupling/rigid_base.h>
+#include <hybrid/coupling/rigid_foundation.h>
 
 #include <gtest/gtest.h>
 
@@ -20,12 +20,12 @@ namespace
 
 
 
-TEST(RigidBase, follows_the_motion_from_its_start_time)
+TEST(RigidFoundation, follows_the_motion_from_its_start_time)
 {
   scene::MotionParameters parameters;
   parameters.angle = std::atan2(0.8, 0.6) * 180. / M_PI;
   parameters.start = 0.25;
-  RigidBase                 base({Vec2(0., 0.), Vec2(5., 1.)}, constant_acceleration(parameters));
+  RigidFoundation           base({Vec2(0., 0.), Vec2(5., 1.)}, constant_acceleration(parameters));
   continuum::ContinuumState state;
   const dda::BaseResponse  &early = base.predict(state, 0.2);
   EXPECT_TRUE(early.prescribed);
@@ -44,9 +44,9 @@ TEST(RigidBase, follows_the_motion_from_its_start_time)
 
 
 
-TEST(RigidBase, prediction_changes_no_state_and_correction_only_the_time)
+TEST(RigidFoundation, prediction_changes_no_state_and_correction_only_the_time)
 {
-  RigidBase                 base({Vec2(0., 0.)}, constant_acceleration());
+  RigidFoundation           base({Vec2(0., 0.)}, constant_acceleration());
   continuum::ContinuumState state;
   const Eigen::VectorXd     once = base.predict(state, 0.1).displacement;
   EXPECT_EQ(state.time, 0.);
@@ -57,9 +57,9 @@ TEST(RigidBase, prediction_changes_no_state_and_correction_only_the_time)
 
 
 
-TEST(RigidBase, without_a_motion_stays)
+TEST(RigidFoundation, without_a_motion_stays)
 {
-  RigidBase                 base({Vec2(0., 0.), Vec2(1., 0.)}, {});
+  RigidFoundation           base({Vec2(0., 0.), Vec2(1., 0.)}, {});
   continuum::ContinuumState state;
   state.time = 3.;
   EXPECT_EQ(base.predict(state, 0.1).displacement, Eigen::VectorXd(Eigen::VectorXd::Zero(4)));
@@ -67,16 +67,16 @@ TEST(RigidBase, without_a_motion_stays)
 
 
 
-TEST(RigidBase, may_have_no_surface)
+TEST(RigidFoundation, may_have_no_surface)
 {
-  RigidBase base({}, constant_acceleration());
+  RigidFoundation base({}, constant_acceleration());
   EXPECT_EQ(base.predict({}, 0.1).displacement.size(), 0);
 }
 
 
 
 // A block that sticks to the base goes where the base goes.
-TEST(RigidBase, carries_a_block)
+TEST(RigidFoundation, carries_a_block)
 {
   scene::SceneParameters scene = test::block_parameters(60.);
   dda::Model             model =
@@ -89,9 +89,9 @@ TEST(RigidBase, carries_a_block)
   std::vector<double> a;
   for (int i = 0; i <= 1000; ++i)
     a.push_back(amplitude * std::sin(2. * M_PI * i * 1e-3 / period));
-  RigidBase    base(model.initial.base_nodes, {scene::Motion(1e-3, a), scene.motion});
-  CoupledStep  step(&solver, &base, nullptr);
-  const double start = state.blocks.blocks[0].centroid.x();
+  RigidFoundation base(model.initial.base_nodes, {scene::Motion(1e-3, a), scene.motion});
+  CoupledStep     step(&solver, &base, nullptr);
+  const double    start = state.blocks.blocks[0].centroid.x();
   for (int k = 0; k < 1500; ++k)
     ASSERT_TRUE(step.solve(state, 1e-3).converged);
   const double moved = amplitude * period * period / (2. * M_PI);

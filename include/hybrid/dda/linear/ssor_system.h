@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/linear/base_band.h>
 #include <hybrid/dda/linear/block_matrix.h>
+#include <hybrid/dda/linear/interface_stiffness.h>
 #include <hybrid/dda/linear/sweep_order.h>
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ namespace hybrid::dda
    * symmetric Gauss-Seidel sweep over blocks, then nodes.
    *
    * With A = L + D_A + U, D the 6x6 diagonal blocks and the base's S + P
-   * (BaseBand; the unit matrix without a base), it reads
+   * (InterfaceStiffness; the unit matrix without a base), it reads
    * @f[ \hat A \hat x = \hat b, \quad \hat A = (D+L)^{-1} A (D+U)^{-1} D, \quad
    *     \hat b = (D+L)^{-1} b, \quad x = (D+U)^{-1} D \hat x. @f]
    * In Eisenstat's (1981) form a product with \hat A is one backward and one
@@ -25,7 +25,7 @@ namespace hybrid::dda
    * scalar product of D if A is symmetric. "Below" means visited earlier by a
    * sweep (SweepOrder): the same bits for any number of threads.
    */
-  class SweptSystem
+  class SsorSystem
   {
   public:
     /// Slice of each block, which threads share out (SweepOrder); without, or of another number of
@@ -35,8 +35,9 @@ namespace hybrid::dda
     /// The matrix has changed in the rows of these blocks: copy them in the order of the sweeps and
     /// invert their diagonal blocks; all rows where another matrix or pattern was set before.
     /// Matrix and base must outlive the use.
-    void
-    set(const BlockMatrix &block_matrix, const BaseBand &base_band, const std::vector<int> &blocks);
+    void set(const BlockMatrix        &block_matrix,
+             const InterfaceStiffness &base_band,
+             const std::vector<int>   &blocks);
 
     /// y = \hat A x.
     void multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y);
@@ -60,15 +61,15 @@ namespace hybrid::dda
     void undo_forward(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 
   private:
-    const BlockMatrix *matrix = nullptr;
-    const BaseBand    *base   = nullptr;
-    std::vector<int>   slice;
-    int                version = -1; ///< of the pattern that the rows were ordered for
-    SweepOrder         order;
-    std::vector<int>   row_begin;  ///< CSR over places of the sweep
-    std::vector<int>   row_middle; ///< first entry of each row that a sweep visits later
-    std::vector<int>   neighbour;  ///< block of each entry
-    std::vector<int>   slot;       ///< of each entry in the matrix; complement: in its lower part
+    const BlockMatrix        *matrix = nullptr;
+    const InterfaceStiffness *base   = nullptr;
+    std::vector<int>          slice;
+    int                       version = -1; ///< of the pattern that the rows were ordered for
+    SweepOrder                order;
+    std::vector<int>          row_begin;  ///< CSR over places of the sweep
+    std::vector<int>          row_middle; ///< first entry of each row that a sweep visits later
+    std::vector<int>          neighbour;  ///< block of each entry
+    std::vector<int>          slot; ///< of each entry in the matrix; complement: in its lower part
     // L and U as a sweep reads them: the entries that are not zero (pairs that touch), from the
     // begin and from the middle of each row on.
     std::vector<int>  below_end;

@@ -14,7 +14,7 @@ namespace hybrid::dda
    * the base nodes: of S + P, where P is the symmetric part of what joints and
    * contacts add (BlockMatrix's K_nn) if that matters beside S, else zero.
    */
-  class BaseBand
+  class InterfaceStiffness
   {
   public:
     /// @p stiffness (n x n, symmetric positive definite) for the next steps; nullptr: none. Entries

@@ -12,7 +12,7 @@ namespace hybrid::dda
    * updates are taken (Levenberg 1944, Marquardt 1963) shortens the updates; the residual, and with
    * it the solution, knows nothing of it.
    */
-  class SlidingShare
+  class SlidingRegularisation
   {
   public:
     double value() const
