@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/checks/settings_without_effect.h>
+#include <hybrid/scene/motion/motion_source.h>
 
 #include <sstream>
 
@@ -17,8 +18,9 @@ namespace hybrid::scene
         warnings.push_back("Motion/Type = " + motion.type +
                            " has no effect, as Continuum/Base = fixed does not move; set it to "
                            "compliant or rigid");
-      if (!motion.file.empty() && motion.type != "none" && motion.type != "text" &&
-          motion.type != "at2")
+      const MotionSource *source = find_motion_source(motion.type, motion_sources());
+      if (!motion.file.empty() && motion.type != "none" && source != nullptr &&
+          !source->reads_record)
         warnings.push_back("Motion/File = " + motion.file + " is not read, as Motion/Type = " +
                            motion.type + "; set it to text or at2");
     }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/motion/baseline.h>
+#include <hybrid/scene/motion/input_motion.h>
+#include <hybrid/scene/motion/peak_scaling.h>
 #include <hybrid/scene/motion/sine_burst.h>
+#include <hybrid/scene/parameters/parameter_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,5 +47,21 @@ namespace hybrid::scene
       }
     const Motion motion(dt, a);
     return parameters.baseline_correction ? baseline_corrected(motion, true) : motion;
+  }
+
+
+
+  MotionSource sine_source()
+  {
+    return {"sine",
+            [](const MotionParameters &parameters, const double time_step, InputMotion &input) {
+              input.motion = scaled_to_peak(make_sine_burst(parameters, time_step), 1., "Motion");
+            },
+            [](const MotionParameters &motion, const ParameterTable &table) {
+              if (2. * motion.taper > motion.cycles)
+                throw table.error("Motion/Taper",
+                                  "must be at most half of Motion/Cycles = " +
+                                    number_text(motion.cycles));
+            }};
   }
 } // namespace hybrid::scene

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/motion/baseline.h>
+#include <hybrid/scene/motion/input_motion.h>
+#include <hybrid/scene/motion/motion_words.h>
 #include <hybrid/scene/motion/spectrum_motion.h>
 #include <hybrid/scene/motion/synthetic_motion.h>
 #include <hybrid/scene/random_numbers.h>
@@ -134,6 +136,32 @@ namespace hybrid::scene
                << allowed << ".";
       throw InputError(sentence.str());
     }
+
+
+    void take_spectrum(const MotionParameters &parameters, InputMotion &input)
+    {
+      SpectrumMotion made   = make_spectrum_motion(parameters);
+      input.motion          = std::move(made.motion);
+      input.fit             = std::move(made.fit);
+      const std::string fit = "the motion has the spectrum of " + parameters.spectrum_file +
+                              " from " + in_words(input.fit.frequency.front()) + " to " +
+                              in_words(input.fit.frequency.back()) + " Hz with a mean misfit of " +
+                              in_words(100. * input.fit.mean_misfit()) + " %, at most " +
+                              in_words(100. * input.fit.largest_misfit()) + " %";
+      if (input.fit.mean_misfit() <= 0.05)
+        input.notes.push_back(fit);
+      else
+        input.warnings.push_back(fit + "; try a longer Motion/Duration or another Motion/Seed");
+    }
+
+
+    void check_spectrum(const MotionParameters &motion, const ParameterTable &table)
+    {
+      if (motion.spectrum_file.empty())
+        throw table.error("Motion/Spectrum file",
+                          "Motion/Type = spectrum needs the file of a spectrum");
+      check_frequency_band(motion, table);
+    }
   } // namespace
 
 
@@ -217,5 +245,17 @@ namespace hybrid::scene
           break;
       }
     return best;
+  }
+
+
+
+  MotionSource spectrum_source()
+  {
+    return {"spectrum",
+            [](const MotionParameters &parameters, double, InputMotion &input) {
+              take_spectrum(parameters, input);
+            },
+            check_spectrum,
+            "of the spectrum"};
   }
 } // namespace hybrid::scene

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/motion/baseline.h>
+#include <hybrid/scene/motion/input_motion.h>
 #include <hybrid/scene/motion/synthetic_motion.h>
+#include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/scene/random_numbers.h>
 
 #include <algorithm>
@@ -88,5 +90,26 @@ namespace hybrid::scene
     if (parameters.baseline_correction)
       motion = baseline_corrected(motion, true);
     return motion.scaled(1. / motion.peak_acceleration());
+  }
+
+
+
+  void check_frequency_band(const MotionParameters &motion, const ParameterTable &table)
+  {
+    if (motion.lowest_frequency >= motion.highest_frequency)
+      throw table.error("Motion/Lowest frequency",
+                        "must be below Motion/Highest frequency = " +
+                          number_text(motion.highest_frequency) + " [Hz]");
+  }
+
+
+
+  MotionSource synthetic_source()
+  {
+    return {"synthetic",
+            [](const MotionParameters &parameters, double, InputMotion &input) {
+              input.motion = make_synthetic_motion(parameters);
+            },
+            check_frequency_band};
   }
 } // namespace hybrid::scene

@@ -10,6 +10,9 @@
 
 namespace hybrid::scene
 {
+  struct MotionSource;
+
+
   /// The motion of a scene and what its user should know of it.
   struct InputMotion
   {
@@ -24,17 +27,10 @@ namespace hybrid::scene
   /**
    * The motion that a scene asks for, its first sample at t = 0 (the start time is the caller's).
    *
-   * none       an empty motion.
-   * ricker     a(t) = A (1 - 2 s^2) exp(-s^2), s = pi f (t - t0), t0 = 1.5/f: starts and ends below
-   * 1e-7 A. Its velocity is A (t - t0) exp(-s^2), its displacement -A exp(-s^2) / (2 pi^2 f^2).
-   * sine       see make_sine_burst().
-   * synthetic  see make_synthetic_motion().
-   * spectrum   see make_spectrum_motion().
-   * text       two columns t [s], a [file_unit m/s2], equally spaced.
-   * at2        PEER AT2; in units of g unless the header names cm/s2 or m/s2.
+   * Its source is that of parameters.type (motion_source.h); none is an empty motion.
    *
-   * A peak >= 0 scales the motion to exactly this largest |a| [m/s2]; without one, ricker, sine and
-   * synthetic have 1 m/s2, records and spectrum-compatible motions stay as they are.
+   * A peak >= 0 scales the motion to exactly this largest |a| [m/s2]; without one, records and
+   * spectrum-compatible motions stay as they are, and the others have 1 m/s2.
    *
    * Said about it: an offset of a record (its velocity would end at more than a tenth of the
    * corrected record's largest); how well a spectrum is met; a motion shorter or longer than the
@@ -43,6 +39,12 @@ namespace hybrid::scene
    * @throws InputError with file and line for a file that cannot be understood.
    */
   InputMotion make_input_motion(const MotionParameters &parameters, const TimeParameters &time);
+
+
+  /// The same with other sources.
+  InputMotion make_input_motion(const MotionParameters          &parameters,
+                                const TimeParameters            &time,
+                                const std::vector<MotionSource> &sources);
 
 
   /// Only the motion, for steps of @p time_step [s].

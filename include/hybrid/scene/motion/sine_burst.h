@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/scene/motion/motion.h>
+#include <hybrid/scene/motion/motion_source.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
 namespace hybrid::scene
@@ -16,6 +17,10 @@ namespace hybrid::scene
    * @param time_step dt of the run [s]; the burst is sampled at an integer fraction of it.
    */
   Motion make_sine_burst(const MotionParameters &parameters, double time_step);
+
+
+  /// The burst with a peak of 1 m/s2 as a source of motions.
+  MotionSource sine_source();
 
 
   /// Sample spacing [s] of waves made from formulas: an integer fraction of @p time_step, at least

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/scene/motion/motion.h>
+#include <hybrid/scene/motion/motion_source.h>
 #include <hybrid/scene/motion/response_spectrum.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
@@ -43,6 +44,10 @@ namespace hybrid::scene
    * best motion is kept. The fit is that of the returned motion.
    */
   SpectrumMotion make_spectrum_motion(const MotionParameters &parameters);
+
+
+  /// It as a source of motions, with a word on the fit.
+  MotionSource spectrum_source();
 
 
   /// Fit of @p motion to @p target between two frequencies [Hz].

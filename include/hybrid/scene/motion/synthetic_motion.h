@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/scene/motion/motion.h>
+#include <hybrid/scene/motion/motion_source.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
 namespace hybrid::scene
@@ -23,4 +24,12 @@ namespace hybrid::scene
    * motion ends at rest where it began. The largest |a| is 1 m/s2.
    */
   Motion make_synthetic_motion(const MotionParameters &parameters);
+
+
+  /// @throws InputError of @p table if the lowest frequency is not below the highest.
+  void check_frequency_band(const MotionParameters &motion, const ParameterTable &table);
+
+
+  /// It as a source of motions.
+  MotionSource synthetic_source();
 } // namespace hybrid::scene

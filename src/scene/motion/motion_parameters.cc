@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/motion/motion_source.h>
 #include <hybrid/scene/parameters/parameter_declarations.h>
 
 namespace hybrid::scene
 {
   namespace
   {
+    std::vector<std::pair<std::string, std::string>> types()
+    {
+      std::vector<std::pair<std::string, std::string>> names;
+      for (const MotionSource &source : motion_sources())
+        names.push_back({source.name, source.name});
+      return names;
+    }
+
+
     void declare_source(ParameterSection &section, MotionParameters &motion)
     {
       section.choice<std::string>(
         "Type",
         motion.type,
-        {{"none", "none"},
-         {"ricker", "ricker"},
-         {"sine", "sine"},
-         {"synthetic", "synthetic"},
-         {"spectrum", "spectrum"},
-         {"text", "text"},
-         {"at2", "at2"}},
+        types(),
         "Source of the motion: a Ricker wavelet, a sine burst, a synthetic accelerogram, one that "
         "has a given response spectrum, a text file of two columns (time [s], acceleration "
         "[Unit]), or a PEER .at2 file.");
@@ -117,24 +121,13 @@ namespace hybrid::scene
 
   void check(const MotionParameters &motion, const ParameterTable &table)
   {
-    if ((motion.type == "text" || motion.type == "at2") && motion.file.empty())
-      throw table.error("Motion/File",
-                        "Motion/Type = " + motion.type + " needs the file of a record");
     if (!motion.file.empty() && !table.is_set("Motion/Type"))
       throw table.error("Motion/File", "is not used unless Motion/Type is set to text or at2");
-    if (motion.type == "spectrum" && motion.spectrum_file.empty())
-      throw table.error("Motion/Spectrum file",
-                        "Motion/Type = spectrum needs the file of a spectrum");
     if (!motion.spectrum_file.empty() && motion.type != "spectrum")
       throw table.error("Motion/Spectrum file",
                         "is not used unless Motion/Type is set to spectrum");
-    if (motion.type == "sine" && 2. * motion.taper > motion.cycles)
-      throw table.error("Motion/Taper",
-                        "must be at most half of Motion/Cycles = " + number_text(motion.cycles));
-    if ((motion.type == "synthetic" || motion.type == "spectrum") &&
-        motion.lowest_frequency >= motion.highest_frequency)
-      throw table.error("Motion/Lowest frequency",
-                        "must be below Motion/Highest frequency = " +
-                          number_text(motion.highest_frequency) + " [Hz]");
+    const MotionSource *source = find_motion_source(motion.type, motion_sources());
+    if (source != nullptr && source->check != nullptr)
+      source->check(motion, table);
   }
 } // namespace hybrid::scene
