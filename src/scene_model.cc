@@ -52,7 +52,7 @@ namespace hybrid
   {
     const auto heartbeat = output::tell_of_preparation(mesh, log);
     scene::check_section_mesh(mesh, scene);
-    if (scene.continuum_model == scene::ContinuumModel::elastic)
+    if (scene.has_continuum())
       continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
     if (scene.has_blocks())
       make_blocks();

@@ -23,7 +23,7 @@ namespace hybrid::output
 
     bool has_cells(const SceneParameters &scene)
     {
-      return scene.continuum_model == scene::ContinuumModel::elastic || scene.has_bedrock_blocks();
+      return scene.has_continuum() || scene.has_bedrock_blocks();
     }
 
 

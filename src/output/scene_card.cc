@@ -52,7 +52,7 @@ namespace hybrid::output
     {
       const char *sides[]   = {"viscous", "free field", "rollers", "fixed"};
       const char *bases[]   = {"compliant", "rigid", "fixed"};
-      const bool  continuum = scene.continuum_model == scene::ContinuumModel::elastic;
+      const bool  continuum = scene.has_continuum();
       const bool  layers    = scene.bedrock == scene::BedrockModel::layers;
       const bool  triangles = scene.bedrock == scene::BedrockModel::triangles;
       const char *base      = bases[static_cast<int>(scene.continuum.base)];
@@ -161,7 +161,7 @@ namespace hybrid::output
                         const scene::Motion          &motion,
                         std::string                  &text)
     {
-      const bool continuum = scene.continuum_model == scene::ContinuumModel::elastic;
+      const bool continuum = scene.has_continuum();
       const bool loads     = continuum && !scene.point_loads.loads.empty();
       text += line("  point loads        %s  %zu forces, Ricker %g Hz",
                    state(loads).c_str(),
@@ -244,7 +244,7 @@ namespace hybrid::output
     double highest_frequency(const scene::SceneParameters &scene)
     {
       double result = 0.;
-      if (scene.continuum_model != scene::ContinuumModel::elastic)
+      if (!scene.has_continuum())
         return result;
       if (!scene.point_loads.loads.empty())
         result = 1.664 * scene.point_loads.frequency;

@@ -44,8 +44,8 @@ end
 """
 TABLES = """
 subsection Model
-  set Continuum = none
-  set Blocks    = loose
+  set Bedrock = rigid
+  set Blocks  = loose
 end
 subsection Mesh
   set Polygons file = blocks.csv
@@ -54,8 +54,8 @@ end
 """ + MATERIAL
 MESH = """
 subsection Model
-  set Continuum = elastic
-  set Blocks    = bonded
+  set Bedrock = continuum
+  set Blocks  = bonded
 end
 subsection Mesh
   set File = section.msh
@@ -63,7 +63,7 @@ end
 """ + MATERIAL
 GEOMETRY = MESH.replace("section.msh", "section.geo")
 CONTINUUM = GEOMETRY.replace("bonded", "none").replace("subsection Blocks\n  set Material = rock\nend\n", "")
-RIGID_MESH = MESH.replace("elastic", "none").replace("bonded", "loose")
+RIGID_MESH = MESH.replace("Bedrock = continuum", "Bedrock = rigid").replace("bonded", "loose")
 BLOCKS_ON_MESH = MESH.replace("bonded", "loose").replace("section.msh", "section.msh\n  set Polygons file = blocks.csv")
 SHAKEN = """
 subsection Motion
@@ -177,10 +177,7 @@ def level_plane(section):
     section.lines["bedding_1"] = [[section.at(c, 1), section.at(c + 1, 1)] for c in range(4)]
 
 
-LAYERS = MESH + """
-subsection Model
-  set Bedrock = layers
-end
+LAYERS = MESH.replace("Bedrock = continuum", "Bedrock = layers") + """
 subsection Bedding planes
   set Names = bedding_1
 end

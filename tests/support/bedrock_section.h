@@ -57,7 +57,6 @@ namespace hybrid::test
   {
     scene::SceneParameters s = block_parameters(30.);
     s.blocks.enabled         = false;
-    s.continuum_model        = scene::ContinuumModel::none;
     s.bedrock = kind == "layers" ? scene::BedrockModel::layers : scene::BedrockModel::triangles;
     s.continuum.region_material["*"] = "rock";
     s.bedding.names                  = {"bedding_1"};

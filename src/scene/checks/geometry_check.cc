@@ -322,8 +322,7 @@ namespace hybrid::scene
   void check_geometry(const SectionMesh &mesh, const SceneParameters &scene)
   {
     check_unit(mesh, scene);
-    const bool has_cells =
-      scene.continuum_model == ContinuumModel::elastic || scene.has_bedrock_blocks();
+    const bool has_cells = scene.has_continuum() || scene.has_bedrock_blocks();
     if (has_cells)
       {
         check_connected(mesh);

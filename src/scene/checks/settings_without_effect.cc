@@ -11,9 +11,8 @@ namespace hybrid::scene
     /// A motion that nothing lets in, a record that nothing reads.
     void look_at_motion(const SceneParameters &scene, std::vector<std::string> &warnings)
     {
-      const MotionParameters &motion = scene.motion;
-      const bool              can_stop =
-        scene.continuum_model == ContinuumModel::elastic || scene.has_bedrock_blocks();
+      const MotionParameters &motion   = scene.motion;
+      const bool              can_stop = scene.has_continuum() || scene.has_bedrock_blocks();
       if (motion.type != "none" && can_stop && scene.continuum.base == BaseBoundary::fixed)
         warnings.push_back("Motion/Type = " + motion.type +
                            " has no effect, as Continuum/Base = fixed does not move; set it to "

@@ -3,20 +3,6 @@
 
 namespace hybrid::scene
 {
-  void resolve_bedrock(SceneParameters &scene, const ParameterTable &table)
-  {
-    const bool none = scene.continuum_model == ContinuumModel::none;
-    if (scene.bedrock == BedrockModel::automatic)
-      scene.bedrock = none ? BedrockModel::rigid : BedrockModel::continuum;
-    if (scene.bedrock == BedrockModel::continuum && none)
-      throw table.error("Model/Bedrock",
-                        "contradicts Model/Continuum = none; leave one of the two out");
-    scene.continuum_model =
-      scene.bedrock == BedrockModel::continuum ? ContinuumModel::elastic : ContinuumModel::none;
-  }
-
-
-
   void check_bedrock(const SceneParameters &scene, const ParameterTable &table)
   {
     if (!scene.has_bedrock_blocks())

@@ -135,22 +135,20 @@ namespace hybrid::scene
 
   void check_continuum(const SceneParameters &scene, const ParameterTable &table)
   {
-    if (scene.bedding.slips && scene.continuum_model == ContinuumModel::none &&
-        !scene.has_bedrock_blocks())
+    if (scene.bedding.slips && !scene.has_continuum() && !scene.has_bedrock_blocks())
       throw table.error("Bedding planes/Strength",
                         "Mohr-Coulomb needs a bedrock that deforms (Model/Bedrock = continuum, "
                         "layers or triangles)");
-    if (scene.continuum_model == ContinuumModel::none && !scene.has_bedrock_blocks())
+    if (!scene.has_continuum() && !scene.has_bedrock_blocks())
       return;
     if (scene.continuum.region_material.empty())
       throw table.error("Continuum/Materials",
                         scene.has_bedrock_blocks() ? "a bedrock of blocks needs a material"
-                                                   : "Model/Continuum = elastic needs a material");
+                                                   : "Model/Bedrock = continuum needs a material");
     const bool dashpots = scene.continuum.base == BaseBoundary::compliant ||
                           scene.continuum.sides == SideBoundary::viscous ||
                           scene.continuum.sides == SideBoundary::free_field;
-    if (scene.continuum.boundary_springs &&
-        (!dashpots || scene.continuum_model == ContinuumModel::none))
+    if (scene.continuum.boundary_springs && (!dashpots || !scene.has_continuum()))
       throw table.error("Continuum/Boundary springs",
                         "true needs a bedrock of finite elements with a compliant base, viscous or "
                         "free-field sides");

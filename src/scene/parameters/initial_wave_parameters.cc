@@ -71,9 +71,9 @@ namespace hybrid::scene
     const InitialWaveParameters &wave = scene.initial_wave;
     if (wave.type == WaveType::none)
       return;
-    if (scene.continuum_model == ContinuumModel::none)
+    if (!scene.has_continuum())
       throw table.error("Initial wave/Type",
-                        "it travels in the continuum, and Model/Continuum = none has none");
+                        "it travels in the continuum, and Model/Bedrock = rigid has none");
     if (wave.width != 0. && wave.width < 0.5)
       throw table.error(
         "Initial wave/Width",

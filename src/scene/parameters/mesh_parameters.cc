@@ -56,18 +56,18 @@ namespace hybrid::scene
       throw table.error("Mesh/File", "must be a .geo or .msh file");
     if (!mesh.numbers.empty() && !ends_with(mesh.file, ".geo"))
       throw table.error("Mesh/Numbers", "only a .geo file in Mesh/File has numbers to set");
-    if (mesh.file.empty() && scene.continuum_model == ContinuumModel::elastic)
+    if (mesh.file.empty() && scene.has_continuum())
       throw table.error("Mesh/File",
-                        "Model/Continuum = elastic needs a mesh: name a .geo or .msh file");
+                        "Model/Bedrock = continuum needs a mesh: name a .geo or .msh file");
     if (mesh.file.empty() && scene.has_bedrock_blocks())
       throw table.error("Mesh/File", "a bedrock of blocks needs a mesh: name a .geo or .msh file");
     if (mesh.file.empty() && mesh.polygons_file.empty())
       throw table.error("Mesh/File",
                         "name a .geo or .msh file here, or blocks in Mesh/Polygons file");
-    if (!mesh.surface_file.empty() && scene.continuum_model == ContinuumModel::elastic)
+    if (!mesh.surface_file.empty() && scene.has_continuum())
       throw table.error("Mesh/Surface file",
-                        "with Model/Continuum = elastic the surface is that of the mesh; "
-                        "remove this file or set Model/Continuum = none");
+                        "with Model/Bedrock = continuum the surface is that of the mesh; "
+                        "remove this file or set Model/Bedrock = rigid");
     if (!mesh.surface_file.empty() && scene.has_bedrock_blocks())
       throw table.error("Mesh/Surface file",
                         "only a rigid base (Model/Bedrock = rigid) can have one");

@@ -150,6 +150,10 @@ namespace hybrid::scene
                             ? ": Materials/Names does not list '" + name + "'"
                             : ""));
       }
+    if (line.path() == "Model/Continuum") // of earlier versions
+      throw line.error(
+        "unknown parameter 'Model/Continuum': it is Model/Bedrock now, continuum for "
+        "elastic and rigid for none");
     const std::string hint = suggestion(line.key, names);
     throw line.error(
       "unknown parameter '" + line.path() + "'" +

@@ -29,9 +29,9 @@ namespace hybrid::scene
 
   void check_point_loads(const SceneParameters &scene, const ParameterTable &table)
   {
-    if (!scene.point_loads.loads.empty() && scene.continuum_model == ContinuumModel::none)
+    if (!scene.point_loads.loads.empty() && !scene.has_continuum())
       throw table.error("Point loads/Forces",
-                        "they act on the bedrock, and Model/Continuum = none has none");
+                        "they act on the bedrock, and Model/Bedrock = rigid has none");
     constexpr double largest = 1e15; // [N/m]
     for (const PointLoad &load : scene.point_loads.loads)
       if (!(load.peak.cwiseAbs().maxCoeff() <= largest))

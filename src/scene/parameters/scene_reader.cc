@@ -32,17 +32,10 @@ namespace hybrid::scene
     void declare_model(ParameterTable &table, SceneParameters &scene)
     {
       ParameterSection model(table, {"Model"});
-      model.choice<ContinuumModel>(
-        "Continuum",
-        scene.continuum_model,
-        {{"elastic", ContinuumModel::elastic}, {"none", ContinuumModel::none}},
-        "Short form that counts while Bedrock is automatic: elastic stands for Bedrock = continuum, "
-        "none for Bedrock = rigid.");
       model.choice<BedrockModel>(
         "Bedrock",
         scene.bedrock,
-        {{"automatic", BedrockModel::automatic},
-         {"continuum", BedrockModel::continuum},
+        {{"continuum", BedrockModel::continuum},
          {"layers", BedrockModel::layers},
          {"triangles", BedrockModel::triangles},
          {"rigid", BedrockModel::rigid}},
@@ -82,7 +75,6 @@ namespace hybrid::scene
       for (auto &[name, material] : scene.materials)
         if (material.friction_is_given())
           material.friction_angle = material.given_friction_angle;
-      resolve_bedrock(scene, table);
       resolve_scheme(scene, table);
       check(scene, table);
       std::ostringstream used;
@@ -143,9 +135,9 @@ namespace hybrid::scene
 
   void check(const SceneParameters &scene, const ParameterTable &table)
   {
-    if (scene.continuum_model == ContinuumModel::none && !scene.has_blocks())
+    if (!scene.has_continuum() && !scene.has_blocks())
       throw table.error("Model/Blocks",
-                        "together with Model/Continuum = none there is nothing to simulate");
+                        "together with Model/Bedrock = rigid there is nothing to simulate");
     check(scene.time, table);
     for (const auto &entry : scene.materials)
       check(entry.second, table);

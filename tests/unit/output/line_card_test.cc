@@ -64,8 +64,7 @@ namespace hybrid::output
     {
       const auto             mesh = mesh_with({"base"});
       scene::SceneParameters scene;
-      scene.continuum_model = scene::ContinuumModel::none;
-      scene.bedrock         = scene::BedrockModel::layers;
+      scene.bedrock = scene::BedrockModel::layers;
       for (const auto base : {scene::BaseBoundary::compliant, scene::BaseBoundary::rigid})
         {
           scene.continuum.base = base;
@@ -86,9 +85,8 @@ namespace hybrid::output
       expect_row(text, "left, right", "4 m  side: free field");
       expect_row(text, "ground", "free surface of the bedrock");
       expect_row(text, "mass_surface", "only drawn");
-      scene.continuum_model = scene::ContinuumModel::none;
-      scene.bedrock         = scene::BedrockModel::rigid;
-      text                  = describe_lines(mesh, scene);
+      scene.bedrock = scene::BedrockModel::rigid;
+      text          = describe_lines(mesh, scene);
       expect_row(text, "ground", "surface of the rigid base");
       expect_row(text, "base, left, right", "not used, as the bedrock is rigid");
       EXPECT_EQ(describe_lines(mesh_with({}), scene), "");

@@ -35,8 +35,7 @@ namespace hybrid::output
     TEST(SceneCard, SaysWhatTheBaseOfLayersDoes)
     {
       scene::SceneParameters scene;
-      scene.continuum_model = scene::ContinuumModel::none;
-      scene.bedrock         = scene::BedrockModel::layers;
+      scene.bedrock   = scene::BedrockModel::layers;
       const auto card = [&scene] { return make_scene_card(scene, {}, nullptr, nullptr).text; };
       EXPECT_NE(card().find("layers, base rigid"), std::string::npos) << card();
       scene.continuum.base = scene::BaseBoundary::fixed;
@@ -52,7 +51,7 @@ namespace hybrid::output
       belt.friction_angle   = 14.72;
       belt.cohesion         = 19.76e3;
       scene.materials       = {{"clay", belt}};
-      scene.continuum_model = scene::ContinuumModel::none;
+      scene.bedrock         = scene::BedrockModel::rigid;
       scene.blocks.material = scene.blocks.belt_material = "clay";
       const auto card = [&scene] { return make_scene_card(scene, {}, nullptr, nullptr).text; };
       EXPECT_NE(card().find("clay: phi 14.72 deg, c 19760 Pa, residual = peak"), std::string::npos);

@@ -9,8 +9,7 @@ namespace hybrid::scene::test
   inline SceneParameters rigid_scene()
   {
     SceneParameters scene;
-    scene.continuum_model = ContinuumModel::none;
-    scene.bedrock         = BedrockModel::rigid;
+    scene.bedrock = BedrockModel::rigid;
     return scene;
   }
 } // namespace hybrid::scene::test

@@ -141,9 +141,9 @@ TEST_F(SceneErrors, MeshMustFitTheModel)
 {
   write("section.stl", "");
   const std::string empty_mesh = "Mesh/File=";
-  expect_option_error(empty_mesh, {"Mesh/File", "Model/Continuum = elastic needs a mesh"});
+  expect_option_error(empty_mesh, {"Mesh/File", "Model/Bedrock = continuum needs a mesh"});
   expect_option_error("Mesh/File=" + path("section.stl"), {"must be a .geo or .msh file"});
-  expect_option_error("Mesh/Surface file=" + path("section.geo"), {"Model/Continuum = none"});
+  expect_option_error("Mesh/Surface file=" + path("section.geo"), {"Model/Bedrock = rigid"});
   expect_option_error("Mesh/Numbers=h: 4", {"must have the form 'name = value'"});
   expect_option_error("Mesh/Numbers=h = big", {"'big' of 'h' must be a number"});
 }
@@ -152,14 +152,13 @@ TEST_F(SceneErrors, ModelWithoutBedrockAndBlocksHasNothingToSimulate)
 {
   expect_error(write_scene(),
                {"Model/Blocks = 'none'", "nothing to simulate"},
-               {"Model/Blocks=none", "Model/Continuum=none"});
+               {"Model/Blocks=none", "Model/Bedrock=rigid"});
 }
 
 TEST_F(SceneErrors, BedrockOfBlocksSaysWhatItCannotDo)
 {
-  expect_error(write_scene(),
-               {"Model/Bedrock = 'continuum'", "contradicts Model/Continuum = none"},
-               {"Model/Bedrock=continuum", "Model/Continuum=none"});
+  expect_option_error("Model/Continuum=none",
+                      {"Model/Continuum", "Model/Bedrock", "rigid for none"});
   expect_error(write_scene(),
                {"Continuum/Sides", "must be viscous with Model/Bedrock = layers"},
                {"Model/Bedrock=layers", "Continuum/Sides=free field"});

@@ -83,9 +83,6 @@ namespace hybrid::scene
   /// Water method against level and materials.
   void check_water(const SceneParameters &scene, const ParameterTable &table);
 
-  /// Decide between Model/Continuum and Model/Bedrock, after all values are known.
-  void resolve_bedrock(SceneParameters &scene, const ParameterTable &table);
-
   /// What a bedrock of blocks cannot do.
   void check_bedrock(const SceneParameters &scene, const ParameterTable &table);
 

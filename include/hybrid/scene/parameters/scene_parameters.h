@@ -46,21 +46,14 @@ namespace hybrid::scene
       surface_file; ///< CSV x,y: polyline of a rigid base instead of the mesh's; resolved path
   };
 
-  /// How the bedrock is modelled: section "Model", parameter "Continuum".
-  enum class ContinuumModel
-  {
-    elastic, ///< deal.II finite elements
-    none ///< rigid base with the prescribed motion (pure DDA), or nothing when there is no surface
-  };
-
   /// What the bedrock is made of: section "Model", parameter "Bedrock".
   enum class BedrockModel
   {
-    automatic, ///< continuum, or rigid if "Continuum" is none
     continuum, ///< deal.II finite elements
     layers,    ///< one block per layer between bedding planes; the lowest moves as prescribed
     triangles, ///< bonded triangular blocks that carry the waves
-    rigid      ///< a rigid base with the prescribed motion
+    rigid      ///< a rigid base with the prescribed motion (pure DDA), or nothing where there is no
+               ///< surface
   };
 
   /// Sides of the bedrock.
@@ -251,8 +244,7 @@ namespace hybrid::scene
     std::string                     title;
     TimeParameters                  time;
     MeshParameters                  mesh;
-    ContinuumModel                  continuum_model = ContinuumModel::elastic;
-    BedrockModel                    bedrock = BedrockModel::automatic; ///< resolved by read_scene()
+    BedrockModel                    bedrock = BedrockModel::continuum;
     ContinuumParameters             continuum;
     BeddingParameters               bedding;
     BlockParameters                 blocks;
@@ -268,6 +260,12 @@ namespace hybrid::scene
     std::map<std::string, Material> materials;
     int                             threads = 1;
     std::string used_prm; ///< the scene with every parameter, as a valid parameter file
+
+    /// The bedrock is finite elements.
+    bool has_continuum() const
+    {
+      return bedrock == BedrockModel::continuum;
+    }
 
     /// The bedrock is blocks.
     bool has_bedrock_blocks() const

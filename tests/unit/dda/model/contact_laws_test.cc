@@ -41,7 +41,7 @@ namespace
     p.materials["belt"].cohesion          = 2e4;
     p.materials["belt"].tensile_strength  = 1e4;
     p.materials["belt"].residual_cohesion = -1.;
-    p.continuum_model                     = scene::ContinuumModel::none;
+    p.bedrock                             = scene::BedrockModel::rigid;
     p.bedding.names                       = {"bedding_1"};
     p.blocks.belt_material                = "belt";
     return p;

@@ -71,7 +71,7 @@ namespace hybrid::scene::test
     SceneParameters scene;
     mesh.bedrock_cells.clear();
     mesh.lines.clear();
-    scene.continuum_model = ContinuumModel::none;
+    scene.bedrock = BedrockModel::rigid;
     EXPECT_NO_THROW(check_section_mesh(mesh, scene));
 
     mesh = small_section();

@@ -36,7 +36,7 @@ namespace hybrid::scene
     expect({});
     scene.continuum.base = BaseBoundary::fixed;
     expect({"Motion/Type = ricker has no effect", "Continuum/Base = fixed"});
-    scene.continuum_model = ContinuumModel::none;
+    scene.bedrock = BedrockModel::rigid;
     for (const BedrockModel blocks : {BedrockModel::layers, BedrockModel::triangles})
       {
         scene.bedrock = blocks;

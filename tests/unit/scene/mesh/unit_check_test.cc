@@ -90,8 +90,7 @@ namespace hybrid::scene::test
     expect_part(warnings[0], "Materials/belt/Tensile strength = 999 Pa");
     SceneParameters small = scene;
     EXPECT_TRUE(unit_warnings(section(0.9), rigid_scene()).empty());
-    small.continuum_model = ContinuumModel::none;
-    small.bedrock         = BedrockModel::rigid;
+    small.bedrock = BedrockModel::rigid;
     EXPECT_TRUE(unit_warnings(section(0.9), small).empty()); // a model in the laboratory
   }
 } // namespace hybrid::scene::test

@@ -26,7 +26,7 @@ subsection Mesh
   set Numbers = Resolution/h = 4; Resolution/far = 20
 end
 subsection Model
-  set Continuum = elastic
+  set Bedrock = continuum
   set Blocks    = loose
 end
 subsection Materials
@@ -142,7 +142,7 @@ end
     ASSERT_EQ(scene.mesh.numbers.size(), 2u);
     EXPECT_EQ(scene.mesh.numbers[0], std::make_pair(std::string("Resolution/h"), 4.));
     EXPECT_EQ(scene.mesh.numbers[1], std::make_pair(std::string("Resolution/far"), 20.));
-    EXPECT_EQ(scene.continuum_model, ContinuumModel::elastic);
+    EXPECT_TRUE(scene.has_continuum());
     EXPECT_TRUE(scene.blocks.enabled);
     EXPECT_FALSE(scene.blocks.bonded);
     EXPECT_EQ(scene.environment.gravity, 9.8);
@@ -342,7 +342,7 @@ TEST_F(SceneReader, FilesResolveAgainstTheFileThatNamesThem)
   write("common/model.prm", "subsection Mesh\n  set File = meshes/slope.geo\nend\n");
   const std::string file = write("runs/a.prm",
                                  "include ../common/model.prm\n"
-                                 "subsection Model\n  set Continuum = none\nend\n"
+                                 "subsection Model\n  set Bedrock = rigid\nend\n"
                                  "subsection Materials\n  set Names = clay\n  subsection clay\n"
                                  "    set Density = 2000\n  end\nend\n"
                                  "subsection Blocks\n  set Material = clay\nend\n");
@@ -382,7 +382,7 @@ TEST_F(SceneReader, PeaksMayHaveTheirUnit)
   EXPECT_NE(read_scene(file, {"Motion/Peak=0.3 g"}).used_prm.find("0.3 g"), std::string::npos);
 }
 
-TEST_F(SceneReader, BedrockDecidesAndContinuumIsItsShortForm)
+TEST_F(SceneReader, BedrockOfEveryKind)
 {
   write("slope.geo", "");
   const std::string file    = write("a.prm",
@@ -395,10 +395,9 @@ TEST_F(SceneReader, BedrockDecidesAndContinuumIsItsShortForm)
     return read_scene(file, overrides).bedrock;
   };
   EXPECT_EQ(bedrock({}), BedrockModel::continuum);
-  EXPECT_EQ(bedrock({"Model/Continuum=none"}), BedrockModel::rigid);
   EXPECT_EQ(bedrock({"Model/Bedrock=rigid"}), BedrockModel::rigid);
   const SceneParameters triangles = read_scene(file, {"Model/Bedrock=triangles"});
-  EXPECT_EQ(triangles.continuum_model, ContinuumModel::none);
+  EXPECT_FALSE(triangles.has_continuum());
   EXPECT_TRUE(triangles.has_bedrock_blocks());
   EXPECT_EQ(triangles.bedrock_material("bedrock_soft").name, "clay");
   EXPECT_TRUE(read_scene(file, {"Model/Bedrock=triangles", "Model/Blocks=none"}).has_blocks());
