@@ -79,3 +79,12 @@ if(CLANG_FORMAT)
     COMMAND find include src tests ( -name "*.h" -o -name "*.cc" ) -exec ${CLANG_FORMAT} -i {} +
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)
 endif()
+
+# make documentation: headers and documents as pages in documentation/html of the build folder; fails on any warning.
+find_program(DOXYGEN doxygen)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/Doxyfile.in ${PROJECT_BINARY_DIR}/Doxyfile @ONLY)
+if(DOXYGEN)
+  add_custom_target(documentation
+    COMMAND ${DOXYGEN} ${PROJECT_BINARY_DIR}/Doxyfile
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} VERBATIM)
+endif()

@@ -31,7 +31,7 @@ namespace hybrid::continuum
   class ElementSpace
   {
   public:
-    /// @param region per cell: material id.
+    /// The region of each cell in @p section is its material id.
     ElementSpace(const RockMesh           &rock,
                  const scene::SectionMesh &section,
                  int                       degree,

@@ -7,7 +7,8 @@
 #include <hybrid/scene/parameters/scene_parameters.h>
 
 /**
- * @file Tables of run.h5 that say what went into a run, each only if the scene has the effect; see
+ * @file
+ * Tables of run.h5 that say what went into a run, each only if the scene has the effect; see
  * run_file.md.
  */
 namespace hybrid::output

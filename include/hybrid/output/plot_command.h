@@ -6,7 +6,7 @@
 namespace hybrid::output
 {
   /**
-   * `hybrid plot DIR`: all pictures of a run as DIR/figures/<name>.png, by the Python script
+   * `hybrid plot DIR`: all pictures of a run as DIR/figures/NAME.png, by the Python script
    * plot_run.py. The script is looked for in ../share/hybrid/plot beside the binary, then where it
    * was built from.
    * @return the exit code of the script: 0 if all pictures were written.

@@ -21,7 +21,7 @@ namespace hybrid::output
     /**
      * @param stream where to draw.
      * @param stream_is_terminal whether a line can be redrawn: standard_output_is_terminal().
-     * @param from_time, @param to_time simulated time of this run [s]; from_time > 0 after a
+     * @param from_time, to_time simulated time of this run [s]; from_time > 0 after a
      * resume.
      * @param clock wall time in seconds from any origin; the steady clock if empty.
      * @param width columns of the terminal; terminal_width() if empty.

@@ -12,8 +12,8 @@
 namespace hybrid::output
 {
   /**
-   * The pictures of one part of the model over time: DIR/<name>.pvd, which ParaView opens, and
-   * DIR/vtu/<name>_00000.vtu, ... The .pvd is replaced after each picture, so it is valid at any
+   * The pictures of one part of the model over time: DIR/NAME.pvd, which ParaView opens, and
+   * DIR/vtu/NAME_00000.vtu, ... The .pvd is replaced after each picture, so it is valid at any
    * moment.
    */
   class PvdSeries

@@ -9,7 +9,7 @@
 namespace hybrid::output
 {
   /**
-   * What the section is made of, for pictures (run_file.md): section/bedding/<name>,
+   * What the section is made of, for pictures (run_file.md): section/bedding/NAME,
    * section/cells and cells_material of a continuum, section/blocks_material, and section/belt and
    * belt_material if the mass is bonded to its base. Materials are indices into the attribute
    * "materials" of the group.

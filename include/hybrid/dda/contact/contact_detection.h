@@ -13,7 +13,8 @@ namespace hybrid::dda
   /**
    * Finds the vertex-edge contacts that can be closed in the coming step.
    *
-   * Called once at the start of every step with the accepted geometry. A
+   * Called at the start of every step and again in each round of slip of the
+   * bedding planes, always with the geometry of the last accepted step. A
    * Verlet list over a cell grid makes it O(N); the contacts depend on geometry
    * and old contacts only, never on when the list was built. Pairs of the list
    * sleep until they can have come near enough (ContactCandidates); while all

@@ -95,8 +95,9 @@ namespace hybrid::dda
     bool               factor_is_current = false;
     int                failures          = 0; ///< of old factors, in a row
     int                passed_over       = 0; ///< old factors since one was last tried
-    int             factors_before_retry = 4; ///< factors to be made before sweeps are tried again
-    int             factors              = 0; ///< made since sweeps were last tried
+    int factors_before_retry = 4; ///< factors to be made before sweeps are tried again; doubled
+                                  ///< whenever sweeps do not serve: 8 the first time
+    int             factors = 0;  ///< made since sweeps were last tried
     Eigen::VectorXd unknown, r, dual_r, p, dual_p, q, t, dual_t, shadow, z; ///< work
 
     void precondition(const BlockMatrix &matrix, const Eigen::VectorXd &residual);

@@ -19,9 +19,9 @@ namespace hybrid::dda
    * (InterfaceStiffness; the unit matrix without a base), it reads
    * @f[ \hat A \hat x = \hat b, \quad \hat A = (D+L)^{-1} A (D+U)^{-1} D, \quad
    *     \hat b = (D+L)^{-1} b, \quad x = (D+U)^{-1} D \hat x. @f]
-   * In Eisenstat's (1981) form a product with \hat A is one backward and one
+   * In Eisenstat's (1981) form a product with @f$ \hat A @f$ is one backward and one
    * forward sweep, so it costs no more than a product with A, and takes about
-   * half as many iterations as diagonal blocks alone. \hat A is symmetric in the
+   * half as many iterations as diagonal blocks alone. @f$ \hat A @f$ is symmetric in the
    * scalar product of D if A is symmetric. "Below" means visited earlier by a
    * sweep (SweepOrder): the same bits for any number of threads.
    */
@@ -39,13 +39,13 @@ namespace hybrid::dda
              const InterfaceStiffness &base_band,
              const std::vector<int>   &blocks);
 
-    /// y = \hat A x.
+    /// @f$ y = \hat A x @f$.
     void multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y);
 
-    /// \hat b of b.
+    /// @f$ \hat b @f$ of b.
     void sweep_forward(const Eigen::VectorXd &b, Eigen::VectorXd &result);
 
-    /// x of \hat x.
+    /// x of @f$ \hat x @f$.
     void sweep_backward(const Eigen::VectorXd &hat, Eigen::VectorXd &x);
 
     /// y = D x.

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-/// @file Loads besides gravity, water and motion: sections "Point loads" and "Edge loads".
+/// @file
+/// Loads besides gravity, water and motion: sections "Point loads" and "Edge loads".
 namespace hybrid::scene
 {
   /// A force at a point of the bedrock.

@@ -5,7 +5,8 @@
 #include <hybrid/scene/parameters/scene_parameters.h>
 
 /**
- * @file One pair of functions per parameter struct, in src/scene/<section>_parameters.cc:
+ * @file
+ * One pair of functions per parameter struct, in src/scene/parameters/SECTION_parameters.cc:
  * declare() states name, member, unit, range and help of every parameter of the section;
  * check() finds what contradicts what, after all values are known, and throws InputError.
  */

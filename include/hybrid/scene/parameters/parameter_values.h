@@ -9,7 +9,8 @@
 #include <vector>
 
 /**
- * @file The text of parameter values: numbers, lists and named rows. The functions that return
+ * @file
+ * The text of parameter values: numbers, lists and named rows. The functions that return
  * an optional are silent; those that do not throw InputError with what is wrong, without file
  * and line, which the caller adds.
  */

@@ -14,9 +14,11 @@
 #include <vector>
 
 /**
- * @file The parameters of a scene as plain structs, one per section of the parameter file.
+ * @file
+ * The parameters of a scene as plain structs, one per section of the parameter file.
  * Defaults stand here; names, units, ranges and help are declared next to each other in
- * src/scene/<section>_parameters.cc. SI units inside; other units only at the parameter boundary.
+ * src/scene/parameters/SECTION_parameters.cc. SI units inside; other units only at the parameter
+ * boundary.
  */
 namespace hybrid::scene
 {
@@ -26,7 +28,7 @@ namespace hybrid::scene
     double      end_time         = 1.;          ///< duration of the dynamic stage [s], >= 0
     double      time_step        = 1e-3;        ///< dt [s], > 0
     int         maximum_halvings = 16;          ///< smallest step is dt / 2^this [-], 0..20
-    std::string scheme           = "automatic"; ///< automatic | dissipative | trapezoidal | shi
+    std::string scheme           = "automatic"; ///< automatic, or one of Newmark::preset()
     Newmark     newmark;                        ///< what the scheme stands for in this scene
     double      maximum_displacement_ratio =
       0.05; ///< largest block displacement per step over block size [-]

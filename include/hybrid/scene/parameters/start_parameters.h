@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-/// @file What moves at t = 0: section "Initial wave" and "Blocks/Initial velocities".
+/// @file
+/// What moves at t = 0: section "Initial wave" and "Blocks/Initial velocities".
 namespace hybrid::scene
 {
   /// An elastic wave in plane strain.
