@@ -60,6 +60,22 @@ assert s['timings_s'] == {'blocks': 100.5} and s['energy_J_per_m'] == {'kinetic'
     }
 
 
+    TEST(Summary, TextThatIsNotUtf8LosesItsLettersAndNoMore)
+    {
+      Summary summary;
+      summary.title               = "Erdrutsch bei K\xf6ln"; // Latin-1
+      summary.monitors["S\xfc"
+                       "d"]       = {};
+      const std::string directory = make_directory("summary_text");
+      write_summary(summary, directory + "/summary.json");
+      EXPECT_TRUE(python_passes(directory, R"(
+import json
+s = json.load(open('summary.json', encoding='utf-8'))
+assert s['title'] == 'Erdrutsch bei K\ufffdln' and list(s['monitors']) == ['S\ufffdd']
+)"));
+    }
+
+
     TEST(Summary, EmptySummaryIsValidAndAMissingDirectoryIsAnInputError)
     {
       const std::string directory = make_directory("summary_empty");
