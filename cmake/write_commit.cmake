@@ -1,3 +1,4 @@
+cmake_policy(VERSION 3.20) # as in CMakeLists.txt
 # cmake -D SOURCE=<root> -D HEADER=<file> -P write_commit.cmake
 # Writes the commit of the sources into HEADER, if it has changed since.
 find_program(GIT git)
