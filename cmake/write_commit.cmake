@@ -1,6 +1,6 @@
-cmake_policy(VERSION 3.20) # as in CMakeLists.txt
 # cmake -D SOURCE=<root> -D HEADER=<file> -P write_commit.cmake
 # Writes the commit of the sources into HEADER, if it has changed since.
+cmake_policy(VERSION 3.20) # as in CMakeLists.txt
 find_program(GIT git)
 set(commit "unknown")
 if(GIT)

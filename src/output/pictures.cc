@@ -93,17 +93,17 @@ namespace hybrid::output
         rotation.push_back(block.rotation);
         region.push_back(model->blocks[b].region);
       }
-    writer.add_point_field("displacement [m]", 2, std::move(displacement));
-    writer.add_point_field("velocity [m/s]", 2, std::move(velocity));
-    writer.add_cell_field("stress xx, yy, xy [Pa]", 3, std::move(stress));
-    writer.add_cell_field("rotation [rad]", 1, std::move(rotation));
-    writer.add_cell_field("region", 1, std::move(region));
+    writer.add_point_field("displacement [m]", {"x", "y"}, std::move(displacement));
+    writer.add_point_field("velocity [m/s]", {"x", "y"}, std::move(velocity));
+    writer.add_cell_field("stress xx, yy, xy [Pa]", {"xx", "yy", "xy"}, std::move(stress));
+    writer.add_cell_field("rotation [rad]", std::move(rotation));
+    writer.add_cell_field("region", std::move(region));
     if (varied_modulus)
       {
         std::vector<double> factor;
         for (const dda::BlockProperties &block : model->blocks)
           factor.push_back(block.modulus_factor);
-        writer.add_cell_field("modulus factor", 1, std::move(factor));
+        writer.add_cell_field("modulus factor", std::move(factor));
       }
     block_series->add(state.time(), writer);
   }
@@ -141,19 +141,19 @@ namespace hybrid::output
         normal.push_back(mean(&dda::SpringState::normal));
         shear.push_back(mean(&dda::SpringState::shear));
       }
-    writer.add_point_field("displacement [m]", 2, std::move(displacement));
-    writer.add_cell_field("failure (1 tensile, 2 shear)", 1, std::move(failure));
-    writer.add_cell_field("failure time [s]", 1, std::move(time));
-    writer.add_cell_field("opening [m]", 1, std::move(opening));
-    writer.add_cell_field("slip [m]", 1, std::move(slip));
-    writer.add_cell_field("normal stress (compression positive) [Pa]", 1, std::move(normal));
-    writer.add_cell_field("shear stress [Pa]", 1, std::move(shear));
+    writer.add_point_field("displacement [m]", {"x", "y"}, std::move(displacement));
+    writer.add_cell_field("failure (1 tensile, 2 shear)", std::move(failure));
+    writer.add_cell_field("failure time [s]", std::move(time));
+    writer.add_cell_field("opening [m]", std::move(opening));
+    writer.add_cell_field("slip [m]", std::move(slip));
+    writer.add_cell_field("normal stress (compression positive) [Pa]", std::move(normal));
+    writer.add_cell_field("shear stress [Pa]", std::move(shear));
     if (varied_strength)
       {
         std::vector<double> factor;
         for (const dda::Joint &joint : model->joints)
           factor.push_back(joint.strength_factor);
-        writer.add_cell_field("strength factor", 1, std::move(factor));
+        writer.add_cell_field("strength factor", std::move(factor));
       }
     joint_series->add(state.time(), writer);
   }
@@ -180,13 +180,16 @@ namespace hybrid::output
         flat.insert(flat.end(), v.begin(), v.end());
       return flat;
     };
-    writer.add_point_field("displacement [m]", 2, pairs(picture.displacement));
-    writer.add_point_field("velocity [m/s]", 2, pairs(picture.velocity));
-    writer.add_cell_field("stress increment xx, yy, xy [Pa]", 3, triples(picture.stress));
+    writer.add_point_field("displacement [m]", {"x", "y"}, pairs(picture.displacement));
+    writer.add_point_field("velocity [m/s]", {"x", "y"}, pairs(picture.velocity));
+    writer.add_cell_field("stress increment xx, yy, xy [Pa]",
+                          {"xx", "yy", "xy"},
+                          triples(picture.stress));
     if (picture.static_stress.size() == picture.cells.size())
-      writer.add_cell_field("static stress xx, yy, xy [Pa]", 3, triples(picture.static_stress));
+      writer.add_cell_field("static stress xx, yy, xy [Pa]",
+                            {"xx", "yy", "xy"},
+                            triples(picture.static_stress));
     writer.add_cell_field("region",
-                          1,
                           std::vector<double>(picture.region.begin(), picture.region.end()));
     continuum_series->add(state.time(), writer);
   }

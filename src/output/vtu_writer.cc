@@ -2,8 +2,9 @@
 #include <hybrid/output/atomic_file.h>
 #include <hybrid/output/vtu_writer.h>
 
-#include <cassert>
+#include <algorithm>
 #include <stdexcept>
+#include <zlib.h>
 
 namespace hybrid::output
 {
@@ -94,23 +95,56 @@ namespace hybrid::output
     const char *vtk_type<std::uint8_t> = "UInt8";
 
 
-    template <typename Number>
-    void append_array(std::string               &xml,
-                      const std::string         &name,
-                      const int                  components,
-                      const std::vector<Number> &values)
+    /// One zlib block, as fast as it goes: pictures lose half of their size, and little of it more
+    /// with other levels.
+    std::vector<unsigned char> compressed(const void *data, const std::size_t n_bytes)
     {
-      xml += "        <DataArray type=\"" + std::string(vtk_type<Number>) + "\" Name=\"" +
-             escaped(name) + "\" NumberOfComponents=\"" + std::to_string(components) +
-             "\" format=\"binary\">";
-      const std::uint64_t n_bytes = values.size() * sizeof(Number);
-      xml.reserve(xml.size() + 4 * (n_bytes + 16) / 3);
+      uLongf                     size = compressBound(n_bytes);
+      std::vector<unsigned char> result(size);
+      if (compress2(result.data(),
+                    &size,
+                    static_cast<const unsigned char *>(data),
+                    n_bytes,
+                    Z_BEST_SPEED) != Z_OK)
+        throw std::runtime_error("zlib has no memory to compress a picture");
+      result.resize(size);
+      return result;
+    }
+
+
+    void append_base64(std::string &xml, const void *data, const std::size_t n_bytes)
+    {
       Base64 encoder(xml);
-      encoder.add(&n_bytes, sizeof(n_bytes));
-      encoder.add(values.data(), n_bytes);
+      encoder.add(data, n_bytes);
       encoder.finish();
+    }
+
+
+    /// @param components names of the components; empty: one without name.
+    template <typename Number>
+    void append_array(std::string                    &xml,
+                      const std::string              &name,
+                      const std::vector<std::string> &components,
+                      const std::vector<Number>      &values)
+    {
+      const std::size_t n = components.empty() ? 1 : components.size();
+      xml += "        <DataArray type=\"" + std::string(vtk_type<Number>) + "\" Name=\"" +
+             escaped(name) + "\" NumberOfComponents=\"" + std::to_string(n) + "\"";
+      for (std::size_t c = 0; c < components.size(); ++c)
+        xml += " ComponentName" + std::to_string(c) + "=\"" + escaped(components[c]) + "\"";
+      xml += " format=\"binary\">";
+      const std::uint64_t n_bytes = values.size() * sizeof(Number);
+      const auto          block   = compressed(values.data(), n_bytes);
+      // number of blocks, size of each and of a smaller last one, compressed sizes
+      const std::uint64_t header[] = {n_bytes > 0 ? 1u : 0u, n_bytes, 0, block.size()};
+      append_base64(xml, header, (n_bytes > 0 ? 4 : 3) * sizeof(std::uint64_t));
+      if (n_bytes > 0)
+        append_base64(xml, block.data(), block.size());
       xml += "</DataArray>\n";
     }
+
+
+    const std::vector<std::string> no_names, directions{"x", "y", "z"};
   } // namespace
 
 
@@ -165,18 +199,32 @@ namespace hybrid::output
 
 
 
-  void VtuWriter::add_point_field(const std::string  &name,
-                                  const int           components,
-                                  std::vector<double> values)
+  void VtuWriter::add_point_field(const std::string &name, std::vector<double> values)
+  {
+    point_fields.push_back({name, {}, std::move(values)});
+  }
+
+
+
+  void VtuWriter::add_cell_field(const std::string &name, std::vector<double> values)
+  {
+    cell_fields.push_back({name, {}, std::move(values)});
+  }
+
+
+
+  void VtuWriter::add_point_field(const std::string              &name,
+                                  const std::vector<std::string> &components,
+                                  std::vector<double>             values)
   {
     point_fields.push_back({name, components, std::move(values)});
   }
 
 
 
-  void VtuWriter::add_cell_field(const std::string  &name,
-                                 const int           components,
-                                 std::vector<double> values)
+  void VtuWriter::add_cell_field(const std::string              &name,
+                                 const std::vector<std::string> &components,
+                                 std::vector<double>             values)
   {
     cell_fields.push_back({name, components, std::move(values)});
   }
@@ -189,7 +237,7 @@ namespace hybrid::output
   {
     for (const Field &field : fields)
       {
-        const std::size_t n = field.components;
+        const std::size_t n = std::max<std::size_t>(1, field.components.size());
         if (field.values.size() != n * n_entities)
           throw std::logic_error("VTU field '" + field.name + "' has " +
                                  std::to_string(field.values.size()) + " values, expected " +
@@ -199,7 +247,7 @@ namespace hybrid::output
         for (std::size_t i = 0; i < n_entities; ++i)
           for (std::size_t c = 0; c < n; ++c)
             values[i * n_written + c] = static_cast<float>(field.values[i * n + c]);
-        append_array(xml, field.name, static_cast<int>(n_written), values);
+        append_array(xml, field.name, n == 2 ? directions : field.components, values);
       }
   }
 
@@ -208,11 +256,11 @@ namespace hybrid::output
   void VtuWriter::append_mesh(std::string &xml) const
   {
     xml += "      <Points>\n";
-    append_array(xml, "Points", 3, points);
+    append_array(xml, "Points", directions, points);
     xml += "      </Points>\n      <Cells>\n";
-    append_array(xml, "connectivity", 1, connectivity);
-    append_array(xml, "offsets", 1, offsets);
-    append_array(xml, "types", 1, shapes);
+    append_array(xml, "connectivity", no_names, connectivity);
+    append_array(xml, "offsets", no_names, offsets);
+    append_array(xml, "types", no_names, shapes);
     xml += "      </Cells>\n";
   }
 
@@ -223,7 +271,7 @@ namespace hybrid::output
     std::string xml =
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n  <UnstructuredGrid>\n    <Piece NumberOfPoints=\"" +
+      "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n    <Piece NumberOfPoints=\"" +
       std::to_string(n_points()) + "\" NumberOfCells=\"" + std::to_string(n_cells()) + "\">\n";
     append_mesh(xml);
     xml += "      <PointData>\n";

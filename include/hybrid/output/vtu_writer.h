@@ -22,7 +22,8 @@ namespace hybrid::output
 
 
   /**
-   * An unstructured grid with fields, as a .vtu file for ParaView (VTK XML, little endian, base64).
+   * An unstructured grid with fields, as a .vtu file for ParaView (VTK XML, little endian, zlib,
+   * base64).
    *
    * Fill it, write it; clear() keeps the memory for the next picture. Names of fields carry their
    * unit, "displacement [m]". Fields are stored in single precision, points in double. Vectors of
@@ -46,12 +47,22 @@ namespace hybrid::output
     std::size_t n_cells() const;
 
     /**
-     * @param components 1 or 2 (or more); @param values one after the other, point by point.
-     * The number of values must fit when write() is called.
+     * A field of one component per point.
+     *
+     * @param values one after the other. Their number must fit when write() is called.
      */
-    void add_point_field(const std::string &name, int components, std::vector<double> values);
+    void add_point_field(const std::string &name, std::vector<double> values);
 
-    void add_cell_field(const std::string &name, int components, std::vector<double> values);
+    /// Of several. @param components their names @param values point by point.
+    void add_point_field(const std::string              &name,
+                         const std::vector<std::string> &components,
+                         std::vector<double>             values);
+
+    void add_cell_field(const std::string &name, std::vector<double> values);
+
+    void add_cell_field(const std::string              &name,
+                        const std::vector<std::string> &components,
+                        std::vector<double>             values);
 
     /// Write to a temporary file, then rename: the file is complete or absent.
     void write(const std::string &file_name) const;
@@ -59,9 +70,9 @@ namespace hybrid::output
   private:
     struct Field
     {
-      std::string         name;
-      int                 components;
-      std::vector<double> values;
+      std::string              name;
+      std::vector<std::string> components; ///< names; empty: one without
+      std::vector<double>      values;
     };
 
     static void

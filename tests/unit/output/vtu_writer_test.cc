@@ -25,8 +25,10 @@ namespace hybrid::output
       picture.add_cell(CellShape::polygon, {0, 1, 2, 4, 3});
       picture.add_cell(CellShape::line, {0, 1});
       picture.add_cell(CellShape::vertex, {4});
-      picture.add_point_field("displacement [m]", 2, {1., 2., 3., 4., 5., 6., 7., 8., 9., 10.});
-      picture.add_cell_field("stress <xx> & \"yy\" [Pa]", 1, {1e6, -2.5e6, 3., 4., 5.});
+      picture.add_point_field("displacement [m]",
+                              {"x", "y"},
+                              {1., 2., 3., 4., 5., 6., 7., 8., 9., 10.});
+      picture.add_cell_field("stress <xx> & \"yy\" [Pa]", {1e6, -2.5e6, 3., 4., 5.});
       return picture;
     }
 
@@ -44,16 +46,17 @@ namespace hybrid::output
     }
 
     const char reader[] = R"(
-import base64, struct, xml.etree.ElementTree as xml
+import base64, struct, zlib, xml.etree.ElementTree as xml
 def array(node):
-    raw = base64.b64decode(node.text)
-    n = struct.unpack('<Q', raw[:8])[0]
-    assert n == len(raw) - 8, (n, len(raw))
+    blocks, n = struct.unpack('<QQ', base64.b64decode(node.text[:24])[:16])
+    assert blocks == (1 if n else 0)
+    raw = zlib.decompress(base64.b64decode(node.text[44:])) if blocks else b''
+    assert n == len(raw), (n, len(raw))
     code, size = {'Float64': ('d', 8), 'Float32': ('f', 4), 'Int32': ('i', 4), 'UInt8': ('B', 1)}[node.get('type')]
-    return list(struct.unpack('<%d%s' % (n // size, code), raw[8:]))
+    return list(struct.unpack('<%d%s' % (n // size, code), raw))
 def arrays(file):
     root = xml.parse(file).getroot()
-    assert root.get('header_type') == 'UInt64'
+    assert root.get('header_type') == 'UInt64' and root.get('compressor') == 'vtkZLibDataCompressor'
     return root.find('.//Piece'), {node.get('Name'): (node.get('NumberOfComponents'), array(node)) for node in root.iter('DataArray')}
 )";
 
@@ -70,6 +73,8 @@ assert data['Points'] == ('3', [0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 0, 1, 1.5, 0])
 assert data['connectivity'][1] == [0, 1, 2, 3, 3, 2, 4, 0, 1, 2, 4, 3, 0, 1, 4]
 assert data['offsets'][1] == [4, 7, 12, 14, 15]
 assert data['types'][1] == [9, 5, 7, 3, 1]
+names = next(n for n in piece.iter('DataArray') if n.get('Name') == 'displacement [m]')
+assert [names.get('ComponentName%d' % c) for c in range(3)] == ['x', 'y', 'z']
 assert data['displacement [m]'] == ('3', [1, 2, 0, 3, 4, 0, 5, 6, 0, 7, 8, 0, 9, 10, 0])
 assert data['stress <xx> & "yy" [Pa]'] == ('1', [1e6, -2.5e6, 3, 4, 5])
 )"));
@@ -94,7 +99,7 @@ assert piece.get('NumberOfCells') == '0' and data['Points'][1] == []
     TEST(VtuWriter, FieldOfWrongSizeIsRefused)
     {
       VtuWriter picture = make_picture();
-      picture.add_cell_field("short", 2, {1., 2.});
+      picture.add_cell_field("short", {"x", "y"}, {1., 2.});
       EXPECT_THROW(picture.write(make_directory("vtu_wrong") + "/a.vtu"), std::logic_error);
     }
 

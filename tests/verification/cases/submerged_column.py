@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Submerged column at rest: effective, pore and total stress over depth."""
 
-import base64
-import re
-
 import numpy as np
 from scene_numbers import Numbers
+from vtu_file import picture_at
 
 shown = {}
 
@@ -32,21 +30,10 @@ class Column:
         return load + self.soil * (self.interface - height)
 
 
-def array(text, name):
-    """A data array of a .vtu file."""
-    kind, size, data = re.search(r'type="(\w+)" Name="%s" NumberOfComponents="(\d)" format="binary">([^<]*)<' % re.escape(name),
-                                 text).groups()
-    types = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4"}
-    return np.frombuffer(base64.b64decode(data)[8:], types[kind]).reshape(-1, int(size))
-
-
 def vertical_stress(case, variant, part, field):
     """Height [m] and vertical stress [Pa] of the cells of the last picture."""
-    text = sorted((case.work / variant / "vtu").glob(part + "_*.vtu"))[-1].read_text(encoding="utf-8")
-    points = array(text, "Points") if 'Name="Points"' in text else array(text, "points")
-    nodes, ends = array(text, "connectivity")[:, 0], array(text, "offsets")[:, 0]
-    height = np.array([points[cell, 1].mean() for cell in np.split(nodes, ends[:-1])])
-    return height, array(text, field)[:, 1]
+    picture, _ = picture_at(case.work / variant, part, 1e9)
+    return picture.centroids()[:, 1], picture.cell_fields[field][:, 1]
 
 
 def check(case):

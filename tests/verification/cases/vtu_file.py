@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads a .vtu picture of a run (uncompressed binary arrays) without VTK."""
+"""Reads a .vtu picture of a run (arrays of one zlib block each) without VTK."""
 
 import base64
 import pathlib
 import xml.etree.ElementTree as tree
+import zlib
 
 import numpy as np
 
@@ -32,7 +33,8 @@ class Picture:
 
 def _array(element):
     width = int(element.get("NumberOfComponents") or 1)
-    values = np.frombuffer(base64.b64decode(element.text.strip()), dtype=np.uint8)[8:].view(TYPES[element.get("type")])
+    header, text = 44, element.text.strip()  # base64 of four numbers: blocks, their size, that of the last, compressed
+    values = np.frombuffer(zlib.decompress(base64.b64decode(text[header:])) if len(text) > header else b"", TYPES[element.get("type")])
     return values.reshape(-1, width) if width > 1 else values
 
 
