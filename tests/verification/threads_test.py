@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Beside two busy processes, two threads take at most 1.3 times as long as one and little more processor time (those that
-wait sleep), with the same bits.
+"""Beside two busy processes, a run with two threads uses little more processor time than with one (those that wait
+sleep), and gives the same bits. Wall times are printed: they say how the machine shares itself out, too.
 
 Usage: threads_test.py HYBRID_BINARY SOURCE_DIR WORK_DIR
 """
@@ -15,7 +15,7 @@ import time
 
 from determinism_test import differences, read
 
-MOST_WALL, MOST_PROCESSOR = 1.3, 1.5  # of one thread
+MOST_PROCESSOR = 1.5  # of one thread; threads that spin need 5 times
 ATTEMPTS = 3  # other work on the machine may fall on one of the two runs
 
 
@@ -26,7 +26,7 @@ def busy():
 
 def run(binary, scene, directory, threads, most_seconds):
     """(wall time, processor time) [s] of a run; infinite if it was ended after @p most_seconds."""
-    words = [binary, scene, "--force", "-s", "Mesh/Numbers=Resolution/h = 8", "-s", "Time/End time=0.3",
+    words = [binary, scene, "--force", "-s", "Mesh/Numbers=Resolution/h = 4", "-s", "Time/End time=0.1",
              "-s", f"Output/Directory={directory}", "-s", f"Parallel/Threads={threads}"]
     environment = {name: value for name, value in os.environ.items() if name not in ("OMP_WAIT_POLICY", "GOMP_SPINCOUNT")}
     start, before = time.monotonic(), os.times()
@@ -41,10 +41,10 @@ def run(binary, scene, directory, threads, most_seconds):
 def compare(binary, scene, work):
     """Whether two threads cost little beside two busy processes."""
     one = run(binary, scene, work / "one", 1, 600)
-    two = run(binary, scene, work / "two", 2, 3 * one[0] + 5)
+    two = run(binary, scene, work / "two", 2, 600)
     print(f"one thread {one[0]:.1f} s, processor {one[1]:.1f} s; two threads {two[0]:.1f} s, processor {two[1]:.1f} s: "
-          f"{two[0] / one[0]:.2f} and {two[1] / one[1]:.2f} of one, allowed {MOST_WALL} and {MOST_PROCESSOR}")
-    return two[0] <= MOST_WALL * one[0] and two[1] <= MOST_PROCESSOR * one[1]
+          f"{two[0] / one[0]:.2f} and {two[1] / one[1]:.2f} of one, allowed {MOST_PROCESSOR} of processor time")
+    return two[1] <= MOST_PROCESSOR * one[1]
 
 
 def main():

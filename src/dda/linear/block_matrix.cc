@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/linear/block_matrix.h>
+#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/restart/archive.h>
 
 #include <algorithm>
@@ -179,7 +180,7 @@ namespace hybrid::dda
                                         const double           sign) const
   {
     double *nodes = y.data() + 6 * n_blocks();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n_nodes()))
     for (int k = 0; k < n_nodes(); ++k)
       for (int e = node_begin[k]; e < node_begin[k + 1]; ++e)
         {
@@ -195,7 +196,7 @@ namespace hybrid::dda
   {
     const int n = n_blocks();
 
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int i = 0; i < n; ++i)
       {
         Vec6 sum = diagonal[i] * Eigen::Map<const Vec6>(x.data() + 6 * i) + row_of_nodes(i, x);

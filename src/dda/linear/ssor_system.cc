@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/linear/ssor_system.h>
 
 #include <Eigen/LU>
@@ -50,7 +51,7 @@ namespace hybrid::dda
     if (!same)
       order_rows();
     const int n = same ? static_cast<int>(blocks.size()) : matrix->n_blocks();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int k = 0; k < n; ++k)
       set_row(same ? blocks[k] : order.block[k]);
     base->diagonal(weight.tail(2 * matrix->n_nodes()));
@@ -149,7 +150,7 @@ namespace hybrid::dda
         }
     };
     sweep(order.n_parts());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(matrix->n_blocks()))
     for (int part = 0; part < order.n_parts(); ++part)
       sweep(part);
   }
@@ -167,7 +168,7 @@ namespace hybrid::dda
           Eigen::Map<Vec6>(result.data() + 6 * i).noalias() = inverse_diagonal[p] * rest;
         }
     };
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(matrix->n_blocks()))
     for (int part = 0; part < order.n_parts(); ++part)
       sweep(part);
     sweep(order.n_parts());
@@ -199,7 +200,7 @@ namespace hybrid::dda
   void SsorSystem::multiply_diagonal(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
   {
     const int n = matrix->n_blocks(), m = 2 * matrix->n_nodes();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int i = 0; i < n; ++i)
       Eigen::Map<Vec6>(y.data() + 6 * i).noalias() =
         matrix->diagonal[i] * Eigen::Map<const Vec6>(x.data() + 6 * i);
@@ -219,7 +220,7 @@ namespace hybrid::dda
   {
     const int n = matrix->n_blocks();
     multiply_diagonal(x, y);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int p = 0; p < n; ++p)
       Eigen::Map<Vec6>(y.data() + 6 * order.block[p]) += product(row_begin[p], below_end[p], x);
     matrix->add_blocks_to_nodes(x, y);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/springs/spring_stiffness.h>
 #include <hybrid/restart/archive.h>
 
@@ -115,7 +116,7 @@ namespace hybrid::dda
 
   void SpringStiffness::renew(const Springs &springs, const Trial &trial, const Choice &choice)
   {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(renewed.size()))
     for (std::size_t k = 0; k < renewed.size(); ++k)
       {
         const Springs::Spring   &spring   = springs.springs[renewed[k]];

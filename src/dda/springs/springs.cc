@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/contact/contact_frame.h>
 #include <hybrid/dda/geometry/outline_frames.h>
+#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/springs/contact_length.h>
 #include <hybrid/dda/springs/springs.h>
 
@@ -214,7 +215,7 @@ namespace hybrid::dda
                          const Trial       &trial,
                          const SlipReversal reversed)
   {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(springs.size()))
     for (std::size_t s = 0; s < springs.size(); ++s)
       {
         if (springs[s].joint >= 0)
@@ -396,7 +397,7 @@ namespace hybrid::dda
                            Eigen::VectorXd &absolute) const
   {
     const int n = n_blocks();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
         Vec6 bond = Vec6::Zero(), contact = Vec6::Zero();

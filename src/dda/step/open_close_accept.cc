@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/failure/joint_failure.h>
+#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/step/block_energy.h>
 #include <hybrid/dda/step/open_close_iteration.h>
 
@@ -107,7 +108,7 @@ namespace hybrid::dda
                                 .dot(trial.base - state.base_displacement);
     state.time += dt;
 
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
         BlockState        &block = state.blocks[b];

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/springs/bedrock_forces.h>
 #include <hybrid/dda/step/open_close_iteration.h>
 #include <hybrid/restart/archive.h>
@@ -37,7 +38,7 @@ namespace hybrid::dda
   {
     const InterfaceStiffness &rock = solver.base_stiffness();
     const Eigen::Index        n    = displacement.size();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (Eigen::Index k = 0; k < n; ++k)
       force[k] -= rock.row_product(static_cast<int>(k), displacement);
   }
@@ -47,7 +48,7 @@ namespace hybrid::dda
   void OpenCloseIteration::move(const DdaState &state)
   {
     const int n = static_cast<int>(trial.increment.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
         trial.motion[b] = BlockMotion(state.blocks[b].centroid, trial.increment[b]);
@@ -83,7 +84,7 @@ namespace hybrid::dda
     contact_force.setZero(6 * n + 2 * m);
     absolute.setZero(n);
     springs.add_forces(residual, contact_force, absolute);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
         const BlockProperties &p = model.blocks[b];
@@ -191,7 +192,7 @@ namespace hybrid::dda
     const double dt = trial.dt, beta = model.newmark.beta;
     update_stiffness(model, tangent);
     const std::vector<int> &rows = stiffness.changed_blocks();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(rows.size()))
     for (std::size_t k = 0; k < rows.size(); ++k)
       {
         const int              b = rows[k];
@@ -362,7 +363,7 @@ namespace hybrid::dda
   void OpenCloseIteration::finish(const Model &model)
   {
     const double inertia = 1. / (model.newmark.beta * trial.dt * trial.dt);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(model.n_blocks()))
     for (int b = 0; b < model.n_blocks(); ++b)
       {
         const Vec6 c            = acceleration_by_contacts(b);

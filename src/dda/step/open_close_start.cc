@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a step begins: prediction, guesses, and the change from whole updates to the line search.
+#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/model/block_damping.h>
 #include <hybrid/dda/step/open_close_iteration.h>
 
@@ -26,7 +27,7 @@ namespace hybrid::dda
     contact_acceleration.resize(n);
     scale.setOnes(6 * n + 2 * m);
     block_damping_times(model, state, damping_time);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
         const BlockState &block = state.blocks[b];
@@ -53,7 +54,7 @@ namespace hybrid::dda
   {
     const int    n  = model.n_blocks();
     const double dt = trial.dt;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
         trial.increment[b] = dt * (model.dynamic_coefficient * state.blocks[b].velocity);

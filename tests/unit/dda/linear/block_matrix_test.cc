@@ -59,7 +59,7 @@ TEST(BlockMatrix, multiplies_as_the_dense_matrix)
 
 TEST(BlockMatrix, any_number_of_threads_gives_the_same_bits)
 {
-  const BlockMatrix     m = random_block_matrix(40, 9);
+  const BlockMatrix     m = random_block_matrix(2100, 9);
   const Eigen::VectorXd x = Eigen::VectorXd::Random(m.size());
   Eigen::VectorXd       one(m.size()), two(m.size());
   const int             threads = omp_get_max_threads();
