@@ -130,12 +130,12 @@ namespace hybrid::dda
   double JointLaw::friction_at(const double softening) const
   {
     return strength.tan_phi +
-           (strength.residual_tan_phi - strength.tan_phi) * softened_part(softening);
+           (strength.residual_tan_phi - strength.tan_phi) * softened_fraction(softening);
   }
 
 
 
-  double JointLaw::softened_part(const double softening) const
+  double JointLaw::softened_fraction(const double softening) const
   {
     if (strength.softening_slip > 0.)
       return std::min(softening / strength.softening_slip, 1.);
@@ -219,7 +219,7 @@ namespace hybrid::dda
   {
     if (strength.cohesion == strength.residual_cohesion) // infinite, perhaps
       return 0.;
-    return (strength.cohesion - strength.residual_cohesion) * (1. - softened_part(softening));
+    return (strength.cohesion - strength.residual_cohesion) * (1. - softened_fraction(softening));
   }
 
 
@@ -265,7 +265,7 @@ namespace hybrid::dda
     const CohesionTaper fade = cohesion_taper(r.history.damage, residual_cohesion);
     if (kinematics.gap > 0. && kinematics.gap >= fade.end && has_let_go(r.history))
       {
-        // Open for good: no shear; the friction spring starts anew on closing.
+        // Open for good: no shear; the friction spring starts from zero on closing.
         r.history.plastic_slip = kinematics.slip;
         r.state                = ContactState::open;
         return r;
@@ -286,7 +286,7 @@ namespace hybrid::dda
     const double spring = (1. + damping.ratio) * k_s;
     const double shift  = damping.ratio / (1. + damping.ratio) * damping.elastic_slip;
     const double trial  = -spring * (kinematics.slip - history.plastic_slip - shift);
-    Strain       at{r.normal, contact_part(r.history), residual_cohesion, 0., 0.};
+    Strain       at{r.normal, contact_fraction(r.history), residual_cohesion, 0., 0.};
     if (r.history.damage > history.damage && at.damage == r.history.damage)
       at.damage_by_gap = damage_by_gap(kinematics.gap);
     const double widest = widest_opening(kinematics.gap, history);
@@ -463,7 +463,7 @@ namespace hybrid::dda
 
 
 
-  double JointLaw::contact_part(const JointHistory &history) const
+  double JointLaw::contact_fraction(const JointHistory &history) const
   {
     return history.held > 0. ? std::min(history.damage, 1. - history.held / strength.tensile)
                              : history.damage;

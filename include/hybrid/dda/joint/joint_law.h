@@ -215,7 +215,7 @@ namespace hybrid::dda
     bool has_let_go(const JointHistory &history) const;
 
     /// Part that is torn and has let go, and acts as a contact from then on [-].
-    double contact_part(const JointHistory &history) const;
+    double contact_fraction(const JointHistory &history) const;
 
     /// True if the shear strength is at its residual.
     bool broken_in_shear(const JointHistory &history) const;
@@ -239,7 +239,7 @@ namespace hybrid::dda
     double friction_at(double softening) const;
 
     /// Part of the way from peak to residual strength, 0..1 [-].
-    double softened_part(double softening) const;
+    double softened_fraction(double softening) const;
 
     double damage_at(double gap) const;
 

@@ -14,7 +14,7 @@ namespace hybrid::dda
     std::vector<std::vector<int>> outlines; ///< nodes of the mesh, counter-clockwise
     std::vector<int>              region;   ///< per block: index into bedrock_region_names
     std::vector<int>
-      base; ///< nodes of a base that moves as prescribed, left to right; may be empty
+      foundation; ///< nodes of a foundation that moves as prescribed, left to right; may be empty
   };
 
 
@@ -22,11 +22,11 @@ namespace hybrid::dda
    * Cut the bedrock of a mesh into blocks, as the scene says:
    *   - layers: every surface of the geometry is one block whose outline is the
    *     boundary loop of its cells; the lowest one, along the line "base", is
-   *     the base, of which only the upper boundary is needed;
+   *     the foundation, of which only the upper boundary is needed;
    *   - triangles: every cell is cut along its shorter diagonal; between equal
    *     ones the diagonal is taken whose ends meet more diagonals already, so
    *     that structured meshes get the pattern of alternating diagonals, which
-   *     prefers no direction. The base is the line "base" unless it is compliant.
+   *     prefers no direction. The foundation is the line "base" unless it is compliant.
    * A scene without such bedrock has no bedrock blocks.
    *
    * @throws InputError for a layer that is not one simple polygon, or a plane of the scene
