@@ -124,13 +124,16 @@ namespace hybrid::output
       }
     before        = terms;
     double weight = 0., physical = 0.;
-    imbalance = scheme_total = 0.;
+    imbalance = scheme_total = scheme_sum = 0.;
     for (std::size_t i = 0; i < now.size(); ++i)
       {
         terms[i] = now[i].value - start[i];
         imbalance += terms[i];
         if (is_of_scheme(now[i].name))
-          scheme_total += std::abs(terms[i]);
+          {
+            scheme_total += std::abs(terms[i]);
+            scheme_sum += terms[i];
+          }
         else if (is_of_weight(now[i].name))
           weight += terms[i];
         else
@@ -172,6 +175,6 @@ namespace hybrid::output
 
   void EnergyLedger::serialize(restart::Archive &archive)
   {
-    archive(start, terms, before, in_play, imbalance, scheme_total, largest);
+    archive(start, terms, before, in_play, imbalance, scheme_total, scheme_sum, largest);
   }
 } // namespace hybrid::output

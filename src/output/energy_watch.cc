@@ -2,6 +2,7 @@
 #include <hybrid/output/energy_watch.h>
 #include <hybrid/restart/archive.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -31,7 +32,11 @@ namespace hybrid::output
 
     std::string finding(const EnergyLedger &ledger)
     {
-      return number(std::abs(ledger.sum())) + " J/m were " +
+      if (ledger.given_by_scheme() > ledger.residual())
+        return "the time integration gave energy: " + number(100. * ledger.given_by_scheme()) +
+               " % of the " + number(ledger.exchanged()) + " J/m in play (" +
+               list(ledger.scheme_terms()) + ")";
+      return "the energy audit does not close: " + number(std::abs(ledger.sum())) + " J/m were " +
              (ledger.sum() > 0. ? "created" : "lost") + ", " + number(100. * ledger.residual()) +
              " % of the " + number(ledger.exchanged()) +
              " J/m in play; largest changes since the audit before: " +
@@ -43,7 +48,7 @@ namespace hybrid::output
 
   bool EnergyWatch::passes(const EnergyLedger &ledger, const double fraction)
   {
-    return fraction > 0. && ledger.residual() > fraction;
+    return fraction > 0. && std::max(ledger.residual(), ledger.given_by_scheme()) > fraction;
   }
 
 
@@ -51,15 +56,14 @@ namespace hybrid::output
   std::string EnergyWatch::look(const EnergyLedger &ledger, const double time)
   {
     if (is_over(ledger))
-      return "stopped at t = " + number(time) +
-             " s, because the energy audit does not close: " + finding(ledger) +
+      return "stopped at t = " + number(time) + " s, because " + finding(ledger) +
              "; the results are wrong from about here on, allowed are " + number(100. * limit) +
              " % (Output/Energy limit), a smaller Time/Time step may do";
     if (has_warned || !passes(ledger, warning))
       return "";
     has_warned = true;
-    return "the energy audit does not close at t = " + number(time) + " s: " + finding(ledger) +
-           "; warned from " + number(100. * warning) +
+    return "at t = " + number(time) + " s " + finding(ledger) + "; warned from " +
+           number(100. * warning) +
            " % on (Output/Energy warning), a smaller Time/Time step may do";
   }
 
@@ -69,8 +73,10 @@ namespace hybrid::output
   {
     if (!(warning > 0.) || ledger.scheme_fraction() <= warning)
       return "";
-    return "the time integration took " + number(100. * ledger.scheme_fraction()) + " % of the " +
-           number(ledger.exchanged()) + " J/m in play (" + list(ledger.scheme_terms()) +
+    const char *did = ledger.given_by_scheme() > 0. ? "gave" : "took";
+    return std::string("the time integration ") + did + " " +
+           number(100. * ledger.scheme_fraction()) + " % of the " + number(ledger.exchanged()) +
+           " J/m in play (" + list(ledger.scheme_terms()) +
            "): this part depends on Time/Time step, compare with half the step";
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <hybrid/coupling/coupled_state.h>
 
 #include <cmath>
@@ -77,6 +78,12 @@ namespace hybrid::output
       return scheme_total / in_play;
     }
 
+    /// What the scheme has given in all, over the energy in play [-]; 0 if it took.
+    double given_by_scheme() const
+    {
+      return std::max(0., -scheme_sum) / in_play;
+    }
+
     /// Sum of the terms now [J/m]; positive: created.
     double sum() const
     {
@@ -114,7 +121,7 @@ namespace hybrid::output
     bool                has_continuum;
     EffectTerms         effects;
     std::vector<double> start, terms, before;
-    double              in_play   = 1e-300;                              ///< see exchanged() [J/m]
-    double              imbalance = 0., scheme_total = 0., largest = 0.; ///< [J/m]
+    double              in_play   = 1e-300; ///< see exchanged() [J/m]
+    double              imbalance = 0., scheme_total = 0., scheme_sum = 0., largest = 0.; ///< [J/m]
   };
 } // namespace hybrid::output

@@ -8,8 +8,9 @@
 namespace hybrid::output
 {
   /**
-   * Says when the energy audit of a run does not close: a warning once the residual passes the one
-   * limit, the end of the run at the other.
+   * Says when the energy of a run goes wrong: a warning once the residual of the audit, or what the
+   * scheme has given, passes the one limit, the end of the run at the other. (What the scheme takes
+   * depends on the step, but harms no run; what it gives grows.)
    */
   class EnergyWatch
   {
@@ -23,7 +24,7 @@ namespace hybrid::output
     /// Look at the audit of @p time [s]. @return what is to be said now; empty: nothing.
     std::string look(const EnergyLedger &ledger, double time);
 
-    /// True if the run has to stop: the last audit is above the limit.
+    /// True if the run has to stop: the last audit is above the limit, or the scheme gave more.
     bool is_over(const EnergyLedger &ledger) const
     {
       return passes(ledger, limit);

@@ -120,7 +120,9 @@ namespace hybrid::dda
     const double along = r.dot(frame.direction);
     ContactTrial trial{{vertex_body, vertex, body, edge}, gap, 0., true, History::none, -1};
     trial.overhang = std::max({0., -along, along - frame.length});
-    trial.origin   = old.find(body, edge);
+    if (trial.overhang > 0. && is_below_valley(trial.contact, along))
+      trial.overhang = 0.;
+    trial.origin = old.find(body, edge);
     if (trial.origin >= 0)
       {
         trial.history = History::same_edge;
@@ -161,6 +163,25 @@ namespace hybrid::dda
   bool ContactSelection::passes_angle_test(const Vec2 &normal, const double sine) const
   {
     return normal.dot(to_next) >= -sine && normal.dot(to_previous) >= -sine;
+  }
+
+
+
+  /// At a valley the edge goes on below its neighbour: a vertex beside the edge that is near the
+  /// neighbour's line touches the line of the edge as well. Pressed into a valley it would else
+  /// pass the end of one edge while it is inside the other, and nothing would hold it. In a gentle
+  /// valley one edge acts at a time, so that the vertex has to be behind both lines.
+  bool ContactSelection::is_below_valley(const Contact &contact, const double along) const
+  {
+    const int body = contact.edge_body, edge = contact.edge;
+    const int other = along < 0. ? edge_before(*geometry, body, edge) : edge_following(body, edge);
+    if (other < 0)
+      return false;
+    const EdgeFrame &mine = frames->edge(body, edge), &beside = frames->edge(body, other);
+    const double     rises     = (along < 0. ? -1. : 1.) * mine.normal.dot(beside.direction);
+    const double     gap       = beside.normal.dot(point - position(*geometry, body, other));
+    const bool       is_gentle = mine.normal.dot(beside.normal) >= tolerances.continuing_cosine;
+    return rises > 0. && gap <= (is_gentle ? 0. : tolerances.reach) && gap >= -tolerances.max_depth;
   }
 
 

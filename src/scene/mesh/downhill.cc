@@ -7,7 +7,9 @@ namespace hybrid::scene
 {
   double downhill_sign(const SectionMesh &mesh)
   {
-    const auto surface = mesh.lines.find("sliding_surface");
+    auto surface = mesh.lines.find("sliding_surface");
+    if (surface == mesh.lines.end() || surface->second.empty())
+      surface = mesh.lines.find("ground");
     if (surface == mesh.lines.end() || surface->second.empty())
       return 0.;
     // Where the surface ends in a wall, its foot is the end.

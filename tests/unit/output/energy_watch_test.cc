@@ -29,8 +29,10 @@ TEST(EnergyWatch, warns_once_and_says_what_changed)
   EnergyWatch watch(0.01, 0.05);
   EXPECT_EQ(watch.look(fallen(101.), 0.1), "");
   const std::string text = watch.look(fallen(104.), 0.2);
-  EXPECT_NE(text.find("at t = 0.2 s: 4 J/m were created, 1.96 % of the 204 J/m in play"),
-            std::string::npos)
+  EXPECT_NE(
+    text.find(
+      "at t = 0.2 s the energy audit does not close: 4 J/m were created, 1.96 % of the 204 J/m in play"),
+    std::string::npos)
     << text;
   EXPECT_NE(text.find("blocks_kinetic 104, blocks_gravity -100"), std::string::npos) << text;
   EXPECT_FALSE(watch.is_over(fallen(104.)));
@@ -70,4 +72,22 @@ TEST(EnergyWatch, names_what_the_scheme_took)
   EXPECT_NE(text.find("5.26 % of the 190 J/m"), std::string::npos) << text;
   EXPECT_NE(text.find("blocks_integration_loss 10"), std::string::npos) << text;
   EXPECT_EQ(EnergyWatch(0.1, 0.05).of_scheme(ledger), "");
+}
+
+
+
+TEST(EnergyWatch, stops_where_the_scheme_gives)
+{
+  EnergyLedger           ledger(false);
+  coupling::CoupledState state;
+  ledger.update(state);
+  state.blocks.energy.gravity                 = -100.;
+  state.blocks.energy.kinetic                 = 120.;
+  state.blocks.energy.spring_replacement_loss = -20.;
+  ledger.update(state);
+  EXPECT_LT(ledger.residual(), 1e-12);
+  EnergyWatch watch(0.01, 0.05);
+  EXPECT_TRUE(watch.is_over(ledger));
+  const std::string text = watch.look(ledger, 0.4);
+  EXPECT_NE(text.find("gave energy: 9.09 % of the 220 J/m in play"), std::string::npos) << text;
 }

@@ -46,6 +46,8 @@ namespace hybrid::dda
    *    The same for the side below a seam: a vertex that slides on a row is,
    *    by its penetration, in front of the side of the next block, and that
    *    block's corner in front of the slider's side.
+   *    At a valley an edge goes on below its neighbour: a vertex pressed into the foot of a wall is
+   *    beside one edge or both.
    * 5. *One edge per vertex and body*: the edge it projects on, the edge in
    *    history, an edge that continues the one in history, the least
    *    penetration; of equal ones the edge that the vertex's sole runs along,

@@ -69,6 +69,7 @@ namespace hybrid::dda
   private:
     bool passes_angle_test(const Vec2 &normal, double sine) const;
 
+    bool   is_below_valley(const Contact &contact, double along) const;
     double allowed_overhang(const ContactTrial &trial, double along) const;
 
     int edge_following(int body, int edge) const;

@@ -7,12 +7,12 @@ namespace
 {
   using namespace hybrid;
 
-  double sign_of(const std::vector<Vec2> &nodes)
+  double sign_of(const std::vector<Vec2> &nodes, const std::string &line = "sliding_surface")
   {
     scene::SectionMesh mesh;
     mesh.nodes = nodes;
     for (int k = 0; k + 1 < static_cast<int>(nodes.size()); ++k)
-      mesh.lines["sliding_surface"].push_back({k, k + 1});
+      mesh.lines[line].push_back({k, k + 1});
     return scene::downhill_sign(mesh);
   }
 } // namespace
@@ -36,4 +36,12 @@ TEST(Downhill, a_level_surface_or_none_has_no_downhill)
   EXPECT_EQ(sign_of({{0., 1.}, {10., 1. + 1e-7}}), 0.);
   EXPECT_EQ(sign_of({{0., 5.}, {0., 0.}, {10., 0.}, {10., 5.}}), 0.);
   EXPECT_EQ(scene::downhill_sign({}), 0.);
+}
+
+
+
+TEST(Downhill, blocks_on_the_ground_slide_towards_its_lower_end)
+{
+  EXPECT_EQ(sign_of({{0., 0.}, {10., 5.}}, "ground"), -1.);
+  EXPECT_EQ(sign_of({{0., 5.}, {10., 0.}}, "ground"), 1.);
 }
