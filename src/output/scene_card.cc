@@ -50,13 +50,11 @@ namespace hybrid::output
 
     void describe_ground(const scene::SceneParameters &scene, std::string &text)
     {
-      const char *sides[]   = {"viscous", "free field", "rollers", "fixed"};
-      const char *bases[]   = {"compliant", "rigid", "fixed"};
       const bool  continuum = scene.has_continuum();
       const bool  layers    = scene.bedrock == scene::BedrockModel::layers;
       const bool  triangles = scene.bedrock == scene::BedrockModel::triangles;
-      const char *base      = bases[static_cast<int>(scene.continuum.base)];
-      if (layers && scene.continuum.base == scene::BaseBoundary::compliant)
+      const char *base      = scene.continuum.base.name.c_str();
+      if (layers && scene.continuum.base.is_compliant)
         base = "rigid"; // layers let no wave out: the lowest moves as prescribed
       text += line("  continuum          %s%s%s",
                    state(continuum).c_str(),
@@ -67,8 +65,7 @@ namespace hybrid::output
           line("  bedrock blocks     on   %s, base %s", layers ? "layers" : "triangles", base);
       const bool has_sides = continuum || layers || triangles;
       if (has_sides)
-        text +=
-          line("  sides              on   %s", sides[static_cast<int>(scene.continuum.sides)]);
+        text += line("  sides              on   %s", scene.continuum.sides.words.c_str());
       if (continuum)
         text += line("  boundary springs   %s  alpha_n %g, alpha_t %g",
                      state(scene.continuum.boundary_springs).c_str(),

@@ -199,7 +199,7 @@ namespace hybrid::dda
     if (scene.bedrock == scene::BedrockModel::layers)
       return layers(mesh, scene.bedding.names);
     if (scene.bedrock == scene::BedrockModel::triangles)
-      return triangles(mesh, scene.continuum.base != scene::BaseBoundary::compliant);
+      return triangles(mesh, !scene.continuum.base.is_compliant);
     return {};
   }
 } // namespace hybrid::dda

@@ -8,6 +8,7 @@
 #include <hybrid/dda/step/initial_state.h>
 #include <hybrid/dda/step/rest_forces.h>
 #include <hybrid/dda/step/start_accelerations.h>
+#include <hybrid/scene/boundary/fixed_base.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +72,7 @@ namespace hybrid::dda
     SceneParameters scene_at_rest(SceneParameters scene)
     {
       scene.bedrock        = scene::BedrockModel::triangles;
-      scene.continuum.base = scene::BaseBoundary::fixed;
+      scene.continuum.base = scene::fixed_base();
       scene.blocks.enabled = false;
       scene.edge_loads.tractions.clear();
       scene.bedding.cohesion *= load_part;

@@ -140,7 +140,7 @@ namespace hybrid::scene
   {
     std::vector<std::string> warnings;
     const bool has_columns = scene.has_continuum() || scene.bedrock == BedrockModel::triangles;
-    if (!has_columns || scene.continuum.sides != SideBoundary::free_field)
+    if (!has_columns || !scene.continuum.sides.has_free_field)
       return warnings;
     for (const char *const side : {"left", "right"})
       {

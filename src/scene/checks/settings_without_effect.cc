@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/checks/settings_without_effect.h>
 #include <hybrid/scene/motion/motion_source.h>
+#include <hybrid/scene/option_registry.h>
 
 #include <sstream>
 
@@ -13,10 +14,12 @@ namespace hybrid::scene
     {
       const MotionParameters &motion   = scene.motion;
       const bool              can_stop = scene.has_continuum() || scene.has_bedrock_blocks();
-      if (motion.type != "none" && can_stop && scene.continuum.base == BaseBoundary::fixed)
-        warnings.push_back("Motion/Type = " + motion.type +
-                           " has no effect, as Continuum/Base = fixed does not move; set it to "
-                           "compliant or rigid");
+      if (motion.type != "none" && can_stop && !scene.continuum.base.takes_motion)
+        warnings.push_back("Motion/Type = " + motion.type + " has no effect, as Continuum/Base = " +
+                           scene.continuum.base.name + " does not move; set it to " +
+                           names_in_words(base_boundaries(), [](const BaseBoundary &base) {
+                             return base.takes_motion;
+                           }));
       const MotionSource *source = find_motion_source(motion.type, motion_sources());
       if (!motion.file.empty() && motion.type != "none" && source != nullptr &&
           !source->reads_record)

@@ -7,11 +7,11 @@ namespace hybrid::scene
   {
     if (!scene.has_bedrock_blocks())
       return;
-    const bool         layers = scene.bedrock == BedrockModel::layers;
-    const SideBoundary sides  = scene.continuum.sides;
-    if (layers && sides != SideBoundary::viscous)
+    const bool          layers = scene.bedrock == BedrockModel::layers;
+    const SideBoundary &sides  = scene.continuum.sides;
+    if (layers && (sides.is_held() || sides.has_free_field))
       throw table.error("Continuum/Sides", "must be viscous with Model/Bedrock = layers");
-    if (!layers && sides != SideBoundary::viscous && sides != SideBoundary::free_field)
+    if (!layers && sides.is_held())
       throw table.error("Continuum/Sides",
                         "must be viscous or free field with Model/Bedrock = triangles");
     if (scene.continuum.boundary_springs)

@@ -6,6 +6,7 @@
 #include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/statics/static_stage.h>
 #include <hybrid/dda/step/initial_state.h>
+#include <hybrid/scene/boundary/free_field_side.h>
 #include <hybrid/scene/input_error.h>
 
 #include <gtest/gtest.h>
@@ -46,7 +47,7 @@ TEST(BlockFoundation, sends_twice_the_upgoing_wave_through_the_base)
 TEST(BlockFoundation, columns_change_no_state_before_the_step_is_accepted)
 {
   scene::SceneParameters p        = bedrock_parameters("triangles");
-  p.continuum.sides               = scene::SideBoundary::free_field;
+  p.continuum.sides               = scene::free_field_side();
   const dda::Model          model = dda::build_model(layered_section(2, {2, 1}), p, {});
   BlockFoundation           base({}, constant_acceleration(), p, model.boundary);
   continuum::ContinuumState state = base.initial_state();
@@ -64,7 +65,7 @@ TEST(BlockFoundation, columns_change_no_state_before_the_step_is_accepted)
 TEST(BlockFoundation, free_field_sides_must_be_vertical)
 {
   scene::SceneParameters p = bedrock_parameters("triangles");
-  p.continuum.sides        = scene::SideBoundary::free_field;
+  p.continuum.sides        = scene::free_field_side();
   scene::SectionMesh mesh  = layered_section(2, {2, 1});
   mesh.nodes[3].x() -= 0.2; // the left side, one up
   const dda::Model model = dda::build_model(mesh, p, {});

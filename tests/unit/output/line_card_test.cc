@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/line_card.h>
+#include <hybrid/scene/boundary/fixed_base.h>
+#include <hybrid/scene/boundary/free_field_side.h>
+#include <hybrid/scene/boundary/rigid_base.h>
 
 #include <gtest/gtest.h>
 
@@ -65,12 +68,12 @@ namespace hybrid::output
       const auto             mesh = mesh_with({"base"});
       scene::SceneParameters scene;
       scene.bedrock = scene::BedrockModel::layers;
-      for (const auto base : {scene::BaseBoundary::compliant, scene::BaseBoundary::rigid})
+      for (const auto &base : {scene::compliant_base(), scene::rigid_base()})
         {
           scene.continuum.base = base;
           expect_row(describe_lines(mesh, scene), "base", "lowest layer, which moves");
         }
-      scene.continuum.base = scene::BaseBoundary::fixed;
+      scene.continuum.base = scene::fixed_base();
       expect_row(describe_lines(mesh, scene), "base", "fixed base");
     }
 
@@ -79,7 +82,7 @@ namespace hybrid::output
     {
       const auto             mesh = mesh_with({"base", "left", "right", "ground", "mass_surface"});
       scene::SceneParameters scene;
-      scene.continuum.sides = scene::SideBoundary::free_field;
+      scene.continuum.sides = scene::free_field_side();
       std::string text      = describe_lines(mesh, scene);
       expect_row(text, "base", "compliant base");
       expect_row(text, "left, right", "4 m  side: free field");

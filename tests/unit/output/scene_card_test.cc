@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/scene_card.h>
+#include <hybrid/scene/boundary/fixed_base.h>
 
 #include <gtest/gtest.h>
 
@@ -38,7 +39,7 @@ namespace hybrid::output
       scene.bedrock   = scene::BedrockModel::layers;
       const auto card = [&scene] { return make_scene_card(scene, {}, nullptr, nullptr).text; };
       EXPECT_NE(card().find("layers, base rigid"), std::string::npos) << card();
-      scene.continuum.base = scene::BaseBoundary::fixed;
+      scene.continuum.base = scene::fixed_base();
       EXPECT_NE(card().find("layers, base fixed"), std::string::npos) << card();
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/scene/boundary/compliant_base.h>
+#include <hybrid/scene/boundary/viscous_side.h>
 #include <hybrid/scene/material.h>
 #include <hybrid/scene/newmark.h>
 #include <hybrid/scene/parameters/checkpoint_parameters.h>
@@ -58,31 +60,14 @@ namespace hybrid::scene
                ///< surface
   };
 
-  /// Sides of the bedrock.
-  enum class SideBoundary
-  {
-    viscous,    ///< Lysmer dashpots
-    free_field, ///< dashpots and tractions relative to a 1D column solved beside the model
-    roller,     ///< normal displacement zero
-    fixed       ///< displacement zero
-  };
-
-  /// Base of the bedrock.
-  enum class BaseBoundary
-  {
-    compliant, ///< dashpots over a half space through which the motion arrives
-    rigid,     ///< displacement prescribed: the motion itself
-    fixed      ///< displacement zero
-  };
-
   /// Section "Continuum".
   struct ContinuumParameters
   {
     int                                degree = 2;      ///< polynomial degree of FE_Q, 1..8
     std::map<std::string, std::string> region_material; ///< region name ("bedrock") -> material
                                                         ///< name; "*": every region without its own
-    BaseBoundary base  = BaseBoundary::compliant;
-    SideBoundary sides = SideBoundary::viscous;
+    BaseBoundary base  = compliant_base();
+    SideBoundary sides = viscous_side();
     std::string
            half_space_material; ///< rock below the base; empty: that of the cells along the base
     double rayleigh_mass      = 0.;    ///< alpha_M [1/s], C = alpha_M M + beta_K K

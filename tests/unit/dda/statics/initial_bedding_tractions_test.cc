@@ -6,6 +6,7 @@
 #include <hybrid/dda/statics/initial_bedding_tractions.h>
 #include <hybrid/dda/statics/static_stage.h>
 #include <hybrid/dda/step/initial_state.h>
+#include <hybrid/scene/boundary/fixed_base.h>
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ namespace
     {
       for (Vec2 &node : mesh.nodes)
         node.y() += slope * node.x();
-      scene.continuum.base                = scene::BaseBoundary::fixed;
+      scene.continuum.base                = scene::fixed_base();
       scene.environment.gravity           = 10.;
       scene.bedding.names                 = {"bedding_1", "bedding_2"};
       scene.bedding.slips                 = true;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/boundary/fixed_base.h>
 #include <hybrid/scene/checks/settings_without_effect.h>
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ namespace hybrid::scene
   {
     scene.motion.type = "ricker";
     expect({});
-    scene.continuum.base = BaseBoundary::fixed;
+    scene.continuum.base = fixed_base();
     expect({"Motion/Type = ricker has no effect", "Continuum/Base = fixed"});
     scene.bedrock = BedrockModel::rigid;
     for (const BedrockModel blocks : {BedrockModel::layers, BedrockModel::triangles})

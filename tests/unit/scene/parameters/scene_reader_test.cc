@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene_files.h"
 
+#include <hybrid/scene/boundary/free_field_side.h>
+#include <hybrid/scene/boundary/rigid_base.h>
+
 #include <regex>
 #include <sstream>
 
@@ -175,8 +178,8 @@ end
     const std::map<std::string, std::string> regions = {{"bedrock", "rock"},
                                                         {"bedrock_soil", "clay"}};
     EXPECT_EQ(scene.continuum.region_material, regions);
-    EXPECT_EQ(scene.continuum.base, BaseBoundary::rigid);
-    EXPECT_EQ(scene.continuum.sides, SideBoundary::free_field);
+    EXPECT_EQ(scene.continuum.base.name, rigid_base().name);
+    EXPECT_EQ(scene.continuum.sides.name, free_field_side().name);
     EXPECT_EQ(scene.continuum.half_space_material, "rock");
     EXPECT_EQ(scene.continuum.rayleigh_mass, 0.1);
     EXPECT_EQ(scene.continuum.rayleigh_stiffness, 1e-4);
