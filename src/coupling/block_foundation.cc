@@ -33,8 +33,7 @@ namespace hybrid::coupling
     : boundary(edges)
     , below(std::move(nodes), motion_of_base(scene, ground_motion))
     , motion(motion_of_base(scene, ground_motion))
-    , compliant(scene.bedrock == scene::BedrockModel::triangles &&
-                scene.continuum.base.is_compliant)
+    , compliant(scene.has_compliant_base())
     , line(scene.continuum.degree)
     , damping_time(scene.continuum.rayleigh_stiffness)
   {

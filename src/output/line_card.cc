@@ -23,7 +23,7 @@ namespace hybrid::output
 
     bool has_cells(const SceneParameters &scene)
     {
-      return scene.has_continuum() || scene.has_bedrock_blocks();
+      return scene.bedrock.has_cells();
     }
 
 
@@ -52,9 +52,9 @@ namespace hybrid::output
 
     std::string role_of_base(const SceneParameters &scene)
     {
-      if (scene.bedrock == scene::BedrockModel::layers && scene.continuum.base.takes_motion)
-        return "below the lowest layer, which moves with the motion";
-      return scene.continuum.base.words;
+      const scene::BaseBoundary &base        = scene.continuum.base;
+      const std::string         &if_it_moves = scene.bedrock.base_words;
+      return base.takes_motion && !if_it_moves.empty() ? if_it_moves : base.words;
     }
 
 

@@ -16,4 +16,19 @@ namespace hybrid::scene
     });
     return found == options.end() ? nullptr : &*found;
   }
+
+
+  /// Names of those for which @p is_meant holds: "a, b or c".
+  template <typename Option, typename Predicate>
+  std::string names_in_words(const std::vector<Option> &options, const Predicate &is_meant)
+  {
+    std::vector<std::string> names;
+    for (const Option &option : options)
+      if (is_meant(option))
+        names.push_back(option.name);
+    std::string words;
+    for (std::size_t k = 0; k < names.size(); ++k)
+      words += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
+    return words;
+  }
 } // namespace hybrid::scene

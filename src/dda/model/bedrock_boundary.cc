@@ -30,8 +30,7 @@ namespace hybrid::dda
                                      std::make_pair("base", BoundaryPart::base)})
       for (const auto &edge : mesh.lines.at(name))
         part_of[ordered(edge[0], edge[1])] = part;
-    const bool compliant =
-      scene.bedrock == scene::BedrockModel::triangles && scene.continuum.base.is_compliant;
+    const bool                 compliant  = scene.has_compliant_base();
     const std::string         &half_space = scene.continuum.half_space_material;
     const scene::SideBoundary &sides      = scene.continuum.sides;
 

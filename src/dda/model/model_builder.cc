@@ -2,7 +2,6 @@
 #include <hybrid/dda/contact/held_neighbours.h>
 #include <hybrid/dda/geometry/polygon.h>
 #include <hybrid/dda/linear/sweep_order.h>
-#include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/model/bedrock_boundary.h>
 #include <hybrid/dda/model/block_damping.h>
 #include <hybrid/dda/model/contact_laws.h>
@@ -104,7 +103,7 @@ namespace hybrid::dda
         }
       n_mass = static_cast<int>(outlines.size());
       regions.resize(n_mass, 0);
-      const BedrockBlocks bedrock = cut_bedrock(mesh, scene);
+      const scene::BedrockBlocks bedrock = scene::cut_bedrock(mesh, scene);
       outlines.insert(outlines.end(), bedrock.outlines.begin(), bedrock.outlines.end());
       for (const int region : bedrock.region)
         regions.push_back(static_cast<int>(mesh.block_region_names.size()) + region);
@@ -264,7 +263,7 @@ namespace hybrid::dda
         {
           // Bedding planes are soft by themselves; welds between layers are no jointed mass.
           if (joint.kind == JointKind::bedding ||
-              (joint.kind == JointKind::weld && scene.bedrock == scene::BedrockModel::layers))
+              (joint.kind == JointKind::weld && !scene.bedrock.carries_waves))
             continue;
           const double kn = joint.law.normal_stiffness(), ks = joint.law.shear_stiffness();
           const auto   add = [&](const int block, const double share) {

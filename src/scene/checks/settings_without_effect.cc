@@ -13,7 +13,7 @@ namespace hybrid::scene
     void look_at_motion(const SceneParameters &scene, std::vector<std::string> &warnings)
     {
       const MotionParameters &motion   = scene.motion;
-      const bool              can_stop = scene.has_continuum() || scene.has_bedrock_blocks();
+      const bool              can_stop = scene.bedrock.has_cells();
       if (motion.type != "none" && can_stop && !scene.continuum.base.takes_motion)
         warnings.push_back("Motion/Type = " + motion.type + " has no effect, as Continuum/Base = " +
                            scene.continuum.base.name + " does not move; set it to " +
@@ -71,7 +71,7 @@ namespace hybrid::scene
 
     void look_at_planes(const SceneParameters &scene, std::vector<std::string> &warnings)
     {
-      if (scene.bedding.names.empty() || scene.bedrock != BedrockModel::rigid)
+      if (scene.bedding.names.empty() || scene.bedrock.has_cells())
         return;
       warnings.push_back("Bedding planes/Names = " + scene.bedding.names.front() +
                          (scene.bedding.names.size() > 1 ? ", ..." : "") +

@@ -128,16 +128,18 @@ namespace hybrid::scene
 
   void check_continuum(const SceneParameters &scene, const ParameterTable &table)
   {
-    if (scene.bedding.slips && !scene.has_continuum() && !scene.has_bedrock_blocks())
+    const auto has_cells = [](const BedrockModel &bedrock) { return bedrock.has_cells(); };
+    if (scene.bedding.slips && !scene.bedrock.has_cells())
       throw table.error("Bedding planes/Strength",
-                        "Mohr-Coulomb needs a bedrock that deforms (Model/Bedrock = continuum, "
-                        "layers or triangles)");
-    if (!scene.has_continuum() && !scene.has_bedrock_blocks())
+                        "Mohr-Coulomb needs a bedrock that deforms (Model/Bedrock = " +
+                          names_in_words(bedrock_models(), has_cells) + ")");
+    if (!scene.bedrock.has_cells())
       return;
     if (scene.continuum.region_material.empty())
       throw table.error("Continuum/Materials",
-                        scene.has_bedrock_blocks() ? "a bedrock of blocks needs a material"
-                                                   : "Model/Bedrock = continuum needs a material");
+                        scene.has_bedrock_blocks()
+                          ? "a bedrock of blocks needs a material"
+                          : "Model/Bedrock = " + scene.bedrock.name + " needs a material");
     const bool dashpots = scene.continuum.base.is_compliant || scene.continuum.sides.has_dashpots();
     if (scene.continuum.boundary_springs && (!dashpots || !scene.has_continuum()))
       throw table.error("Continuum/Boundary springs",

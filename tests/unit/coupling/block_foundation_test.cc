@@ -3,7 +3,6 @@
 
 #include <hybrid/coupling/block_foundation.h>
 #include <hybrid/coupling/coupled_step.h>
-#include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/statics/static_stage.h>
 #include <hybrid/dda/step/initial_state.h>
 #include <hybrid/scene/boundary/free_field_side.h>
@@ -77,7 +76,7 @@ TEST(BlockFoundation, free_field_sides_must_be_vertical)
 /// A square of the mass on a layer: the bedrock bears its weight without moving.
 TEST(BlockFoundation, a_mass_at_rest_stays_at_rest)
 {
-  for (const std::string kind : {"layers", "triangles"})
+  for (const std::string kind : {"layers", "triangles", "cells"})
     {
       scene::SceneParameters p     = bedrock_parameters(kind);
       p.blocks.enabled             = true;
@@ -92,7 +91,7 @@ TEST(BlockFoundation, a_mass_at_rest_stays_at_rest)
       mesh.block_region_names = {"sliding_mass"};
       mesh.lines["sliding_surface"].push_back({a, a + 1});
       std::vector<Vec2> nodes;
-      for (const int node : dda::cut_bedrock(mesh, p).base)
+      for (const int node : scene::cut_bedrock(mesh, p).base)
         nodes.push_back(mesh.nodes[node]);
       const dda::Model model = dda::build_model(mesh, p, nodes);
       BlockFoundation  base(nodes, {}, p, model.boundary);

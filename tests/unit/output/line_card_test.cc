@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/line_card.h>
+#include <hybrid/scene/bedrock/layers_bedrock.h>
+#include <hybrid/scene/bedrock/rigid_bedrock.h>
 #include <hybrid/scene/boundary/fixed_base.h>
 #include <hybrid/scene/boundary/free_field_side.h>
 #include <hybrid/scene/boundary/rigid_base.h>
@@ -67,7 +69,7 @@ namespace hybrid::output
     {
       const auto             mesh = mesh_with({"base"});
       scene::SceneParameters scene;
-      scene.bedrock = scene::BedrockModel::layers;
+      scene.bedrock = scene::layers_bedrock();
       for (const auto &base : {scene::compliant_base(), scene::rigid_base()})
         {
           scene.continuum.base = base;
@@ -88,7 +90,7 @@ namespace hybrid::output
       expect_row(text, "left, right", "4 m  side: free field");
       expect_row(text, "ground", "free surface of the bedrock");
       expect_row(text, "mass_surface", "only drawn");
-      scene.bedrock = scene::BedrockModel::rigid;
+      scene.bedrock = scene::rigid_bedrock();
       text          = describe_lines(mesh, scene);
       expect_row(text, "ground", "surface of the rigid base");
       expect_row(text, "base, left, right", "not used, as the bedrock is rigid");

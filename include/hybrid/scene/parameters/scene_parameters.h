@@ -5,6 +5,7 @@
 #include <hybrid/scene/boundary/viscous_side.h>
 #include <hybrid/scene/material.h>
 #include <hybrid/scene/newmark.h>
+#include <hybrid/scene/parameters/bedrock_model.h>
 #include <hybrid/scene/parameters/checkpoint_parameters.h>
 #include <hybrid/scene/parameters/load_parameters.h>
 #include <hybrid/scene/parameters/start_parameters.h>
@@ -48,16 +49,6 @@ namespace hybrid::scene
       polygons_file; ///< CSV block,x,y: blocks as polygons instead of the mesh's; resolved path
     std::string
       surface_file; ///< CSV x,y: polyline of a rigid base instead of the mesh's; resolved path
-  };
-
-  /// What the bedrock is made of: section "Model", parameter "Bedrock".
-  enum class BedrockModel
-  {
-    continuum, ///< deal.II finite elements
-    layers,    ///< one block per layer between bedding planes; the lowest moves as prescribed
-    triangles, ///< bonded triangular blocks that carry the waves
-    rigid      ///< a rigid base with the prescribed motion (pure DDA), or nothing where there is no
-               ///< surface
   };
 
   /// Section "Continuum".
@@ -231,7 +222,7 @@ namespace hybrid::scene
     std::string                     title;
     TimeParameters                  time;
     MeshParameters                  mesh;
-    BedrockModel                    bedrock = BedrockModel::continuum;
+    BedrockModel                    bedrock = continuum_bedrock();
     ContinuumParameters             continuum;
     BeddingParameters               bedding;
     BlockParameters                 blocks;
@@ -251,13 +242,19 @@ namespace hybrid::scene
     /// The bedrock is finite elements.
     bool has_continuum() const
     {
-      return bedrock == BedrockModel::continuum;
+      return bedrock.is_elements;
     }
 
     /// The bedrock is blocks.
     bool has_bedrock_blocks() const
     {
-      return bedrock == BedrockModel::layers || bedrock == BedrockModel::triangles;
+      return bedrock.cut != nullptr;
+    }
+
+    /// Waves leave through the base.
+    bool has_compliant_base() const
+    {
+      return bedrock.carries_waves && continuum.base.is_compliant;
     }
 
     /// Any block at all: the sliding mass or the bedrock.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bedrock_section.h"
 
-#include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/model/model_builder.h>
 #include <hybrid/dda/statics/initial_bedding_tractions.h>
 #include <hybrid/dda/statics/static_stage.h>
