@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/joint/joint_law.h>
-#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,138 +7,9 @@
 
 namespace hybrid::dda
 {
-  namespace
-  {
-    double tan_deg(const double angle)
-    {
-      return std::tan(angle * M_PI / 180.);
-    }
-  } // namespace
-
-
-
-  JointStrength JointStrength::bond(const Material &material,
-                                    const double    fracture_energy,
-                                    const double    softening_slip)
-  {
-    JointStrength s;
-    s.tensile           = material.tensile_strength;
-    s.cohesion          = material.cohesion;
-    s.tan_phi           = tan_deg(material.friction_angle);
-    s.residual_cohesion = std::max(0., material.residual_cohesion);
-    s.residual_tan_phi =
-      material.residual_friction_angle < 0. ? s.tan_phi : tan_deg(material.residual_friction_angle);
-    s.fracture_energy = fracture_energy;
-    s.softening_slip  = softening_slip;
-    return s;
-  }
-
-
-
-  JointStrength JointStrength::belt(const Material &material,
-                                    const double    fracture_energy,
-                                    const double    softening_slip)
-  {
-    JointStrength s = bond(material, fracture_energy, softening_slip);
-    if (material.residual_cohesion < 0.)
-      s.residual_cohesion = s.cohesion;
-    s.opening_ends_cohesion = true;
-    return s;
-  }
-
-
-
-  JointStrength JointStrength::unlimited_bond()
-  {
-    JointStrength s = unlimited_friction();
-    s.tensile       = std::numeric_limits<double>::infinity();
-    return s;
-  }
-
-
-
-  JointStrength JointStrength::unlimited_friction()
-  {
-    JointStrength s;
-    s.cohesion = s.residual_cohesion = std::numeric_limits<double>::infinity();
-    return s;
-  }
-
-
-
-  JointStrength JointStrength::bedding_plane(const scene::BeddingParameters &bedding)
-  {
-    JointStrength s;
-    s.cohesion = bedding.cohesion;
-    s.tan_phi = s.residual_tan_phi = tan_deg(bedding.friction_angle);
-    s.tensile        = s.tan_phi > 0. ? std::min(bedding.tensile_strength, s.cohesion / s.tan_phi)
-                                      : bedding.tensile_strength;
-    s.softening_slip = std::numeric_limits<double>::infinity();
-    return s;
-  }
-
-
-
-  JointStrength JointStrength::roller()
-  {
-    JointStrength s;
-    s.tensile = std::numeric_limits<double>::infinity();
-    return s;
-  }
-
-
-
-  JointStrength JointStrength::residual(const Material &material)
-  {
-    JointStrength s = bond(material, 0., 0.);
-    s.tensile       = 0.;
-    s.cohesion      = s.residual_cohesion;
-    s.tan_phi       = s.residual_tan_phi;
-    return s;
-  }
-
-
-
-  JointStrength JointStrength::weaker_of(const JointStrength &other) const
-  {
-    JointStrength s = *this;
-    s.tan_phi = s.residual_tan_phi = std::min(residual_tan_phi, other.residual_tan_phi);
-    s.cohesion = s.residual_cohesion = std::min(residual_cohesion, other.residual_cohesion);
-    return s;
-  }
-
-
-
-  JointStrength JointStrength::broken_belt(const Material &material)
-  {
-    JointStrength s     = residual(material);
-    s.residual_cohesion = belt(material, 0., 0.).residual_cohesion;
-    s.cohesion          = s.residual_cohesion;
-    return s;
-  }
-
-
-
   double JointLaw::critical_opening() const
   {
     return strength.tensile > 0. ? 2. * strength.fracture_energy / strength.tensile : 0.;
-  }
-
-
-
-  double JointLaw::friction_at(const double softening) const
-  {
-    return strength.tan_phi +
-           (strength.residual_tan_phi - strength.tan_phi) * softened_part(softening);
-  }
-
-
-
-  double JointLaw::softened_part(const double softening) const
-  {
-    if (strength.softening_slip > 0.)
-      return std::min(softening / strength.softening_slip, 1.);
-    return softening > 0. ? 1. : 0.;
   }
 
 
@@ -215,23 +85,6 @@ namespace hybrid::dda
 
 
 
-  double JointLaw::bond_cohesion(const double softening) const
-  {
-    if (strength.cohesion == strength.residual_cohesion) // infinite, perhaps
-      return 0.;
-    return (strength.cohesion - strength.residual_cohesion) * (1. - softened_part(softening));
-  }
-
-
-
-  double JointLaw::shear_strength(const Strain &at, const double softening) const
-  {
-    const double bond = bond_cohesion(softening) * (1. - at.damage);
-    return std::max(0., bond + at.residual_cohesion + at.normal * friction_at(softening));
-  }
-
-
-
   JointResponse JointLaw::respond(const JointKinematics &kinematics,
                                   const JointHistory    &history,
                                   const JointDamping    &damping) const
@@ -297,9 +150,10 @@ namespace hybrid::dda
         if (left > 0. && widest == kinematics.gap)
           at.cohesion_by_gap = residual_cohesion / (fade.end - fade.begin);
       }
-    if (!sticks && std::abs(trial) > shear_strength(at, history.softening))
+    const PlasticSlip slip{history.softening, 0., kinematics.duration};
+    if (!sticks && std::abs(trial) > shear_strength(at, strength.after(slip)))
       {
-        slide(trial, spring, at, r);
+        slide(trial, spring, at, slip, r);
         r.history.plastic_slip = kinematics.slip + r.shear / spring - shift;
       }
     else
@@ -380,41 +234,6 @@ namespace hybrid::dda
         r.normal = -tension;
         r.k_nn   = tension < left ? k_n : 0.;
       }
-  }
-
-
-
-  void
-  JointLaw::slide(const double trial, const double spring, const Strain &at, JointResponse &r) const
-  {
-    // Strength and spring both fall linearly with the slip increment x,
-    //   |trial| - spring x = strength(kappa + x), strength piecewise linear in x.
-    const double kappa = r.history.softening;
-    const double now   = shear_strength(at, kappa);
-    const double end   = std::isfinite(strength.softening_slip)
-                           ? shear_strength(at, kappa + strength.softening_slip + 1.)
-                           : now;                          // residual
-    double       x     = (std::abs(trial) - end) / spring; // residual strength reached
-    double       slope = 0.;
-    const double left  = std::max(0., strength.softening_slip - kappa);
-    if (left > 0. && x < left)
-      {
-        slope = (now - end) / left; // fall of strength per slip
-        if (slope < spring)
-          x = std::max(0., std::min((std::abs(trial) - now) / (spring - slope), left));
-        else
-          slope = 0.; // brittle: straight to the residual
-      }
-    r.shear             = std::copysign(std::abs(trial) - spring * x, trial);
-    r.history.softening = kappa + x;
-    r.state             = ContactState::sliding;
-
-    r.shear_by_slip     = -slope * spring / (spring - slope);
-    const double by_gap = r.shear == 0.
-                            ? 0.
-                            : friction_at(r.history.softening) * r.k_nn + at.cohesion_by_gap +
-                                bond_cohesion(r.history.softening) * at.damage_by_gap;
-    r.k_tn              = std::copysign(spring / (spring - slope) * by_gap, trial);
   }
 
 

@@ -25,9 +25,11 @@ namespace hybrid::dda
     public:
       Builder(const SectionMesh       &section,
               const SceneParameters   &parameters,
-              const std::vector<Vec2> &base_nodes)
+              const std::vector<Vec2> &base_nodes,
+              const BondLaws          &chosen_laws)
         : mesh(section)
         , scene(parameters)
+        , laws(chosen_laws)
         , material(parameters)
         , damping_time(parameters.blocks.damping_ratio /
                        (M_PI * parameters.blocks.damping_frequency))
@@ -44,7 +46,7 @@ namespace hybrid::dda
         add_joints();
         correct_stiffness();
         set_loose_damping();
-        set_contact_laws(mesh, scene, materials, model);
+        set_contact_laws(mesh, scene, laws, materials, model);
         model.neighbours =
           held_neighbours({outlines.begin(), outlines.begin() + n_mass}, model.contacts.bonded);
         model.neighbours.resize(outlines.size());
@@ -70,6 +72,7 @@ namespace hybrid::dda
     private:
       const SectionMesh            &mesh;
       const SceneParameters        &scene;
+      const BondLaws               &laws;
       const BlockMaterials          material;
       const double                  damping_time;
       std::vector<std::vector<int>> outlines; ///< nodes of all blocks; mass, then bedrock
@@ -216,7 +219,7 @@ namespace hybrid::dda
     void Builder::add_joints()
     {
       const JointedBlocks blocks{outlines, materials, n_mass};
-      JointBuilder        joints(mesh, scene, blocks, model);
+      JointBuilder        joints(mesh, scene, laws, blocks, model);
       if (scene.blocks.bonded || model.n_bedrock > 0)
         joints.add_block_joints();
       joints.add_belt_joints();
@@ -313,8 +316,9 @@ namespace hybrid::dda
 
   Model build_model(const SectionMesh       &mesh,
                     const SceneParameters   &scene,
-                    const std::vector<Vec2> &base_nodes)
+                    const std::vector<Vec2> &base_nodes,
+                    const BondLaws          &laws)
   {
-    return Builder(mesh, scene, base_nodes).build();
+    return Builder(mesh, scene, base_nodes, laws).build();
   }
 } // namespace hybrid::dda
