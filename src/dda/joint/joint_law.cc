@@ -7,54 +7,6 @@
 
 namespace hybrid::dda
 {
-  double JointLaw::critical_opening() const
-  {
-    return strength.tensile > 0. ? 2. * strength.fracture_energy / strength.tensile : 0.;
-  }
-
-
-
-  double JointLaw::damage_at(const double gap) const
-  {
-    const double elastic = strength.tensile / k_n; // opening at the tensile strength
-    if (gap <= elastic)
-      return 0.;
-    const double critical = critical_opening();
-    if (gap >= critical || critical <= elastic)
-      return 1.;
-    return 1. - elastic * (critical - gap) / (gap * (critical - elastic));
-  }
-
-
-
-  double JointLaw::damage_by_gap(const double gap) const
-  {
-    const double elastic = strength.tensile / k_n, critical = critical_opening();
-    if (gap <= elastic || gap >= critical)
-      return 0.;
-    return elastic * critical / (gap * gap * (critical - elastic));
-  }
-
-
-
-  double JointLaw::largest_opening(const double damage) const
-  {
-    const double elastic  = strength.tensile / k_n;
-    const double critical = std::max(elastic, critical_opening());
-    // The linear softening branch has this damage where g = a g_c / (1 - D + a).
-    const double a = elastic / std::max(critical - elastic, 1e-300);
-    return std::min(critical, a * critical / (1. - damage + a));
-  }
-
-
-
-  double JointLaw::tensile_strength(const double damage) const
-  {
-    return damage > 0. ? (1. - damage) * k_n * largest_opening(damage) : strength.tensile;
-  }
-
-
-
   JointLaw::CohesionTaper JointLaw::cohesion_taper(const double damage,
                                                    const double residual_cohesion) const
   {
@@ -64,7 +16,7 @@ namespace hybrid::dda
     if (damage >= 1.)
       return {0., contact};
     const double elastic = strength.tensile / k_n;
-    return {elastic, std::max(critical_opening(), elastic + contact)};
+    return {elastic, std::max(tension().critical_opening(), elastic + contact)};
   }
 
 
@@ -80,7 +32,7 @@ namespace hybrid::dda
   {
     if (!strength.opening_ends_cohesion || history.damage <= 0.)
       return gap;
-    return std::max(gap, largest_opening(history.damage));
+    return std::max(gap, tension().largest_opening(history.damage));
   }
 
 
@@ -141,7 +93,7 @@ namespace hybrid::dda
     const double trial  = -spring * (kinematics.slip - history.plastic_slip - shift);
     Strain       at{r.normal, contact_part(r.history), residual_cohesion, 0., 0.};
     if (r.history.damage > history.damage && at.damage == r.history.damage)
-      at.damage_by_gap = damage_by_gap(kinematics.gap);
+      at.damage_by_gap = tension().damage_by_gap(kinematics.gap);
     const double widest = widest_opening(kinematics.gap, history);
     if (widest > fade.begin && fade.end > 0.)
       {
@@ -177,7 +129,7 @@ namespace hybrid::dda
     // While it cracks the spring alone takes all that the bond can bear.
     if (cracks)
       return;
-    const double limit = -tensile_strength(r.history.damage);
+    const double limit = -tension().tensile_strength(r.history.damage);
     if (r.elastic_normal + viscous >= limit)
       {
         r.normal += viscous;
@@ -196,7 +148,7 @@ namespace hybrid::dda
   {
     if (gap > 0.)
       {
-        const double damage = damage_at(gap);
+        const double damage = tension().damage_at(gap);
         const bool   cracks = damage > r.history.damage;
         r.history.damage    = std::max(r.history.damage, damage);
         const double secant = (1. - r.history.damage) * k_n;
@@ -204,7 +156,7 @@ namespace hybrid::dda
         if (!cracks)
           r.k_nn = secant;
         else if (damage < 1.)
-          r.k_nn = -strength.tensile / (critical_opening() - strength.tensile / k_n);
+          r.k_nn = -strength.tensile / (tension().critical_opening() - strength.tensile / k_n);
       }
     else
       {
@@ -223,7 +175,8 @@ namespace hybrid::dda
     r.history.held = 0.;
     if (release_time <= 0. || (history.held <= 0. && r.history.damage <= history.damage))
       return;
-    const double before  = history.held > 0. ? history.held : tensile_strength(history.damage);
+    const double before =
+      history.held > 0. ? history.held : tension().tensile_strength(history.damage);
     const double left    = before - strength.tensile * kinematics.duration / release_time;
     const double tension = std::min(left, k_n * kinematics.gap);
     if (left <= 0. || (kinematics.gap > 0. && tension <= -r.normal))
@@ -250,13 +203,7 @@ namespace hybrid::dda
 
   double JointLaw::fracture_loss(const JointHistory &history) const
   {
-    if (history.damage <= 0. || strength.tensile <= 0.)
-      return 0.;
-    const double elastic  = strength.tensile / k_n;
-    const double gap      = largest_opening(history.damage);
-    const double traction = (1. - history.damage) * k_n * gap;
-    return 0.5 * strength.tensile * elastic +
-           0.5 * (strength.tensile + traction) * (gap - elastic) - 0.5 * traction * gap;
+    return tension().loss(history.damage);
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <hybrid/dda/joint/joint_point.h>
 #include <hybrid/dda/joint/joint_strength.h>
+#include <hybrid/dda/joint/tension_softening.h>
 
 #include <algorithm>
 #include <limits>
@@ -124,19 +125,10 @@ namespace hybrid::dda
                           const JointDamping    &damping,
                           bool                   sticks) const;
 
-    /// Opening at which no traction is left [m]; 0 without tensile strength.
-    double critical_opening() const;
-
-    double damage_at(double gap) const;
-
-    /// Derivative of damage_at().
-    double damage_by_gap(double gap) const;
-
-    /// Opening of the softening branch at which the bond had got this damage [m].
-    double largest_opening(double damage) const;
-
-    /// Tension that a bond with this damage bears [Pa]: F_t, or what is left of it.
-    double tensile_strength(double damage) const;
+    TensionSoftening tension() const
+    {
+      return {strength.tensile, strength.fracture_energy, k_n};
+    }
 
     /// Openings between which the residual cohesion fades [m].
     struct CohesionTaper
