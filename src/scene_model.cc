@@ -73,7 +73,7 @@ namespace hybrid
       foundation = std::make_unique<coupling::RigidFoundation>(surface_of(mesh), motion);
     blocks =
       std::make_unique<dda::Model>(dda::build_model(mesh, scene, foundation->surface_nodes()));
-    blocks->initial.base_shares = foundation->surface_shares();
+    blocks->initial.foundation_shares = foundation->surface_shares();
   }
 
 
@@ -81,7 +81,7 @@ namespace hybrid
   void SceneModel::make_bedrock_blocks()
   {
     std::vector<Vec2> nodes;
-    for (const int node : scene::cut_bedrock(mesh, scene).base)
+    for (const int node : scene::cut_bedrock(mesh, scene).foundation)
       nodes.push_back(mesh.nodes[node]);
     blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, nodes));
     foundation =
@@ -93,10 +93,10 @@ namespace hybrid
   coupling::CoupledState SceneModel::initial_state() const
   {
     coupling::CoupledState state;
-    if (continuum != nullptr)
+    if (foundation != nullptr)
+      foundation->start(state);
+    else if (continuum != nullptr)
       state.continuum = continuum->initial_state();
-    else if (foundation != nullptr)
-      state.continuum = foundation->initial_state();
     if (blocks != nullptr)
       state.blocks = dda::initial_state(*blocks);
     return state;

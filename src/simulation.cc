@@ -113,7 +113,7 @@ namespace hybrid
                                  result,
                                  dt,
                                  std::chrono::duration<double>(accepted - begin).count());
-        progress.update(state.time(),
+        progress.update(state.time,
                         summary.steps - first_step,
                         summary.iterations - first_iteration);
         output_time += seconds_since(accepted);

@@ -45,7 +45,7 @@ namespace hybrid
     if (model.continuum != nullptr)
       run_report.planes(model.continuum->solve_static_state(
         state.blocks.static_force +
-          dda::water_on_surface(model.blocks->water, model.blocks->initial.base_nodes),
+          dda::water_on_surface(model.blocks->water, model.blocks->initial.foundation_nodes),
         model.scene.environment.gravity));
     stress_planes();
     return true;

@@ -27,7 +27,7 @@ namespace hybrid::continuum
     , before(rest)
     , t(rest)
     , t1(rest)
-    , rest_broken(bedding.points().size(), 0)
+    , rest_failed(bedding.points().size(), 0)
     , start(static_cast<Eigen::Index>(rest.size()))
     , change(start.size())
   {}
@@ -68,9 +68,9 @@ namespace hybrid::continuum
   {
     tractions(u, now, t);
     rest        = t;
-    rest_broken = broken;
+    rest_failed = failed;
     StaticSlip result;
-    for (std::size_t i = 0; i < broken.size(); ++i)
+    for (std::size_t i = 0; i < failed.size(); ++i)
       {
         result.slipping += solver.conditions()[i] == PlaneCondition::slipping;
         result.open += solver.conditions()[i] == PlaneCondition::open;
@@ -88,9 +88,9 @@ namespace hybrid::continuum
   {
     now    = state.jump;
     before = now;
-    broken = state.broken;
-    for (std::size_t i = 0; i < broken.size(); ++i)
-      broken[i] |= rest_broken[i];
+    failed = state.failed;
+    for (std::size_t i = 0; i < failed.size(); ++i)
+      failed[i] |= rest_failed[i];
   }
 
 
@@ -121,7 +121,7 @@ namespace hybrid::continuum
     start = found;
     if (now != state.jump)
       start.noalias() += relaxation * (p - old);
-    if (!solver.solve({relaxation, start, state.jump}, broken))
+    if (!solver.solve({relaxation, start, state.jump}, failed))
       return SlipStatus::failed;
 
     // How far the tractions are from what the strength allows; k (u - u') knows them to within the
@@ -178,12 +178,12 @@ namespace hybrid::continuum
     tractions(u1, now, t1);
     const JointStiffness &k = bedding.stiffness();
     Energy                energy;
-    for (std::size_t i = 0; i < broken.size(); ++i)
+    for (std::size_t i = 0; i < failed.size(); ++i)
       {
         const std::size_t n = 2 * i, s = n + 1;
         const double      slip = now[s] - state.jump[s], opened = now[n] - state.jump[n];
         double            loss = slip * t1[s];
-        if (broken[i] && !state.broken[i] && !rest_broken[i])
+        if (failed[i] && !state.failed[i] && !rest_failed[i])
           loss += 0.5 * (t[s] - t1[s]) * (t[s] - t1[s]) / k.shear +
                   (now[n] > 0. ? 0.5 * solver.cut_off() * solver.cut_off() / k.normal : 0.);
         const double work = 0.5 * (slip * (t[s] + t1[s]) + opened * (t[n] + t1[n]));
@@ -193,7 +193,7 @@ namespace hybrid::continuum
     for (std::size_t i = 0; i < state.path.size(); ++i)
       state.path[i] += std::abs(now[2 * i + 1] - state.jump[2 * i + 1]);
     state.jump      = now;
-    state.broken    = broken;
+    state.failed    = failed;
     state.condition = solver.conditions();
     return energy;
   }

@@ -8,8 +8,8 @@ namespace hybrid::continuum
 
   void serialize(Archive &archive, SlipState &state)
   {
-    auto &[jump, path, broken, condition] = state;
-    archive(jump, path, broken, condition);
+    auto &[jump, path, failed, condition] = state;
+    archive(jump, path, failed, condition);
   }
 
 
@@ -43,7 +43,7 @@ namespace hybrid::continuum
 
   void BeddingSlip::serialize_rest(Archive &archive)
   {
-    archive(rest, rest_broken);
+    archive(rest, rest_failed);
   }
 
 

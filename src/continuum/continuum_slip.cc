@@ -12,7 +12,7 @@ namespace hybrid::continuum
     constexpr Eigen::Index chunk = 64;
 
     /// Corrections of a step without blocks; the first is exact but for round-off.
-    constexpr int most_corrections = 20;
+    constexpr int max_corrections = 20;
   } // namespace
 
 
@@ -172,7 +172,7 @@ namespace hybrid::continuum
     m.predict(state, dt);
     m.factorisation->backward(*m.step_matrix(dt).factor, m.solution);
     SlipStatus status = m.slip == nullptr ? SlipStatus::settled : m.update_slip(state, dt);
-    for (int k = 0; k < most_corrections && status == SlipStatus::changed; ++k)
+    for (int k = 0; k < max_corrections && status == SlipStatus::changed; ++k)
       {
         m.factorisation->backward(*m.step_matrix(dt).factor, m.solution);
         status = m.update_slip(state, dt);

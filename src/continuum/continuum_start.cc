@@ -37,8 +37,9 @@ namespace hybrid::continuum
           continue;
         for (const auto &edge : edges)
           for (const int node : edge)
-            if (const double part = wave->envelope(mesh.nodes[node]); part > wave_reach.part)
-              wave_reach = {part, mesh.nodes[node]};
+            if (const double fraction = wave->envelope(mesh.nodes[node]);
+                fraction > wave_reach.fraction)
+              wave_reach = {fraction, mesh.nodes[node]};
       }
     for (const Vec2 &node : surface_positions)
       if (wave->envelope(node) > largest_at_blocks)

@@ -7,7 +7,7 @@ namespace hybrid::continuum
 {
   namespace
   {
-    constexpr int most_static_corrections = 20;
+    constexpr int max_static_corrections = 20;
 
     /// Weight of all cells on their nodes [N/m].
     std::vector<double> weight_load(const ElementNodes          &nodes,
@@ -55,7 +55,7 @@ namespace hybrid::continuum
     for (const auto *side : {&m.left_nodes, &m.right_nodes})
       for (const int node : *side)
         supported[2 * node] = 1;
-    for (const int node : m.base_nodes)
+    for (const int node : m.foundation_nodes)
       supported[2 * node] = supported[2 * node + 1] = 1;
     std::vector<int> number(m.n_dofs(), -1), dofs;
     for (std::size_t i = 0; i < m.n_dofs(); ++i)
@@ -87,7 +87,7 @@ namespace hybrid::continuum
     const Eigen::MatrixXd relaxation = m.slip_relaxation(number, system, *factor);
     m.slip->begin_rest();
     SlipStatus status = SlipStatus::changed;
-    for (int k = 0; k < most_static_corrections; ++k)
+    for (int k = 0; k < max_static_corrections; ++k)
       {
         status = m.slip->solve_rest(relaxation, m.static_displacement);
         if (status != SlipStatus::changed)

@@ -11,10 +11,10 @@ namespace hybrid::continuum
   namespace
   {
     /// Conditions that still change after so many linear solves are going round in circles.
-    constexpr int most_iterations = 30;
+    constexpr int max_iterations = 30;
 
     /// How often sweeps point by point, and how many of them, help then.
-    constexpr int most_attempts = 8, sweeps_per_attempt = 20;
+    constexpr int max_attempts = 8, sweeps_per_attempt = 20;
 
     /// Round-off of a traction over the largest one: bounds are not told apart within it.
     constexpr double round_off = 1e-11;
@@ -43,20 +43,20 @@ namespace hybrid::continuum
   }
 
 
-  void SlipSolver::guess(const Problem &problem, const std::vector<char> &broken)
+  void SlipSolver::guess(const Problem &problem, const std::vector<char> &failed)
   {
     double moved = 0.;
     for (std::size_t i = 0; i < plastic.size(); ++i)
       moved = std::max(moved, std::abs(plastic[i] - problem.old[i]));
-    const double margin = least_margin + product_round_off * stiffest * moved;
+    const double margin = min_margin + product_round_off * stiffest * moved;
     for (std::size_t i = 0; i < condition.size(); ++i)
       {
         const double sigma = t[2 * i], tau = t[2 * i + 1];
         const bool   was  = old_condition[i] == PlaneCondition::open;
         const double gap  = sigma + problem.relaxation(2 * i, 2 * i) * plastic[2 * i];
-        const bool   open = broken[i] && gap > (was ? -margin : margin);
+        const bool   open = failed[i] && gap > (was ? -margin : margin);
         const double limit =
-          open ? 0. : (broken[i] ? 0. : strength.cohesion) - strength.friction * sigma;
+          open ? 0. : (failed[i] ? 0. : strength.cohesion) - strength.friction * sigma;
         const double trial = tau + problem.relaxation(2 * i + 1, 2 * i + 1) *
                                      (plastic[2 * i + 1] - problem.old[2 * i + 1]);
         if (open || limit <= 0.)
@@ -74,7 +74,7 @@ namespace hybrid::continuum
   }
 
 
-  bool SlipSolver::solve_limits(const Problem &problem, const std::vector<char> &broken)
+  bool SlipSolver::solve_limits(const Problem &problem, const std::vector<char> &failed)
   {
     // What is not at a limit is known: closed, and no slip in this step.
     active.clear();
@@ -104,7 +104,7 @@ namespace hybrid::continuum
       {
         const int    row = active[r], i = row / 2;
         const double e        = direction[i] == no_strength ? 0. : direction[i];
-        const double cohesion = broken[i] ? 0. : strength.cohesion;
+        const double cohesion = failed[i] ? 0. : strength.cohesion;
         const double mixed    = row % 2 == 1 ? e * strength.friction : 0.;
         for (int s = 0; s < n; ++s)
           system(r, s) = g(row, active[s]) + mixed * g(2 * i, active[s]);
@@ -122,7 +122,7 @@ namespace hybrid::continuum
   }
 
 
-  void SlipSolver::sweep(const Problem &problem, const std::vector<char> &broken)
+  void SlipSolver::sweep(const Problem &problem, const std::vector<char> &failed)
   {
     const Eigen::MatrixXd &g    = problem.relaxation;
     const auto             move = [&](const std::size_t component, const double by) {
@@ -134,13 +134,13 @@ namespace hybrid::continuum
            ++repeat) // opening and slip of the point, one after the other
         {
           const std::size_t n = 2 * i, s = n + 1;
-          const double      opening = broken[i] ? std::max(0., plastic[n] + t[n] / g(n, n)) : 0.;
+          const double      opening = failed[i] ? std::max(0., plastic[n] + t[n] / g(n, n)) : 0.;
           if (opening != plastic[n])
             move(n, opening - plastic[n]);
           const double limit =
             opening > 0.
               ? 0.
-              : std::max(0., (broken[i] ? 0. : strength.cohesion) - strength.friction * t[n]);
+              : std::max(0., (failed[i] ? 0. : strength.cohesion) - strength.friction * t[n]);
           const double trial = t[s] + g(s, s) * (plastic[s] - problem.old[s]);
           const double slip  = (trial - std::clamp(trial, -limit, limit)) / g(s, s);
           if (slip != plastic[s] - problem.old[s])
@@ -149,46 +149,46 @@ namespace hybrid::continuum
   }
 
 
-  bool SlipSolver::settle(const Problem &problem, const std::vector<char> &broken)
+  bool SlipSolver::settle(const Problem &problem, const std::vector<char> &failed)
   {
-    for (int attempt = 0; attempt < most_attempts; ++attempt)
+    for (int attempt = 0; attempt < max_attempts; ++attempt)
       {
-        for (int iteration = 0; iteration < most_iterations; ++iteration)
+        for (int iteration = 0; iteration < max_iterations; ++iteration)
           {
-            guess(problem, broken);
+            guess(problem, failed);
             if (iteration > 0 && condition == old_condition && direction == old_direction)
               return true;
             old_condition = condition;
             old_direction = direction;
             ++count;
-            if (!solve_limits(problem, broken))
+            if (!solve_limits(problem, failed))
               return false;
           }
         // Newton goes round in circles: Gauss-Seidel sweeps bring it near the solution.
         for (int k = 0; k < (attempt + 1) * sweeps_per_attempt; ++k)
-          sweep(problem, broken);
+          sweep(problem, failed);
       }
     return false;
   }
 
 
-  bool SlipSolver::solve(const Problem &problem, std::vector<char> &broken)
+  bool SlipSolver::solve(const Problem &problem, std::vector<char> &failed)
   {
-    count        = 0;
-    plastic      = problem.old;
-    t            = problem.traction;
-    least_margin = round_off * t.lpNorm<Eigen::Infinity>();
-    stiffest     = problem.relaxation.diagonal().maxCoeff();
+    count      = 0;
+    plastic    = problem.old;
+    t          = problem.traction;
+    min_margin = round_off * t.lpNorm<Eigen::Infinity>();
+    stiffest   = problem.relaxation.diagonal().maxCoeff();
     std::fill(old_condition.begin(), old_condition.end(), PlaneCondition::elastic);
     std::fill(old_direction.begin(), old_direction.end(), 0);
     for (bool new_break = true; new_break;)
       {
-        if (!settle(problem, broken))
+        if (!settle(problem, failed))
           return false;
         new_break = false;
-        for (std::size_t i = 0; i < broken.size(); ++i)
-          if (!broken[i] && t[2 * i] > strength.tension)
-            broken[i] = new_break = true;
+        for (std::size_t i = 0; i < failed.size(); ++i)
+          if (!failed[i] && t[2 * i] > strength.tension)
+            failed[i] = new_break = true;
       }
     return true;
   }

@@ -11,8 +11,8 @@ namespace hybrid::continuum
   WavePacket::WavePacket(const scene::InitialWaveParameters &parameters, const double c)
     : turns(parameters.type == scene::WaveType::shear)
     , centre(parameters.centre)
-    , way(std::cos(parameters.direction * M_PI / 180.),
-          std::sin(parameters.direction * M_PI / 180.))
+    , direction(std::cos(parameters.direction * M_PI / 180.),
+                std::sin(parameters.direction * M_PI / 180.))
     , speed(c)
     , amplitude(parameters.amplitude)
     , wave_number(2. * M_PI * parameters.frequency / c)
@@ -28,7 +28,7 @@ namespace hybrid::continuum
   double WavePacket::envelope(const Vec2 &position) const
   {
     const Vec2   x = position - centre;
-    const double s = way.dot(x), t = way.x() * x.y() - way.y() * x.x();
+    const double s = direction.dot(x), t = direction.x() * x.y() - direction.y() * x.x();
     return std::exp(-0.5 * (along * s * s + across * t * t));
   }
 
@@ -36,8 +36,8 @@ namespace hybrid::continuum
 
   WavePacket::Motion WavePacket::at(const Vec2 &position) const
   {
-    const Vec2   x = position - centre, side(-way.y(), way.x());
-    const double s = way.dot(x), t = side.dot(x);
+    const Vec2   x = position - centre, side(-direction.y(), direction.x());
+    const double s = direction.dot(x), t = side.dot(x);
     // Of the potential: logarithmic derivatives, its derivatives along and across the way, and the
     // derivatives of these along it.
     const Complex ds(-along * s, wave_number), dt(-across * t, 0.);
@@ -47,7 +47,7 @@ namespace hybrid::continuum
     const double forward_rate  = ((ds * ds - along) * potential).real(),
                  sideward_rate = (ds * dt * potential).real();
     const auto motion          = [&](const double f, const double g) -> Vec2 {
-      return turns ? Vec2(f * side - g * way) : Vec2(f * way + g * side);
+      return turns ? Vec2(f * side - g * direction) : Vec2(f * direction + g * side);
     };
     return {motion(forward, sideward), -speed * motion(forward_rate, sideward_rate)};
   }

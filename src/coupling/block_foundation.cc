@@ -40,8 +40,6 @@ namespace hybrid::coupling
     if (scene.continuum.sides.has_free_field)
       for (const BoundaryPart side : {BoundaryPart::left, BoundaryPart::right})
         add_column(side, scene);
-    const continuum::ContinuumState start = initial_state();
-    u = v = a = start.displacement;
   }
 
 
@@ -59,7 +57,7 @@ namespace hybrid::coupling
       return bottom(e) < bottom(f);
     });
 
-    const int                         offset = static_cast<int>(u.size());
+    const int                         offset = static_cast<int>(at_end.displacement.size());
     continuum::FreeFieldColumn::Model column;
     for (const int e : edges)
       {
@@ -91,23 +89,22 @@ namespace hybrid::coupling
     column.rayleigh_stiffness = damping_time;
     column_offset.push_back(offset);
     columns.emplace_back(line, column);
-    u.resize(offset + 2 * columns.back().n_nodes());
+    for (std::vector<double> *values :
+         {&at_end.displacement, &at_end.velocity, &at_end.acceleration})
+      values->resize(offset + 2 * columns.back().n_nodes());
   }
 
 
 
-  continuum::ContinuumState BlockFoundation::initial_state() const
+  void BlockFoundation::start(CoupledState &state) const
   {
-    continuum::ContinuumState state;
-    state.displacement.assign(u.size(), 0.);
-    state.velocity.assign(u.size(), 0.);
-    state.acceleration.assign(u.size(), 0.);
-    return state;
+    const std::vector<double> zero(at_end.displacement.size(), 0.);
+    state.columns = {zero, zero, zero};
   }
 
 
 
-  void BlockFoundation::step_columns(const continuum::ContinuumState &state, const double dt)
+  void BlockFoundation::step_columns(const CoupledState &state, const double dt)
   {
     const double                            time = state.time + dt;
     const continuum::FreeFieldColumn::Input input{motion.upgoing_velocity(time),
@@ -115,10 +112,12 @@ namespace hybrid::coupling
     for (std::size_t c = 0; c < columns.size(); ++c)
       {
         const int o = column_offset[c];
-        columns[c].step({state.displacement.data() + o,
-                         state.velocity.data() + o,
-                         state.acceleration.data() + o},
-                        {u.data() + o, v.data() + o, a.data() + o},
+        columns[c].step({state.columns.displacement.data() + o,
+                         state.columns.velocity.data() + o,
+                         state.columns.acceleration.data() + o},
+                        {at_end.displacement.data() + o,
+                         at_end.velocity.data() + o,
+                         at_end.acceleration.data() + o},
                         dt,
                         input);
       }
@@ -158,7 +157,8 @@ namespace hybrid::coupling
         for (int i = 0; i <= line.degree(); ++i)
           {
             const int  node = side.first + 2 * i;
-            const Vec2 ui(u[node], u[node + 1]), vi(v[node], v[node + 1]);
+            const Vec2 ui(at_end.displacement[node], at_end.displacement[node + 1]),
+              vi(at_end.velocity[node], at_end.velocity[node + 1]);
             velocity += line.value(i, x) * vi;
             slope += line.derivative(i, x) / length * (ui + damping_time * vi);
           }
@@ -171,8 +171,8 @@ namespace hybrid::coupling
 
 
 
-  const dda::BaseResponse &BlockFoundation::predict(const continuum::ContinuumState &state,
-                                                    const double                     dt)
+  const dda::FoundationResponse &BlockFoundation::predict(const CoupledState &state,
+                                                          const double        dt)
   {
     step_columns(state, dt);
     response.displacement = below.predict(state, dt).displacement;
@@ -182,14 +182,11 @@ namespace hybrid::coupling
 
 
 
-  void BlockFoundation::correct(continuum::ContinuumState &state,
-                                const double               dt,
+  void BlockFoundation::correct(CoupledState &state,
+                                const double,
                                 const Eigen::VectorXd &,
                                 const continuum::SurfaceForce &)
   {
-    state.displacement = u;
-    state.velocity     = v;
-    state.acceleration = a;
-    state.time += dt;
+    state.columns = at_end;
   }
 } // namespace hybrid::coupling

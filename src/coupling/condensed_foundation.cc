@@ -3,23 +3,23 @@
 
 namespace hybrid::coupling
 {
-  const dda::BaseResponse &CondensedFoundation::predict(const continuum::ContinuumState &state,
-                                                        const double                     dt)
+  const dda::FoundationResponse &CondensedFoundation::predict(const CoupledState &state,
+                                                              const double        dt)
   {
     response.prescribed = false;
     response.stiffness  = &continuum.surface_stiffness(dt);
-    response.load       = continuum.predict(state, dt);
-    continuum.extrapolate_surface(state, dt, response.displacement);
+    response.load       = continuum.predict(state.continuum, dt);
+    continuum.extrapolate_surface(state.continuum, dt, response.displacement);
     return response;
   }
 
 
 
-  continuum::SlipStatus CondensedFoundation::solve_slip(const continuum::ContinuumState &state,
-                                                        const double                     dt,
+  continuum::SlipStatus CondensedFoundation::solve_slip(const CoupledState    &state,
+                                                        const double           dt,
                                                         const Eigen::VectorXd &displacement)
   {
-    const auto status = continuum.solve_slip(state, dt, displacement);
+    const auto status = continuum.solve_slip(state.continuum, dt, displacement);
     if (status == continuum::SlipStatus::changed)
       {
         response.load         = continuum.surface_load();

@@ -6,7 +6,8 @@ namespace hybrid::coupling
 {
   void serialize(restart::Archive &archive, CoupledState &state)
   {
-    auto &[blocks, continuum] = state;
-    archive(blocks, continuum);
+    auto &[time, blocks, continuum, columns]     = state;
+    auto &[displacement, velocity, acceleration] = columns;
+    archive(time, blocks, continuum, displacement, velocity, acceleration);
   }
 } // namespace hybrid::coupling

@@ -10,7 +10,7 @@ namespace hybrid::coupling
   namespace
   {
     /// Solutions of the blocks with new slip of bedding planes, before the step is cut.
-    constexpr int most_slip_rounds = 30;
+    constexpr int max_slip_rounds = 30;
 
     /// Adds the time of a scope to a sum.
     class Stopwatch
@@ -46,10 +46,10 @@ namespace hybrid::coupling
 
 
 
-  void CoupledStep::solve_blocks(CoupledState            &state,
-                                 const dda::BaseResponse &response,
-                                 const double             dt,
-                                 dda::StepResult         &result)
+  void CoupledStep::solve_blocks(CoupledState                  &state,
+                                 const dda::FoundationResponse &response,
+                                 const double                   dt,
+                                 dda::StepResult               &result)
   {
     const Stopwatch       watch(elapsed.blocks);
     const dda::StepResult found      = blocks->solve(state.blocks, response, dt);
@@ -70,15 +70,15 @@ namespace hybrid::coupling
       {
         const Stopwatch watch(elapsed.continuum);
         result.converged = continuum == nullptr || continuum->step(state.continuum, dt);
-        if (continuum == nullptr)
-          state.continuum.time += dt;
+        if (result.converged)
+          state.time += dt;
         return result;
       }
 
-    const dda::BaseResponse *response = nullptr;
+    const dda::FoundationResponse *response = nullptr;
     {
       const Stopwatch watch(elapsed.continuum);
-      response = &foundation->predict(state.continuum, dt);
+      response = &foundation->predict(state, dt);
     }
     auto slip = continuum::SlipStatus::changed;
     for (int round = 0; slip == continuum::SlipStatus::changed; ++round)
@@ -88,9 +88,8 @@ namespace hybrid::coupling
         if (!result.converged)
           return result;
         const Stopwatch watch(elapsed.continuum);
-        slip =
-          foundation->solve_slip(state.continuum, dt, blocks->solved_step().base_displacement());
-        if (slip == continuum::SlipStatus::failed || round == most_slip_rounds)
+        slip = foundation->solve_slip(state, dt, blocks->solved_step().foundation_displacement());
+        if (slip == continuum::SlipStatus::failed || round == max_slip_rounds)
           {
             result.converged = false;
             return result;
@@ -102,12 +101,14 @@ namespace hybrid::coupling
     }
     const Stopwatch                watch(elapsed.continuum);
     const dda::OpenCloseIteration &solved = blocks->solved_step();
-    foundation->correct(state.continuum,
+    foundation->correct(state,
                         dt,
-                        solved.base_displacement(),
-                        {solved.base_force_increment(),
-                         solved.base_contact_increment(),
-                         state.blocks.base_contact_force - state.blocks.static_contact_force});
+                        solved.foundation_displacement(),
+                        {solved.foundation_force_increment(),
+                         solved.foundation_contact_increment(),
+                         state.blocks.foundation_contact_force -
+                           state.blocks.static_contact_force});
+    state.time += dt;
     return result;
   }
 

@@ -14,8 +14,8 @@ namespace hybrid::coupling
 
 
 
-  const dda::BaseResponse &RigidFoundation::predict(const continuum::ContinuumState &state,
-                                                    const double                     dt)
+  const dda::FoundationResponse &RigidFoundation::predict(const CoupledState &state,
+                                                          const double        dt)
   {
     if (!motion.empty())
       {
@@ -33,13 +33,4 @@ namespace hybrid::coupling
     return {motion.outcrop_velocity(time), motion.outcrop_acceleration(time)};
   }
 
-
-
-  void RigidFoundation::correct(continuum::ContinuumState &state,
-                                const double               dt,
-                                const Eigen::VectorXd &,
-                                const continuum::SurfaceForce &)
-  {
-    state.time += dt;
-  }
 } // namespace hybrid::coupling

@@ -76,11 +76,11 @@ namespace hybrid::output
   }
 
 
-  std::string wave_warning(const double part, const Vec2 &where)
+  std::string wave_warning(const double fraction, const Vec2 &where)
   {
-    if (part < 0.01)
+    if (fraction < 0.01)
       return "";
-    return "the initial wave is on the boundary at t = 0 already, with " + number(100. * part) +
+    return "the initial wave is on the boundary at t = 0 already, with " + number(100. * fraction) +
            " % of its amplitude at (" + number(where.x()) + ", " + number(where.y()) +
            ") m: there it does not begin as a wave that arrives; a centre farther away, or a smaller "
            "Length or Width of the packet, would do";
@@ -207,11 +207,11 @@ namespace hybrid::output
   std::string pictures_warning(const scene::OutputParameters &output,
                                const scene::TimeParameters   &time)
   {
-    constexpr double most = 3000.;
+    constexpr double max_count = 3000.;
     if (!(output.picture_interval > 0.))
       return "";
     const double count = time.end_time / std::max(output.picture_interval, time.time_step);
-    if (!(count > most))
+    if (!(count > max_count))
       return "";
     return "Output/Picture interval = " + number(output.picture_interval) + " s makes " +
            number(std::floor(count)) + " pictures of each part; " +

@@ -100,7 +100,7 @@ namespace hybrid::output
   {
     if (planes.empty())
       return;
-    const double t = state.time();
+    const double t = state.time;
     file.append(time, &t);
     for (std::size_t k = 0; k < planes.size(); ++k)
       {

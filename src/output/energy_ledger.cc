@@ -13,8 +13,8 @@ namespace hybrid::output
 
     /// Energies below which nothing is said of their balance: what forces that balance to 1e-8 do
     /// on ways of micrometres, and the round-off of what is held at the start.
-    constexpr double least_in_play = 1e-3; ///< [J/m]
-    constexpr double part_of_held  = 1e-6; ///< [-]
+    constexpr double min_in_play      = 1e-3; ///< [J/m]
+    constexpr double fraction_of_held = 1e-6; ///< [-]
 
 
 
@@ -61,7 +61,7 @@ namespace hybrid::output
         terms.push_back({"edge_load_work", -b.edge_load_work});
       if (!has_continuum)
         {
-          terms.push_back({"base_work", -b.base_work});
+          terms.push_back({"base_work", -b.foundation_work});
           if (effects.blocks)
             terms.insert(terms.end(),
                          {{"bedrock_static_stress", b.static_work},
@@ -72,8 +72,8 @@ namespace hybrid::output
           return terms;
         }
       const double prestress =
-        state.blocks.static_force.size() == state.blocks.base_displacement.size()
-          ? state.blocks.static_force.dot(state.blocks.base_displacement)
+        state.blocks.static_force.size() == state.blocks.foundation_displacement.size()
+          ? state.blocks.static_force.dot(state.blocks.foundation_displacement)
           : 0.;
       terms.insert(terms.end(),
                    {{"bedrock_kinetic", c.kinetic},
@@ -119,7 +119,7 @@ namespace hybrid::output
             if (is_kinetic(term.name))
               moving += term.value; // what moves at the start is in play from then on
           }
-        in_play = std::max({least_in_play, part_of_held * held, moving});
+        in_play = std::max({min_in_play, fraction_of_held * held, moving});
         terms.assign(now.size(), 0.);
       }
     before        = terms;

@@ -41,9 +41,9 @@ namespace hybrid::output
 
 
 
-  bool EnergyWatch::passes(const EnergyLedger &ledger, const double part)
+  bool EnergyWatch::passes(const EnergyLedger &ledger, const double fraction)
   {
-    return part > 0. && ledger.residual() > part;
+    return fraction > 0. && ledger.residual() > fraction;
   }
 
 
@@ -67,9 +67,9 @@ namespace hybrid::output
 
   std::string EnergyWatch::of_scheme(const EnergyLedger &ledger) const
   {
-    if (!(warning > 0.) || ledger.scheme_part() <= warning)
+    if (!(warning > 0.) || ledger.scheme_fraction() <= warning)
       return "";
-    return "the time integration took " + number(100. * ledger.scheme_part()) + " % of the " +
+    return "the time integration took " + number(100. * ledger.scheme_fraction()) + " % of the " +
            number(ledger.exchanged()) + " J/m in play (" + list(ledger.scheme_terms()) +
            "): this part depends on Time/Time step, compare with half the step";
   }

@@ -68,13 +68,14 @@ namespace hybrid::output
 
   void write_water(HistoryFile &file, const dda::Model &model)
   {
-    if (model.water.action != dda::Water::Action::pressures || model.n_base_nodes() == 0)
+    if (model.water.action != dda::Water::Action::pressures || model.n_foundation_nodes() == 0)
       return;
-    const Eigen::VectorXd force = dda::water_on_surface(model.water, model.initial.base_nodes);
+    const Eigen::VectorXd force =
+      dda::water_on_surface(model.water, model.initial.foundation_nodes);
     file.write_table("interface/water_force",
                      "N/m",
                      force.data(),
-                     model.initial.base_nodes.size(),
+                     model.initial.foundation_nodes.size(),
                      2,
                      "of the water on each node, to be added for the total");
   }

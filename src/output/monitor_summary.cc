@@ -127,9 +127,9 @@ namespace hybrid::output
       return summary;
 
     std::vector<double> relative = displacement;
-    if (!reference.base_displacement.empty())
+    if (!reference.foundation_displacement.empty())
       for (std::size_t i = 0; i < relative.size(); ++i)
-        relative[i] -= reference.base_displacement[i];
+        relative[i] -= reference.foundation_displacement[i];
 
     summary.peak_displacement  = filtered_peak(relative, n);
     summary.peak_velocity      = filtered_peak(velocity, n);

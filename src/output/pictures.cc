@@ -105,7 +105,7 @@ namespace hybrid::output
           factor.push_back(block.modulus_factor);
         writer.add_cell_field("modulus factor", std::move(factor));
       }
-    block_series->add(state.time(), writer);
+    block_series->add(state.time, writer);
   }
 
 
@@ -155,7 +155,7 @@ namespace hybrid::output
           factor.push_back(joint.strength_factor);
         writer.add_cell_field("strength factor", std::move(factor));
       }
-    joint_series->add(state.time(), writer);
+    joint_series->add(state.time, writer);
   }
 
 
@@ -191,6 +191,6 @@ namespace hybrid::output
                             triples(picture.static_stress));
     writer.add_cell_field("region",
                           std::vector<double>(picture.region.begin(), picture.region.end()));
-    continuum_series->add(state.time(), writer);
+    continuum_series->add(state.time, writer);
   }
 } // namespace hybrid::output

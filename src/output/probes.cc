@@ -33,7 +33,7 @@ namespace hybrid::output
       if (blocks != nullptr)
         {
           add(blocks->initial.vertices);
-          add(blocks->initial.base_nodes);
+          add(blocks->initial.foundation_nodes);
         }
       if (bedrock != nullptr)
         add(bedrock->node_positions());
@@ -104,15 +104,15 @@ namespace hybrid::output
     probe.block            = block;
     // The three vertices that span most with the first; a block stays an affine image of itself.
     const int first = g.offset[block], end = g.offset[block + 1];
-    double    most = 0.;
+    double    max_area = 0.;
     for (int v = first + 1; v < end; ++v)
       for (int w = v + 1; w < end; ++w)
         {
           const double area =
             cross(g.vertices[v] - g.vertices[first], g.vertices[w] - g.vertices[first]);
-          if (std::abs(area) <= most)
+          if (std::abs(area) <= max_area)
             continue;
-          most              = std::abs(area);
+          max_area          = std::abs(area);
           probe.vertices[0] = first;
           probe.vertices[1] = v;
           probe.vertices[2] = w;
@@ -129,9 +129,9 @@ namespace hybrid::output
 
   double Probes::height_above_base(const Vec2 &x) const
   {
-    if (continuum != nullptr || model == nullptr || model->n_base_nodes() == 0)
+    if (continuum != nullptr || model == nullptr || model->n_foundation_nodes() == 0)
       return infinity;
-    const std::vector<Vec2> &nodes = model->initial.base_nodes;
+    const std::vector<Vec2> &nodes = model->initial.foundation_nodes;
     // Beside the base it goes on level.
     const Vec2 *left = &nodes.front(), *right = &nodes.front();
     for (const Vec2 &node : nodes)
@@ -145,8 +145,8 @@ namespace hybrid::output
         const Vec2 &a = nodes[k], &b = nodes[k + 1];
         if (x.x() < std::min(a.x(), b.x()) || x.x() > std::max(a.x(), b.x()))
           continue;
-        const double part = b.x() != a.x() ? (x.x() - a.x()) / (b.x() - a.x()) : 1.;
-        surface           = std::max(surface, a.y() + part * (b.y() - a.y()));
+        const double fraction = b.x() != a.x() ? (x.x() - a.x()) / (b.x() - a.x()) : 1.;
+        surface               = std::max(surface, a.y() + fraction * (b.y() - a.y()));
       }
     return x.y() - surface;
   }
@@ -241,15 +241,14 @@ namespace hybrid::output
         motion.velocity           = {gx.dot(block.velocity), gy.dot(block.velocity)};
         motion.acceleration       = {gx.dot(block.acceleration), gy.dot(block.acceleration)};
       }
-    else if (state.blocks.base_displacement.size() > 0)
+    else if (state.blocks.foundation_displacement.size() > 0)
       {
-        motion.displacement = state.blocks.base_displacement.head<2>();
+        motion.displacement = state.blocks.foundation_displacement.head<2>();
         if (foundation != nullptr)
           {
-            const coupling::PrescribedMotion prescribed =
-              foundation->prescribed_motion(state.time());
-            motion.velocity     = prescribed.velocity;
-            motion.acceleration = prescribed.acceleration;
+            const coupling::PrescribedMotion prescribed = foundation->prescribed_motion(state.time);
+            motion.velocity                             = prescribed.velocity;
+            motion.acceleration                         = prescribed.acceleration;
           }
       }
     return motion;

@@ -66,10 +66,10 @@ namespace hybrid::output
       energy_series.push_back(
         file.add_series("energy/" + name, "J/m", 1, "since the static state"));
 
-    if (parts.blocks == nullptr || parts.blocks->n_base_nodes() == 0)
+    if (parts.blocks == nullptr || parts.blocks->n_foundation_nodes() == 0)
       return;
     std::vector<double> position;
-    for (const Vec2 &node : parts.blocks->initial.base_nodes)
+    for (const Vec2 &node : parts.blocks->initial.foundation_nodes)
       position.insert(position.end(), {node.x(), node.y()});
     const std::size_t nodes = position.size() / 2;
     file.write_table(
@@ -116,8 +116,9 @@ namespace hybrid::output
         std::vector<double> depth;
         for (int k = 0; k < hole.samples; ++k)
           {
-            const double part = hole.samples > 1 ? static_cast<double>(k) / (hole.samples - 1) : 0.;
-            const Vec2   x    = hole.top + part * (hole.bottom - hole.top);
+            const double fraction =
+              hole.samples > 1 ? static_cast<double>(k) / (hole.samples - 1) : 0.;
+            const Vec2 x = hole.top + fraction * (hole.bottom - hole.top);
             profile.probes.push_back(probes.add(x, hole.name + " sample " + std::to_string(k)));
             depth.push_back(hole.top.y() - x.y());
           }
@@ -166,7 +167,7 @@ namespace hybrid::output
 
 
 
-  Vec2 RunRecorder::base_displacement() const
+  Vec2 RunRecorder::foundation_displacement() const
   {
     if (base_monitor < 0 || monitors[base_monitor].histories[0].empty())
       return Vec2::Zero();
@@ -178,9 +179,9 @@ namespace hybrid::output
 
   void RunRecorder::record_motion(const coupling::CoupledState &state)
   {
-    const Vec2 input[3] = {parts.motion.outcrop_acceleration(state.time()),
-                           parts.motion.outcrop_velocity(state.time()),
-                           parts.motion.outcrop_displacement(state.time())};
+    const Vec2 input[3] = {parts.motion.outcrop_acceleration(state.time),
+                           parts.motion.outcrop_velocity(state.time),
+                           parts.motion.outcrop_displacement(state.time)};
     for (int k = 0; k < 3; ++k)
       file.append(input_series[k], input[k].data());
     input_acceleration.insert(input_acceleration.end(), {input[0].x(), input[0].y()});
@@ -195,7 +196,7 @@ namespace hybrid::output
             monitor.histories[k].insert(monitor.histories[k].end(), {pair[k].x(), pair[k].y()});
           }
       }
-    const Vec2 base = base_displacement();
+    const Vec2 base = foundation_displacement();
     for (Profile &profile : profiles)
       {
         for (std::size_t k = 0; k < profile.probes.size(); ++k)
@@ -216,7 +217,7 @@ namespace hybrid::output
                                                   ? parts.continuum->audit_energy(state.continuum)
                                                   : continuum::ContinuumEnergy();
     const std::vector<double>       &terms    = ledger.update(state, bedrock);
-    const double                     residual = ledger.residual(), now = state.time();
+    const double                     residual = ledger.residual(), now = state.time;
     file.append(energy_time, &now);
     file.append(energy_residual, &residual);
     for (std::size_t k = 0; k < terms.size(); ++k)
@@ -229,13 +230,13 @@ namespace hybrid::output
 
   void RunRecorder::record_picture(const coupling::CoupledState &state)
   {
-    const double now = last_picture = state.time();
+    const double now = last_picture = state.time;
     pictures.add(state);
     slip.record_profile(state.blocks, now, file);
     if (interface_time < 0)
       return;
     file.append(interface_time, &now);
-    file.append(interface_force, state.blocks.base_force.data());
+    file.append(interface_force, state.blocks.foundation_force.data());
   }
 
 
@@ -244,7 +245,7 @@ namespace hybrid::output
   {
     if (interface_sum < 0)
       return;
-    const Eigen::VectorXd &force = state.blocks.base_force;
+    const Eigen::VectorXd &force = state.blocks.foundation_force;
     Vec2                   sum   = Vec2::Zero();
     for (Eigen::Index k = 0; k + 1 < force.size(); k += 2)
       sum += Vec2(force[k], force[k + 1]);
@@ -255,7 +256,7 @@ namespace hybrid::output
 
   void RunRecorder::update_peaks(const coupling::CoupledState &state)
   {
-    const Vec2 base = base_displacement();
+    const Vec2 base = foundation_displacement();
     for (std::size_t b = 0; b < peak_displacement.size(); ++b)
       peak_displacement[b] =
         std::max(peak_displacement[b],
@@ -270,7 +271,7 @@ namespace hybrid::output
                                 const double                  wall_time)
   {
     const double iterations = step.iterations, solver_iterations = step.solver_iterations;
-    const double now = state.time();
+    const double now = state.time;
     times.push_back(now);
     file.append(time_series, &now);
     file.append(step_series[0], &dt);
@@ -306,9 +307,9 @@ namespace hybrid::output
   void RunRecorder::flush_if_due()
   {
     // A flush copies the whole file: the longer that takes, the rarer it is done.
-    constexpr double largest_part = 0.02; // of the wall time
+    constexpr double max_fraction = 0.02; // of the wall time
     const auto       now          = std::chrono::steady_clock::now();
-    const double interval = std::max(parts.scene.output.flush_interval, flush_cost / largest_part);
+    const double interval = std::max(parts.scene.output.flush_interval, flush_cost / max_fraction);
     if (std::chrono::duration<double>(now - last_flush).count() <= interval)
       return;
     file.flush();
@@ -345,7 +346,7 @@ namespace hybrid::output
       }
     if (parts.blocks == nullptr)
       return;
-    const Vec2           base = base_displacement();
+    const Vec2           base = foundation_displacement();
     const dda::Geometry &g    = parts.blocks->initial;
     std::vector<double>  offsets(g.offset.begin(), g.offset.end()), points, final_points,
       displacement;
@@ -411,9 +412,9 @@ namespace hybrid::output
 
   void RunRecorder::finish(const coupling::CoupledState &state, Summary &summary)
   {
-    if (last_audit != state.time())
+    if (last_audit != state.time)
       record_energy(state);
-    if (last_picture != state.time())
+    if (last_picture != state.time)
       record_picture(state);
     write_section(state);
     if (parts.blocks != nullptr)
@@ -447,7 +448,7 @@ namespace hybrid::output
     reference.outcrop_acceleration =
       parts.motion.empty() ? std::vector<double>{} : input_acceleration;
     if (base_monitor >= 0)
-      reference.base_displacement = monitors[base_monitor].histories[0];
+      reference.foundation_displacement = monitors[base_monitor].histories[0];
     reference.filter_frequency   = parts.scene.monitors.filter_frequency;
     reference.first_failure_time = summary.first_failure_time;
     const MonitorSummarizer summarizer(reference);

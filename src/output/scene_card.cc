@@ -421,7 +421,7 @@ namespace hybrid::output
     if (continuum != nullptr)
       {
         const auto reach = continuum->wave_at_boundary();
-        warn(wave_warning(reach.part, reach.where), card);
+        warn(wave_warning(reach.fraction, reach.where), card);
       }
     if (blocks != nullptr)
       {

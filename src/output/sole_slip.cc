@@ -48,24 +48,25 @@ namespace hybrid::output
 
     /// The ground that a point of a sole lies on; Ground::first is negative where there is none.
     SoleGround
-    ground_below(const std::vector<Edge> &ground, const Edge &sole, const double part_of_sole)
+    ground_below(const std::vector<Edge> &ground, const Edge &sole, const double fraction_of_sole)
     {
-      const Vec2 point     = (1. - part_of_sole) * sole.a + part_of_sole * sole.b,
+      const Vec2 point     = (1. - fraction_of_sole) * sole.a + fraction_of_sole * sole.b,
                  along     = sole.b - sole.a;
       const double length  = along.norm();
       double       nearest = near * length;
       SoleGround   below;
       for (const Edge &other : ground)
         {
-          const Vec2   way   = other.b - other.a;
-          const double width = way.norm(), part = (point - other.a).dot(way) / (width * width);
-          if (part < 0. || part > 1. || along.dot(way) > -parallel * length * width)
+          const Vec2   edge     = other.b - other.a;
+          const double width    = edge.norm(),
+                       fraction = (point - other.a).dot(edge) / (width * width);
+          if (fraction < 0. || fraction > 1. || along.dot(edge) > -parallel * length * width)
             continue;
-          const double distance = std::abs(cross(way, point - other.a)) / width;
+          const double distance = std::abs(cross(edge, point - other.a)) / width;
           if (distance >= nearest)
             continue;
           nearest = distance;
-          below   = {other.base, other.first, other.second, part};
+          below   = {other.base, other.first, other.second, fraction};
         }
       return below;
     }
@@ -78,9 +79,12 @@ namespace hybrid::output
       std::vector<Edge> ground;
       if (model.n_bedrock > 0)
         ground = outer_edges(model.initial, model.n_mass(), model.n_blocks());
-      for (int k = 0; k + 1 < model.n_base_nodes(); ++k) // left to right: the ground is below
-        ground.push_back(
-          {k + 1, k, model.initial.base_nodes[k + 1], model.initial.base_nodes[k], true});
+      for (int k = 0; k + 1 < model.n_foundation_nodes(); ++k) // left to right: the ground is below
+        ground.push_back({k + 1,
+                          k,
+                          model.initial.foundation_nodes[k + 1],
+                          model.initial.foundation_nodes[k],
+                          true});
       return ground;
     }
   } // namespace
@@ -100,14 +104,14 @@ namespace hybrid::output
   {
     const std::vector<Edge> ground = ground_of(model);
     for (const Edge &edge : outer_edges(model.initial, 0, model.n_mass()))
-      for (const double part : {0.5, 0.25, 0.75, 0.02, 0.98})
-        if (const SoleGround below = ground_below(ground, edge, part); below.first >= 0)
+      for (const double fraction : {0.5, 0.25, 0.75, 0.02, 0.98})
+        if (const SoleGround below = ground_below(ground, edge, fraction); below.first >= 0)
           {
             soles.push_back({edge.first,
                              edge.second,
-                             part,
+                             fraction,
                              below,
-                             (1. - part) * edge.a + part * edge.b,
+                             (1. - fraction) * edge.a + fraction * edge.b,
                              (edge.b - edge.a).norm()});
             break;
           }
@@ -119,11 +123,12 @@ namespace hybrid::output
   {
     const std::vector<Vec2> &v = state.geometry.vertices;
     const SoleGround        &g = sole.ground;
-    const Vec2               x = (1. - sole.part) * v[sole.first] + sole.part * v[sole.second];
+    const Vec2 x = (1. - sole.fraction) * v[sole.first] + sole.fraction * v[sole.second];
     if (!g.base)
-      return x - (1. - g.part) * v[g.first] - g.part * v[g.second];
-    const auto &u = state.base_displacement;
-    return x - (1. - g.part) * u.segment<2>(2 * g.first) - g.part * u.segment<2>(2 * g.second);
+      return x - (1. - g.fraction) * v[g.first] - g.fraction * v[g.second];
+    const auto &u = state.foundation_displacement;
+    return x - (1. - g.fraction) * u.segment<2>(2 * g.first) -
+           g.fraction * u.segment<2>(2 * g.second);
   }
 
 

@@ -86,7 +86,7 @@ namespace hybrid::test
           scene::SceneParameters scene          = block_parameters(30., 50e9);
           scene.time.newmark                    = Newmark::preset(preset);
           scene.time.maximum_displacement_ratio = 0.01;
-          FixedBaseRun run(square_blocks(1, 1), scene, straight_base(0., 5., 6.));
+          FixedBaseRun run(square_blocks(1, 1), scene, straight_foundation(0., 5., 6.));
           run.state.blocks[0].velocity[1] = -50.;
           start_energy(run);
           const double before = held(run.state.energy);
@@ -107,7 +107,7 @@ namespace hybrid::test
 
   TEST(BlockStability, column_of_50_blocks_stands)
   {
-    FixedBaseRun run(square_blocks(1, 50), block_parameters(30.), straight_base(0., 5., 6.));
+    FixedBaseRun run(square_blocks(1, 50), block_parameters(30.), straight_foundation(0., 5., 6.));
     const dda::StaticResult settled = dda::settle(run.model, run.state);
     ASSERT_TRUE(settled.equilibrium);
     const auto start = run.state.blocks;
@@ -124,7 +124,7 @@ namespace hybrid::test
       {
         scene::SceneParameters scene = block_parameters(30.);
         scene.blocks.penalty_ratio *= factor;
-        FixedBaseRun run(square_blocks(2, 2), scene, straight_base(0., 5., 7.));
+        FixedBaseRun run(square_blocks(2, 2), scene, straight_foundation(0., 5., 7.));
         for (auto &block : run.state.blocks)
           block.velocity[1] = -1.;
         start_energy(run);
@@ -147,7 +147,7 @@ namespace hybrid::test
     rock.tensile_strength        = 1.;
     scene.blocks.fracture_energy = 0.;
     scene.blocks.softening_slip  = 0.;
-    FixedBaseRun run(triangle_blocks(4, 8, 1.), scene, straight_base(0., 40., 44.));
+    FixedBaseRun run(triangle_blocks(4, 8, 1.), scene, straight_foundation(0., 40., 44.));
     start_energy(run);
     const double before = run.state.energy.balance();
     ASSERT_TRUE(run.run(1., 1e-3));
@@ -177,7 +177,7 @@ namespace hybrid::test
     mesh.blocks             = {{0, 1, 2}};
     mesh.block_region       = {0};
     mesh.block_region_names = {"sliding_mass"};
-    FixedBaseRun run(mesh, block_parameters(30.), straight_base(0., 5., 7.));
+    FixedBaseRun run(mesh, block_parameters(30.), straight_foundation(0., 5., 7.));
     ASSERT_TRUE(run.run(0.5, 1e-3));
     EXPECT_LT(deepest(run.state), 0.01 * 2.);
     EXPECT_LT(fastest(run.state), 1.1);

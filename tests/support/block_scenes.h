@@ -56,10 +56,12 @@ namespace hybrid::test
 
 
 
-  /// A straight base through the origin at the angle [rad], from -before to +after along it, in
-  /// pieces.
-  inline std::vector<Vec2>
-  straight_base(const double angle, const double before, const double after, const int pieces = 1)
+  /// A straight foundation through the origin at the angle [rad], from -before to +after along it,
+  /// in pieces.
+  inline std::vector<Vec2> straight_foundation(const double angle,
+                                               const double before,
+                                               const double after,
+                                               const int    pieces = 1)
   {
     std::vector<Vec2> nodes;
     for (int k = 0; k <= pieces; ++k)
@@ -70,19 +72,19 @@ namespace hybrid::test
 
 
 
-  /// A block scene on a fixed base that steps at constant dt, halving where the iteration asks for
-  /// it.
+  /// A block scene on a fixed foundation that steps at constant dt, halving where the iteration
+  /// asks for it.
   class FixedBaseRun
   {
   public:
     FixedBaseRun(const scene::SectionMesh     &mesh,
                  const scene::SceneParameters &scene,
-                 const std::vector<Vec2>      &base_nodes)
-      : model(dda::build_model(mesh, scene, base_nodes))
+                 const std::vector<Vec2>      &foundation_nodes)
+      : model(dda::build_model(mesh, scene, foundation_nodes))
       , state(dda::initial_state(model))
       , solver(model)
     {
-      base.displacement = state.base_displacement;
+      foundation.displacement = state.foundation_displacement;
     }
 
     /// Advance to the end time. @return false if a step of dt / 2^10 did not converge.
@@ -97,7 +99,7 @@ namespace hybrid::test
     /// One step of dt, in two halves where it does not converge.
     bool advance(const double dt, const int halvings)
     {
-      const dda::StepResult result = solver.solve(state, base, dt);
+      const dda::StepResult result = solver.solve(state, foundation, dt);
       iterations += result.iterations;
       solver_iterations += result.solver_iterations;
       if (result.converged)
@@ -110,10 +112,10 @@ namespace hybrid::test
       return halvings > 0 && advance(0.5 * dt, halvings - 1) && advance(0.5 * dt, halvings - 1);
     }
 
-    dda::Model        model;
-    dda::DdaState     state;
-    dda::BlockSolver  solver;
-    dda::BaseResponse base;
-    int               steps = 0, iterations = 0, solver_iterations = 0, cuts = 0;
+    dda::Model              model;
+    dda::DdaState           state;
+    dda::BlockSolver        solver;
+    dda::FoundationResponse foundation;
+    int                     steps = 0, iterations = 0, solver_iterations = 0, cuts = 0;
   };
 } // namespace hybrid::test

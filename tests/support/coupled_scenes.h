@@ -32,10 +32,10 @@ namespace hybrid::test
    * other free. The rock's sides are held by stiff springs on its surface unknowns; the blocks'
    * sides by joints (add_wall_joints()) to nodes that do not move.
    */
-  class WalledBase final : public coupling::Foundation
+  class WalledFoundation final : public coupling::Foundation
   {
   public:
-    WalledBase(continuum::Continuum &rock, const Section &layout, const Wave kind)
+    WalledFoundation(continuum::Continuum &rock, const Section &layout, const Wave kind)
       : condensed(rock)
       , wave(kind)
       , n_wall(layout.mass_rows + 1)
@@ -59,12 +59,12 @@ namespace hybrid::test
       return nodes;
     }
 
-    const dda::BaseResponse &predict(const continuum::ContinuumState &state,
-                                     const double                     dt) override
+    const dda::FoundationResponse &predict(const coupling::CoupledState &state,
+                                           const double                  dt) override
     {
-      const dda::BaseResponse &inner = condensed.predict(state, dt);
-      const Eigen::Index       n = inner.load.size(), o = 2 * n_wall;
-      Eigen::MatrixXd         &s = stiffness[dt];
+      const dda::FoundationResponse &inner = condensed.predict(state, dt);
+      const Eigen::Index             n = inner.load.size(), o = 2 * n_wall;
+      Eigen::MatrixXd               &s = stiffness[dt];
       if (s.size() == 0)
         {
           const double rigid  = 1e6 * inner.stiffness->diagonal().maxCoeff();
@@ -83,7 +83,7 @@ namespace hybrid::test
       return response;
     }
 
-    void correct(continuum::ContinuumState     &state,
+    void correct(coupling::CoupledState        &state,
                  const double                   dt,
                  const Eigen::VectorXd         &displacement,
                  const continuum::SurfaceForce &force) override
@@ -115,7 +115,7 @@ namespace hybrid::test
           const int    row = static_cast<int>(std::round(a.y() / h));
           const int first = left ? n_wall - 1 - row : static_cast<int>(nodes.size()) - n_wall + row;
           model.joints.push_back(
-            {g.block_of[v], v, dda::base_body, h, {{0., first}, {1., first + 1}}, law});
+            {g.block_of[v], v, dda::foundation_body, h, {{0., first}, {1., first + 1}}, law});
         }
     }
 
@@ -127,7 +127,7 @@ namespace hybrid::test
     std::vector<int>                  held;  ///< unknowns of the rock's sides
     Eigen::Index                      size;
     std::map<double, Eigen::MatrixXd> stiffness;
-    dda::BaseResponse                 response;
+    dda::FoundationResponse           response;
   };
 
 
@@ -155,7 +155,7 @@ namespace hybrid::test
       : scene(parameters)
       , rock(section_mesh(layout), scene, {motion, scene.motion}, MPI_COMM_WORLD)
     {
-      auto walled = std::make_unique<WalledBase>(rock, layout, wave);
+      auto walled = std::make_unique<WalledFoundation>(rock, layout, wave);
       model       = dda::build_model(section_mesh(layout), scene, walled->surface_nodes());
       walled->add_wall_joints(model,
                               scene.blocks.penalty_ratio *

@@ -18,7 +18,7 @@ namespace hybrid::test
     double size         = 1.; ///< of a cell [m]
     int    plane_row    = -1; ///< cells of rock below the line bedding_1; -1: none
     bool   walled =
-      false; ///< sides belong to the contact surface (for WalledBase), not to left and right
+      false; ///< sides belong to the contact surface (for WalledFoundation), not to left and right
   };
 
 

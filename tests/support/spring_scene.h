@@ -11,7 +11,7 @@ namespace hybrid::test
 {
   using namespace dda;
 
-  /// Two squares side by side on a base of three segments, bonded to each other or not.
+  /// Two squares side by side on a foundation of three segments, bonded to each other or not.
   struct SpringScene
   {
     Model    model;
@@ -26,15 +26,15 @@ namespace hybrid::test
       p.materials["rock"].tensile_strength = 1e9;
       p.blocks.bonded                      = bonded;
       p.blocks.damping_ratio               = damping_ratio;
-      model = build_model(square_blocks(2, 1), p, straight_base(0., 0.3, 2.3, 3));
+      model = build_model(square_blocks(2, 1), p, straight_foundation(0., 0.3, 2.3, 3));
       state = initial_state(model);
-      for (int v = 0; v < 8; ++v) // corners 0, 1 of both blocks stand on the base
+      for (int v = 0; v < 8; ++v) // corners 0, 1 of both blocks stand on the foundation
         if (v % 4 < 2)
           {
             const double x = state.geometry.vertices[v].x(), s = (x + 0.3) / 2.6 * 3.;
             const int    segment = std::min(2, static_cast<int>(s));
             state.contacts.push_back(
-              {state.geometry.block_of[v], v, base_body, segment, s - segment});
+              {state.geometry.block_of[v], v, foundation_body, segment, s - segment});
           }
       if (!bonded) // a corner of the second block in the side of the first
         {
@@ -45,7 +45,7 @@ namespace hybrid::test
       trial.dt = 1e-3;
       trial.increment.assign(2, Vec6::Zero());
       trial.rate.assign(2, Vec6::Zero());
-      trial.base = Eigen::VectorXd::Zero(8);
+      trial.foundation = Eigen::VectorXd::Zero(8);
     }
 
     void move(const Eigen::VectorXd      &d,
@@ -60,7 +60,7 @@ namespace hybrid::test
           for (int v = 4 * b; v < 4 * b + 4; ++v)
             trial.displacement[v] = trial.motion[b].displacement(state.geometry.vertices[v]);
         }
-      trial.base = d.tail(8);
+      trial.foundation = d.tail(8);
       springs.evaluate(model, state, trial, reversed);
     }
 
@@ -88,7 +88,7 @@ namespace hybrid::test
 
 
 
-  /// A small displacement that presses the blocks onto the base and onto one another.
+  /// A small displacement that presses the blocks onto the foundation and onto one another.
   inline Eigen::VectorXd pressing(const double size)
   {
     Eigen::VectorXd d(20);

@@ -80,7 +80,7 @@ TEST(BlockEnergyAudit, block_slides_down_an_incline)
   const double slope = 30. * M_PI / 180.;
   FixedBaseRun run(square_blocks(1, 1, 1., slope),
                    block_parameters(15.),
-                   straight_base(slope, 20., 5., 40));
+                   straight_foundation(slope, 20., 5., 40));
   ASSERT_TRUE(dda::settle(run.model, run.state, true).equilibrium);
   const Audit audit = run_with_audit(run, 1., 1e-3);
   EXPECT_LT(audit.residual, 1e-3 * audit.exchanged);

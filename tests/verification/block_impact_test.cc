@@ -84,7 +84,7 @@ namespace
     p.time.newmark                    = Newmark::preset(preset);
     p.time.maximum_displacement_ratio = 0.05;
     p.environment.gravity             = gravity;
-    FixedBaseRun run(impact_mesh(impact), p, straight_base(0., 20., 20.));
+    FixedBaseRun run(impact_mesh(impact), p, straight_foundation(0., 20., 20.));
     const double angle                     = impact.obliquity * M_PI / 180.;
     run.state.blocks[0].velocity.head<2>() = impact.speed * Vec2(std::sin(angle), -std::cos(angle));
     run.state.energy                       = dda::stored_energy(run.model, run.state);

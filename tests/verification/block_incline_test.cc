@@ -26,7 +26,9 @@ namespace
   {
     scene::SceneParameters p = block_parameters(friction_angle);
     p.time.newmark           = Newmark::preset(preset);
-    FixedBaseRun run(square_blocks(1, 1, 1., slope), p, straight_base(slope, 10., 5., pieces));
+    FixedBaseRun run(square_blocks(1, 1, 1., slope),
+                     p,
+                     straight_foundation(slope, 10., 5., pieces));
     EXPECT_TRUE(dda::settle(run.model, run.state, held).equilibrium);
     const Vec2 start = run.state.blocks[0].centroid;
     EXPECT_TRUE(run.run(1., dt));
@@ -110,7 +112,7 @@ namespace
   {
     scene::SceneParameters p = block_parameters(30.);
     p.time.newmark           = Newmark::preset(preset);
-    FixedBaseRun run(square_blocks(1, rows), p, straight_base(0., 2., 3.));
+    FixedBaseRun run(square_blocks(1, rows), p, straight_foundation(0., 2., 3.));
     EXPECT_TRUE(dda::settle(run.model, run.state).equilibrium);
     const std::vector<dda::BlockState> start = run.state.blocks;
     EXPECT_TRUE(run.run(duration, dt));

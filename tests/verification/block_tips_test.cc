@@ -134,7 +134,7 @@ namespace
     add(tip(origin), mesh);
     add(tip(origin + first_gap * towards + sideways), mesh);
 
-    FixedBaseRun run(mesh, p, straight_base(0., 100., 100.));
+    FixedBaseRun run(mesh, p, straight_foundation(0., 100., 100.));
     Outcome      outcome;
     outcome.meets = depth(run.state.geometry) < -1e-7;
     if (!outcome.meets)

@@ -81,10 +81,11 @@ namespace
                             tangential ? none : k,
                             tangential ? k : none);
     for (int v = 0; v < static_cast<int>(g.vertices.size()); ++v)
-      for (int n = 0; n + 1 < static_cast<int>(g.base_nodes.size()); ++n)
-        if (g.vertices[v] == g.base_nodes[n] && g.vertices[g.next(v)] == g.base_nodes[n + 1])
+      for (int n = 0; n + 1 < static_cast<int>(g.foundation_nodes.size()); ++n)
+        if (g.vertices[v] == g.foundation_nodes[n] &&
+            g.vertices[g.next(v)] == g.foundation_nodes[n + 1])
           model.joints.push_back(
-            {g.block_of[v], v, dda::base_body, size, {{0., n}, {1., n + 1}}, law});
+            {g.block_of[v], v, dda::foundation_body, size, {{0., n}, {1., n + 1}}, law});
   }
 
 

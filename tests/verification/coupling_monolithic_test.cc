@@ -87,10 +87,10 @@ namespace
 
       Eigen::MatrixXd jump = Eigen::MatrixXd::Zero(2, u.size());
       jump.block<2, 6>(0, n_rock + 6 * joint.block) -= shape(run, joint.block, p);
-      if (joint.other == dda::base_body)
+      if (joint.other == dda::foundation_body)
         {
           for (std::size_t k = 0; k < space.nodes.positions.size(); ++k)
-            if ((space.nodes.positions[k] - g.base_nodes[point.other_vertex]).norm() < 1e-9)
+            if ((space.nodes.positions[k] - g.foundation_nodes[point.other_vertex]).norm() < 1e-9)
               jump.block<2, 2>(0, 2 * k).setIdentity();
         }
       else

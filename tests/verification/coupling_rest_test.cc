@@ -60,11 +60,11 @@ namespace
 
 
   /// Sum of the blocks' forces on the rock [N/m].
-  Vec2 base_force(const CoupledRun &run)
+  Vec2 foundation_force(const CoupledRun &run)
   {
     Vec2 sum = Vec2::Zero();
-    for (Eigen::Index k = 0; k < run.state.blocks.base_force.size(); k += 2)
-      sum += run.state.blocks.base_force.segment<2>(k);
+    for (Eigen::Index k = 0; k < run.state.blocks.foundation_force.size(); k += 2)
+      sum += run.state.blocks.foundation_force.segment<2>(k);
     return sum;
   }
 
@@ -86,12 +86,12 @@ namespace
   {
     const std::vector<Vec2> start = run.state.blocks.geometry.vertices;
     double                  worst = 0.;
-    while (run.state.time() < 10. - 0.5 * dt)
+    while (run.state.time < 10. - 0.5 * dt)
       if (!run.advance(dt, 4))
         return 1e300;
     for (std::size_t v = 0; v < start.size(); ++v)
       worst = std::max(worst, (run.state.blocks.geometry.vertices[v] - start[v]).norm());
-    return std::max(worst, run.state.blocks.base_displacement.lpNorm<Eigen::Infinity>());
+    return std::max(worst, run.state.blocks.foundation_displacement.lpNorm<Eigen::Infinity>());
   }
 
 
@@ -102,15 +102,15 @@ namespace
     ASSERT_TRUE(settled.equilibrium);
     const double w      = weight(run);
     const int    failed = failed_joints(run);
-    EXPECT_NEAR(base_force(run).x(), 0., 1e-8 * w);
-    EXPECT_NEAR(base_force(run).y(), -w, 1e-8 * w);
+    EXPECT_NEAR(foundation_force(run).x(), 0., 1e-8 * w);
+    EXPECT_NEAR(foundation_force(run).y(), -w, 1e-8 * w);
     const double moved = creep(run, 5e-3);
     std::printf(
       "settled to %.1e, %d of %zu joints failed, weight error %.1e, largest motion in 10 s %.1e m, %d cuts\n",
       settled.residual,
       failed,
       run.model.joints.size(),
-      std::abs(base_force(run).y() / w + 1.),
+      std::abs(foundation_force(run).y() / w + 1.),
       moved,
       run.cuts);
     EXPECT_LT(moved, 1e-6);
@@ -169,7 +169,7 @@ TEST(CouplingRest, pulse_and_gravity_keep_the_energy_balance)
   CoupledRun run(mass_on_rock(), resting_parameters(), scene::Motion(dt, a));
   ASSERT_TRUE(settle(run).equilibrium);
   run.audit();
-  while (run.state.time() < 1.)
+  while (run.state.time < 1.)
     {
       ASSERT_TRUE(run.advance(dt, 4));
       run.audit();

@@ -62,7 +62,7 @@ namespace
         const auto v = run.rock.bedding_values(run.state.continuum, run.rock.slipping_planes()[0]);
         for (std::size_t i = 0; i < v.slip.size(); ++i)
           {
-            const bool   broken = run.state.continuum.slip.broken[i];
+            const bool   broken = run.state.continuum.slip.failed[i];
             const double limit =
               (broken ? 0. : cohesion) + std::tan(friction * M_PI / 180.) * v.normal_stress[i];
             outcome.excess = std::max(outcome.excess, std::abs(v.shear_stress[i]) - limit);

@@ -60,7 +60,7 @@ namespace
         received          = std::max(received, c.input_work);
         highest           = std::max(highest, held);
         ASSERT_TRUE(std::isfinite(held));
-        if (run.state.time() < echo)
+        if (run.state.time < echo)
           first = std::max(first, std::abs(run.state.blocks.blocks[block].velocity[0]));
       }
     const double z_rock      = rock.density * rock.s_wave_speed(),

@@ -4,9 +4,9 @@
 // in time.
 //
 // The column is truly one-dimensional: walls hold the displacement that the plane wave does not
-// have (WalledBase), in the rock by stiff springs on its side nodes and in the blocks by joints to
-// the wall. Free sides of the blocks would let the column bend, and a free field beside the rock
-// alone would reflect at the interface.
+// have (WalledFoundation), in the rock by stiff springs on its side nodes and in the blocks by
+// joints to the wall. Free sides of the blocks would let the column bend, and a free field beside
+// the rock alone would reflect at the interface.
 #include "coupled_scenes.h"
 
 #include <hybrid/scene/boundary/fixed_side.h>

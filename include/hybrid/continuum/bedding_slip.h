@@ -90,7 +90,7 @@ namespace hybrid::continuum
     SlipSolver          solver;
     std::vector<double> rest;               ///< tractions at rest [Pa]
     std::vector<double> now, before, t, t1; ///< plastic jump and work, on the points
-    std::vector<char>   broken, rest_broken;
+    std::vector<char>   failed, rest_failed;
     SlipState           rest_state; ///< start of the static stage
     Eigen::VectorXd     start;      ///< tractions with the plastic jump of the step's start [Pa]
     Eigen::VectorXd     change;     ///< of the tractions [Pa]

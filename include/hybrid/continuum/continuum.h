@@ -125,8 +125,8 @@ namespace hybrid::continuum
     /// front.
     struct WaveReach
     {
-      double part  = 0.; ///< of the amplitude [-]; 0 without a wave
-      Vec2   where = Vec2::Zero();
+      double fraction = 0.; ///< of the amplitude [-]; 0 without a wave
+      Vec2   where    = Vec2::Zero();
     };
 
     WaveReach wave_at_boundary() const;

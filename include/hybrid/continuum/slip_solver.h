@@ -26,7 +26,7 @@ namespace hybrid::continuum
    *   t = t_0 - G (p - p_0),  G = D - D B A^-1 B^T W D  (bedding_planes.h).
    * - Intact: o = 0 and sigma <= F_t; |tau| <= c - sigma tan phi, slip only at the limit, in the
    *   direction of tau.
-   * - Once sigma exceeds F_t the point is broken: c = F_t = 0, o >= 0, sigma <= 0, o sigma = 0.
+   * - Once sigma exceeds F_t the point has failed: c = F_t = 0, o >= 0, sigma <= 0, o sigma = 0.
    *   It closes again where it was and has friction then.
    * Slip does not dilate. These complementarity conditions are solved by semismooth Newton (Alart &
    * Curnier 1991; as primal-dual active set Hintermueller, Ito & Kunisch 2003): the conditions of
@@ -47,9 +47,9 @@ namespace hybrid::continuum
       const std::vector<double> &old;        ///< p_0 [m], at the start of the step
     };
 
-    /// @param broken per point; points that break are added.
+    /// @param failed per point; points that break are added.
     /// @return false if the conditions did not settle or the planes carry no more load.
-    bool solve(const Problem &problem, std::vector<char> &broken);
+    bool solve(const Problem &problem, std::vector<char> &failed);
 
     /// p at the end of the step [m].
     const std::vector<double> &jump() const
@@ -74,10 +74,10 @@ namespace hybrid::continuum
     }
 
   private:
-    void guess(const Problem &problem, const std::vector<char> &broken);
-    bool solve_limits(const Problem &problem, const std::vector<char> &broken);
-    void sweep(const Problem &problem, const std::vector<char> &broken);
-    bool settle(const Problem &problem, const std::vector<char> &broken);
+    void guess(const Problem &problem, const std::vector<char> &failed);
+    bool solve_limits(const Problem &problem, const std::vector<char> &failed);
+    void sweep(const Problem &problem, const std::vector<char> &failed);
+    bool settle(const Problem &problem, const std::vector<char> &failed);
 
     PlaneStrength               strength;
     std::vector<PlaneCondition> condition;
@@ -87,8 +87,8 @@ namespace hybrid::continuum
     std::vector<int>            active; ///< components at their limit
     Eigen::VectorXd             t, change, rhs;
     Eigen::MatrixXd             system;
-    double least_margin = 0.; ///< a condition changes beyond its bound only [Pa]
-    double stiffest     = 0.; ///< largest diagonal entry of G [Pa/m]
-    int    count        = 0;
+    double                      min_margin = 0.; ///< a condition changes beyond its bound only [Pa]
+    double                      stiffest   = 0.; ///< largest diagonal entry of G [Pa/m]
+    int                         count      = 0;
   };
 } // namespace hybrid::continuum

@@ -44,7 +44,7 @@ namespace hybrid::continuum
   {
     std::vector<double>         jump;      ///< opening and slip of each point since rest [m]
     std::vector<double>         path;      ///< sum of |slip| per point [m]
-    std::vector<char>           broken;    ///< per point: cohesion and tensile strength are lost
+    std::vector<char>           failed;    ///< per point: cohesion and tensile strength are lost
     std::vector<PlaneCondition> condition; ///< per point, of the last step
   };
 

@@ -17,7 +17,7 @@ namespace hybrid::coupling
    *   t_in + Z v_ff = 2 Z v_up                          at a compliant base,
    *                   0                                 at a viscous side,
    *                   stress + Z velocity of a column   at a free-field side
-   * (see dda::ViscousBoundary). The columns' motion is in ContinuumState.
+   * (see dda::ViscousBoundary). The columns' motion is in CoupledState::columns.
    */
   class BlockFoundation final : public Foundation
   {
@@ -40,12 +40,11 @@ namespace hybrid::coupling
       return below.prescribed_motion(time);
     }
 
-    /// At rest.
-    continuum::ContinuumState initial_state() const override;
+    void start(CoupledState &state) const override;
 
-    const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) override;
+    const dda::FoundationResponse &predict(const CoupledState &state, double dt) override;
 
-    void correct(continuum::ContinuumState     &state,
+    void correct(CoupledState                  &state,
                  double                         dt,
                  const Eigen::VectorXd         &displacement,
                  const continuum::SurfaceForce &force) override;
@@ -66,12 +65,12 @@ namespace hybrid::coupling
     std::vector<continuum::FreeFieldColumn> columns;
     std::vector<int>                        column_offset; ///< first unknown of each
     std::vector<BesideColumn>               sides;
-    std::vector<double>                     u, v, a; ///< of the columns at the end of the step
-    dda::BaseResponse                       response;
+    ColumnState                             at_end; ///< of the step
+    dda::FoundationResponse                 response;
 
     void add_column(dda::BoundaryPart side, const scene::SceneParameters &scene);
 
-    void step_columns(const continuum::ContinuumState &state, double dt);
+    void step_columns(const CoupledState &state, double dt);
 
     /// Incoming forces at @p time.
     void set_forces(double time);

@@ -29,22 +29,26 @@ namespace hybrid::coupling
       return continuum.surface_shares();
     }
 
-    const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) override;
+    void start(CoupledState &state) const override
+    {
+      state.continuum = continuum.initial_state();
+    }
 
-    continuum::SlipStatus solve_slip(const continuum::ContinuumState &state,
-                                     double                           dt,
-                                     const Eigen::VectorXd           &displacement) override;
+    const dda::FoundationResponse &predict(const CoupledState &state, double dt) override;
 
-    void correct(continuum::ContinuumState     &state,
+    continuum::SlipStatus
+    solve_slip(const CoupledState &state, double dt, const Eigen::VectorXd &displacement) override;
+
+    void correct(CoupledState                  &state,
                  double                         dt,
                  const Eigen::VectorXd         &displacement,
                  const continuum::SurfaceForce &force) override
     {
-      continuum.correct(state, dt, displacement, force);
+      continuum.correct(state.continuum, dt, displacement, force);
     }
 
   private:
-    continuum::Continuum &continuum;
-    dda::BaseResponse     response;
+    continuum::Continuum   &continuum;
+    dda::FoundationResponse response;
   };
 } // namespace hybrid::coupling

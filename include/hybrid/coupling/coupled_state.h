@@ -4,24 +4,32 @@
 #include <hybrid/continuum/continuum.h>
 #include <hybrid/dda/model/state.h>
 
+#include <vector>
+
 namespace hybrid::coupling
 {
-  /// All mutable state of a run: copied for roll-back, written for restart.
+  /// Free-field columns beside bedrock of blocks, one after the other: values of their nodes.
+  struct ColumnState
+  {
+    std::vector<double> displacement; ///< [m]
+    std::vector<double> velocity;     ///< [m/s]
+    std::vector<double> acceleration; ///< [m/s2]
+  };
+
+
+  /// All mutable state of a run: copied for roll-back, written for restart. What a scene has not
+  /// is empty.
   struct CoupledState
   {
+    double                    time = 0.; ///< [s]
     dda::DdaState             blocks;
-    continuum::ContinuumState continuum;
+    continuum::ContinuumState continuum; ///< finite elements
+    ColumnState               columns;
 
-    /// [s]
-    double time() const
+    /// The clock's time, for the parts as well: they add up their steps, and would drift.
+    void set_time(const double now)
     {
-      return continuum.time;
-    }
-
-    /// Of both parts, which add up their steps: the clock's, so that they do not drift.
-    void set_time(const double time)
-    {
-      blocks.time = continuum.time = time;
+      time = blocks.time = continuum.time = now;
     }
   };
 

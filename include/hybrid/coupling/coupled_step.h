@@ -42,10 +42,10 @@ namespace hybrid::coupling
 
   private:
     /// Blocks and surface together; iterations add up in @p result.
-    void solve_blocks(CoupledState            &state,
-                      const dda::BaseResponse &response,
-                      double                   dt,
-                      dda::StepResult         &result);
+    void solve_blocks(CoupledState                  &state,
+                      const dda::FoundationResponse &response,
+                      double                         dt,
+                      dda::StepResult               &result);
 
     dda::BlockSolver     *blocks;
     Foundation           *foundation;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/continuum/continuum.h>
-#include <hybrid/dda/step/base_response.h>
+#include <hybrid/coupling/coupled_state.h>
+#include <hybrid/dda/step/foundation_response.h>
 #include <hybrid/scene/types.h>
 
 #include <vector>
@@ -25,7 +25,7 @@ namespace hybrid::coupling
    *   2. the blocks and the surface are solved together;
    *      2a. solve_slip(): bedding planes answer; what they change is in the response, and 2 is
    *          repeated until they are settled;
-   *   3. correct(): the base's interior follows the surface.
+   *   3. correct(): what is below follows the surface. Each changes its own part of the state only.
    * predict() changes no state, so a step that does not converge leaves no trace.
    *
    * To add a base: derive from this class in a file of its own and construct
@@ -45,17 +45,14 @@ namespace hybrid::coupling
       return {};
     }
 
-    /// At rest; a base without unknowns has only a time.
-    virtual continuum::ContinuumState initial_state() const
-    {
-      return {};
-    }
+    /// Put its own part of @p state at rest.
+    virtual void start(CoupledState & /*state*/) const
+    {}
 
-    virtual const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) = 0;
+    virtual const dda::FoundationResponse &predict(const CoupledState &state, double dt) = 0;
 
     /// Slip inside the base for this displacement of its surface [m]; a base without it is settled.
-    virtual continuum::SlipStatus
-    solve_slip(const continuum::ContinuumState &, double, const Eigen::VectorXd &)
+    virtual continuum::SlipStatus solve_slip(const CoupledState &, double, const Eigen::VectorXd &)
     {
       return continuum::SlipStatus::settled;
     }
@@ -69,7 +66,7 @@ namespace hybrid::coupling
 
     /// @param displacement of the surface nodes at the end of the step [m].
     /// @param force of the blocks on them at the end of the step.
-    virtual void correct(continuum::ContinuumState     &state,
+    virtual void correct(CoupledState                  &state,
                          double                         dt,
                          const Eigen::VectorXd         &displacement,
                          const continuum::SurfaceForce &force) = 0;

@@ -19,18 +19,20 @@ namespace hybrid::coupling
       return nodes;
     }
 
-    const dda::BaseResponse &predict(const continuum::ContinuumState &state, double dt) override;
+    const dda::FoundationResponse &predict(const CoupledState &state, double dt) override;
 
     PrescribedMotion prescribed_motion(double time) const override;
 
-    void correct(continuum::ContinuumState     &state,
-                 double                         dt,
-                 const Eigen::VectorXd         &displacement,
-                 const continuum::SurfaceForce &force) override;
+    /// Nothing follows: it moves as prescribed.
+    void correct(CoupledState &,
+                 double,
+                 const Eigen::VectorXd &,
+                 const continuum::SurfaceForce &) override
+    {}
 
   private:
     const std::vector<Vec2>   nodes;
     const scene::GroundMotion motion;
-    dda::BaseResponse         response;
+    dda::FoundationResponse   response;
   };
 } // namespace hybrid::coupling

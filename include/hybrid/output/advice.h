@@ -30,7 +30,7 @@ namespace hybrid::output
 
   /// The initial wave is on the boundary already at t = 0, with @p part of its amplitude [-] at @p
   /// where; "" if that is less than 1 %.
-  std::string wave_warning(double part, const Vec2 &where);
+  std::string wave_warning(double fraction, const Vec2 &where);
 
   /// A block that @p model sets in motion goes farther in a step than Time/Maximum displacement
   /// ratio allows; "" if none does.

@@ -72,7 +72,7 @@ namespace hybrid::output
     }
 
     /// What the scheme has taken or given, terms in absolute value, over the energy in play [-].
-    double scheme_part() const
+    double scheme_fraction() const
     {
       return scheme_total / in_play;
     }

@@ -14,10 +14,10 @@ namespace hybrid::output
   class EnergyWatch
   {
   public:
-    /// @param warning_part, limit_part residuals [-]; 0: never.
-    EnergyWatch(const double warning_part, const double limit_part)
-      : warning(warning_part)
-      , limit(limit_part)
+    /// @param warning_fraction, limit_fraction residuals [-]; 0: never.
+    EnergyWatch(const double warning_fraction, const double limit_fraction)
+      : warning(warning_fraction)
+      , limit(limit_fraction)
     {}
 
     /// Look at the audit of @p time [s]. @return what is to be said now; empty: nothing.
@@ -36,7 +36,7 @@ namespace hybrid::output
     void serialize(restart::Archive &archive);
 
   private:
-    static bool passes(const EnergyLedger &ledger, double part);
+    static bool passes(const EnergyLedger &ledger, double fraction);
 
     const double warning, limit;
     bool         has_warned = false;

@@ -14,7 +14,7 @@ namespace hybrid::output
     std::vector<double> time;                 ///< increasing, steps may differ [s]
     std::vector<double> outcrop_acceleration; ///< pairs [m/s2]; empty: no amplification
     std::vector<double>
-           base_displacement; ///< pairs, of the base monitor [m]; empty: absolute displacements
+      foundation_displacement; ///< pairs, of the base monitor [m]; empty: absolute displacements
     double filter_frequency   = 25.; ///< corner of the zero-phase low-pass [Hz]; 0: none
     double first_failure_time = MonitorSummary::unknown; ///< NaN: nothing failed [s]
   };

@@ -127,6 +127,6 @@ namespace hybrid::output
     void flush_if_due();
     void write_section(const coupling::CoupledState &state);
     void write_joints(const coupling::CoupledState &state);
-    Vec2 base_displacement() const;
+    Vec2 foundation_displacement() const;
   };
 } // namespace hybrid::output

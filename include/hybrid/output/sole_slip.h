@@ -15,7 +15,7 @@ namespace hybrid::output
   {
     bool   base  = false; ///< else vertices
     int    first = -1, second = -1;
-    double part = 0.; ///< of the way from the first to the second
+    double fraction = 0.; ///< of the path from the first to the second
   };
 
 
@@ -71,7 +71,7 @@ namespace hybrid::output
     struct Sole
     {
       int        first, second; ///< vertices of the block, counter-clockwise
-      double     part;          ///< of the way from the first to the second: the point that slides
+      double     fraction;      ///< of the path from the first to the second: the point that slides
       SoleGround ground;
       Vec2       position;
       double     length;

@@ -53,8 +53,8 @@ namespace hybrid::restart
    *
    *     void serialize(restart::Archive &archive, SlipState &state)
    *     {
-   *       auto &[jump, path, broken, condition] = state; // does not compile if one is missing
-   *       archive(jump, path, broken, condition);
+   *       auto &[jump, path, failed, condition] = state; // does not compile if one is missing
+   *       archive(jump, path, failed, condition);
    *     }
    *
    * A third direction writes nothing but which types follow each other: its text is equal for two

@@ -10,7 +10,7 @@ namespace hybrid::dda
 {
   namespace
   {
-    constexpr double most_joints = 5.; ///< the material's compliance over a sound share of joints
+    constexpr double max_joints = 5.; ///< the material's compliance over a sound share of joints
   }
 
 
@@ -54,7 +54,7 @@ namespace hybrid::dda
         text.precision(3);
         text << "Blocks/Penalty ratio: the joints alone are softer than the material '"
              << material.name << "', so no block stiffness gives its wave speeds; a ratio "
-             << most_joints * factor << " times as large would do";
+             << max_joints * factor << " times as large would do";
         throw InputError(text.str());
       }
 

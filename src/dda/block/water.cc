@@ -14,8 +14,8 @@ namespace hybrid::dda
         return false;
       if (a.y() > 0. || b.y() > 0.)
         {
-          const double part = a.y() / (a.y() - b.y());
-          const Vec2   line(a.x() + part * (b.x() - a.x()), 0.);
+          const double fraction = a.y() / (a.y() - b.y());
+          const Vec2   line(a.x() + fraction * (b.x() - a.x()), 0.);
           (a.y() > 0. ? a : b) = line;
         }
       return true;

@@ -91,7 +91,7 @@ namespace hybrid::dda
   void ContactCandidates::set_skipped_pairs(const SkippedPairs &given)
   {
     if (given.bonded == skipped.bonded && given.surface == skipped.surface &&
-        given.awake == skipped.awake && given.held_off == skipped.held_off)
+        given.scope == skipped.scope && given.held_off == skipped.held_off)
       return;
     skipped = given;
     lookup  = given;
@@ -119,11 +119,11 @@ namespace hybrid::dda
   double ContactCandidates::movement(const Geometry &geometry) const
   {
     if (is_outdated || geometry.vertices.size() != built_vertices.size() ||
-        geometry.base_nodes.size() != built_nodes.size())
+        geometry.foundation_nodes.size() != built_nodes.size())
       return std::numeric_limits<double>::infinity();
     Spread spread;
     spread.add(geometry.vertices, built_vertices);
-    spread.add(geometry.base_nodes, built_nodes);
+    spread.add(geometry.foundation_nodes, built_nodes);
     return spread.half_diagonal();
   }
 
@@ -145,7 +145,7 @@ namespace hybrid::dda
   void ContactCandidates::build(const Geometry &geometry)
   {
     built_vertices.assign(geometry.vertices.begin(), geometry.vertices.end());
-    built_nodes.assign(geometry.base_nodes.begin(), geometry.base_nodes.end());
+    built_nodes.assign(geometry.foundation_nodes.begin(), geometry.foundation_nodes.end());
     is_outdated    = false;
     awake_for      = -1.;
     distance_tests = 0;
@@ -156,8 +156,8 @@ namespace hybrid::dda
 
     candidates.clear();
     apart_when_built.clear();
-    for (int i = 0; i < static_cast<int>(geometry.base_nodes.size()); ++i)
-      add_candidates(geometry, base_body, i);
+    for (int i = 0; i < static_cast<int>(geometry.foundation_nodes.size()); ++i)
+      add_candidates(geometry, foundation_body, i);
     for (int v = 0; v < static_cast<int>(geometry.vertices.size()); ++v)
       if (geometry.block_of[v] < first_bedrock ||
           geometry.bedrock.next[v] != BedrockSurface::inside)
@@ -170,10 +170,10 @@ namespace hybrid::dda
   {
     boxes.clear();
     bodies.clear();
-    for (int i = 0; i + 1 < static_cast<int>(geometry.base_nodes.size()); ++i)
+    for (int i = 0; i + 1 < static_cast<int>(geometry.foundation_nodes.size()); ++i)
       {
-        boxes.push_back(box_around(&geometry.base_nodes[i], 2, distance + margin));
-        bodies.push_back({base_body, i});
+        boxes.push_back(box_around(&geometry.foundation_nodes[i], 2, distance + margin));
+        bodies.push_back({foundation_body, i});
       }
     const int n_mass = std::min(first_bedrock, geometry.n_blocks());
     for (int b = 0; b < n_mass; ++b)
@@ -284,8 +284,8 @@ namespace hybrid::dda
     if (block == other || has_pair(lookup.bonded, block, other))
       return true;
     const bool is_awake =
-      lookup.awake.empty() ||
-      std::max(lookup.awake[block], lookup.awake[other]) >= ContactScope::to_blocks;
+      lookup.scope.empty() ||
+      std::max(lookup.scope[block], lookup.scope[other]) >= ContactScope::to_blocks;
     return !is_awake && are_neighbours(block, other);
   }
 
@@ -306,7 +306,7 @@ namespace hybrid::dda
     if (was_awake.empty())
       return false;
     for (const int surface : {body, other})
-      if (surface == base_body || surface >= first_bedrock)
+      if (surface == foundation_body || surface >= first_bedrock)
         {
           const int block = surface == body ? other : body;
           return is_held_off(block) && was_awake[block] != ContactScope::to_all;
@@ -326,7 +326,7 @@ namespace hybrid::dda
 
   bool ContactCandidates::is_skipped_edge(const BondedEdge &pair) const
   {
-    const bool is_awake = lookup.awake.empty() || lookup.awake[pair.block] == ContactScope::to_all;
+    const bool is_awake = lookup.scope.empty() || lookup.scope[pair.block] == ContactScope::to_all;
     return (!is_awake && is_held_off(pair.block)) ||
            std::binary_search(lookup.surface.begin(), lookup.surface.end(), pair);
   }

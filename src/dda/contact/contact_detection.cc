@@ -34,7 +34,7 @@ namespace hybrid::dda
     /// Before all contacts of the vertex.
     Contact first_of(const ContactCandidate &pair)
     {
-      return {pair.vertex_body, pair.vertex, base_body, -1};
+      return {pair.vertex_body, pair.vertex, foundation_body, -1};
     }
 
     bool is_of(const Contact &contact, const ContactCandidate &pair)
@@ -177,7 +177,7 @@ namespace hybrid::dda
     is_near.assign(geometry.n_blocks(), 0);
     near_blocks.clear();
     const auto add = [this](const int body) {
-      if (body == base_body || is_near[body])
+      if (body == foundation_body || is_near[body])
         return;
       is_near[body] = 1;
       near_blocks.push_back(body);
@@ -210,7 +210,7 @@ namespace hybrid::dda
 
     trials.clear();
     first_of_vertex.assign(geometry.vertices.size(), -1);
-    first_of_node.assign(geometry.base_nodes.size(), -1);
+    first_of_node.assign(geometry.foundation_nodes.size(), -1);
     selection.begin_step(geometry, frames);
     auto  old = previous.begin();
     Group group;
@@ -237,7 +237,8 @@ namespace hybrid::dda
         else
           settled = search(geometry, group, olds, n_old);
         if (trials.size() > first)
-          (body == base_body ? first_of_node : first_of_vertex)[vertex] = static_cast<int>(first);
+          (body == foundation_body ? first_of_node : first_of_vertex)[vertex] =
+            static_cast<int>(first);
       }
   }
 
@@ -321,13 +322,13 @@ namespace hybrid::dda
 
   ContactDetection::Range ContactDetection::trials_of(const int body, const int vertex) const
   {
-    const int first = body == base_body ? first_of_node[vertex] : first_of_vertex[vertex];
+    const int first = body == foundation_body ? first_of_node[vertex] : first_of_vertex[vertex];
     Range     range;
     range.first  = first < 0 ? trials.end() : trials.begin() + first;
     range.second = range.first;
-    // vertices of the base have numbers of their own
+    // vertices of the foundation have numbers of their own
     while (range.second != trials.end() &&
-           (range.second->contact.vertex_body == base_body) == (body == base_body) &&
+           (range.second->contact.vertex_body == foundation_body) == (body == foundation_body) &&
            range.second->contact.vertex == vertex)
       ++range.second;
     return range;
@@ -389,7 +390,7 @@ namespace hybrid::dda
         for (auto it = opposite.first; it != opposite.second; ++it)
           {
             const int edge = it->contact.edge;
-            // segments of the base have numbers of their own
+            // segments of the foundation have numbers of their own
             if (it->gap >= 0. || !is_same_body(geometry, it->contact.edge_body, c.vertex_body) ||
                 (edge != edge_after(geometry, c.vertex_body, c.vertex) &&
                  edge != edge_before(geometry, c.vertex_body, c.vertex)) ||

@@ -77,7 +77,7 @@ namespace hybrid::dda
     const Entry     &from = entries[number];
     const EdgeFrame &then = frames->edge(from.contact->edge_body, from.contact->edge);
     const EdgeFrame &now  = frames->edge(contact.edge_body, contact.edge);
-    // the base runs against the blocks' sense
+    // the foundation runs against the blocks' sense
     const double sign = then.direction.dot(now.direction) > 0. ? 1. : -1.;
     const double slip =
       from.contact->slip + (from.position - from.contact->edge_position) * then.length;

@@ -35,8 +35,8 @@ namespace hybrid::dda
     /// What is to be found of the gap.
     enum class Carries
     {
-      least_penetration, ///< on one body
-      highest            ///< at a seam: the solid that reaches higher
+      min_penetration, ///< on one body
+      highest          ///< at a seam: the solid that reaches higher
     };
 
 
@@ -49,7 +49,7 @@ namespace hybrid::dda
       if (a.history != b.history)
         return a.history > b.history;
       if (std::abs(a.gap - b.gap) > same)
-        return (a.gap > b.gap) == (rule == Carries::least_penetration);
+        return (a.gap > b.gap) == (rule == Carries::min_penetration);
       if (std::abs(a.below_sole - b.below_sole) > same_cosine)
         return a.below_sole > b.below_sole;
       if (std::abs(a.middle_height - b.middle_height) > same)
@@ -149,11 +149,11 @@ namespace hybrid::dda
   void ContactSelection::set_place(ContactTrial &trial) const
   {
     const int  body = trial.contact.edge_body, edge = trial.contact.edge;
-    const Vec2 middle   = 0.5 * (position(*geometry, body, edge) +
+    const Vec2 middle    = 0.5 * (position(*geometry, body, edge) +
                                position(*geometry, body, second_end(*geometry, body, edge)));
-    const Vec2 way      = (middle - point).normalized();
-    trial.below_sole    = std::max(way.dot(to_next), way.dot(to_previous));
-    trial.middle_height = middle.y();
+    const Vec2 to_middle = (middle - point).normalized();
+    trial.below_sole     = std::max(to_middle.dot(to_next), to_middle.dot(to_previous));
+    trial.middle_height  = middle.y();
   }
 
 
@@ -316,7 +316,7 @@ namespace hybrid::dda
                  trials.end());
     sort_by(trials.begin() + body_begin,
             trials.end(),
-            Carries::least_penetration,
+            Carries::min_penetration,
             tolerances.coincidence());
 
     std::size_t kept = body_begin;

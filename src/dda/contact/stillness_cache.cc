@@ -16,11 +16,11 @@ namespace hybrid::dda
   {
     // New places are the first ones: they count as moved.
     if (rest.vertices.size() != geometry.vertices.size() ||
-        rest.base_nodes.size() != geometry.base_nodes.size())
+        rest.foundation_nodes.size() != geometry.foundation_nodes.size())
       rest = {geometry.vertices,
-              geometry.base_nodes,
+              geometry.foundation_nodes,
               std::vector<char>(geometry.vertices.size(), 0),
-              std::vector<char>(geometry.base_nodes.size(), 0)};
+              std::vector<char>(geometry.foundation_nodes.size(), 0)};
 
     const auto is_same = [this](const Vec2 &now, const Vec2 &then) {
       return (now - then).squaredNorm() <= tolerance * tolerance; // false for NaN
@@ -36,12 +36,12 @@ namespace hybrid::dda
                     geometry.vertices.begin() + last,
                     rest.vertices.begin() + first);
       }
-    is_resting_node.assign(geometry.base_nodes.size(), 1);
-    for (std::size_t k = 0; k < geometry.base_nodes.size(); ++k)
-      if (!is_same(geometry.base_nodes[k], rest.base_nodes[k]))
+    is_resting_node.assign(geometry.foundation_nodes.size(), 1);
+    for (std::size_t k = 0; k < geometry.foundation_nodes.size(); ++k)
+      if (!is_same(geometry.foundation_nodes[k], rest.foundation_nodes[k]))
         {
-          is_resting_node[k] = 0;
-          rest.base_nodes[k] = geometry.base_nodes[k];
+          is_resting_node[k]       = 0;
+          rest.foundation_nodes[k] = geometry.foundation_nodes[k];
         }
   }
 
@@ -49,11 +49,11 @@ namespace hybrid::dda
 
   bool StillnessCache::rests(const ContactCandidate &pair) const
   {
-    const bool vertex_rests =
-      pair.vertex_body == base_body ? is_resting_node[pair.vertex] : is_resting[pair.vertex_body];
-    const bool edge_rests = pair.edge_body == base_body
-                              ? is_resting_node[pair.edge] && is_resting_node[pair.edge + 1]
-                              : is_resting[pair.edge_body];
+    const bool vertex_rests = pair.vertex_body == foundation_body ? is_resting_node[pair.vertex]
+                                                                  : is_resting[pair.vertex_body];
+    const bool edge_rests   = pair.edge_body == foundation_body
+                                ? is_resting_node[pair.edge] && is_resting_node[pair.edge + 1]
+                                : is_resting[pair.edge_body];
     return vertex_rests && edge_rests;
   }
 } // namespace hybrid::dda

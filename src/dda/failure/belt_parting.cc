@@ -9,14 +9,14 @@ namespace hybrid::dda
     /// How far a point stands off the ground's edge of a belt joint [m]: 0 where it overlaps.
     double opening(const Joint &belt, const Geometry &g, const Vec2 &point)
     {
-      const int   e       = belt.ground_edge();
-      const bool  on_base = belt.other == base_body;
-      const Vec2 &a       = on_base ? g.base_nodes[e] : g.vertices[e],
-                 &b       = on_base ? g.base_nodes[e + 1] : g.vertices[g.next(e)];
-      const Vec2   edge   = b - a;
-      const double side   = (on_base ? 1. : -1.) * cross(edge, point - a);
-      const double part   = edge.dot(point - a) / edge.squaredNorm();
-      const bool   faces  = part >= 0. && part <= 1.;
+      const int   e             = belt.ground_edge();
+      const bool  on_foundation = belt.other == foundation_body;
+      const Vec2 &a             = on_foundation ? g.foundation_nodes[e] : g.vertices[e],
+                 &b             = on_foundation ? g.foundation_nodes[e + 1] : g.vertices[g.next(e)];
+      const Vec2   edge         = b - a;
+      const double side         = (on_foundation ? 1. : -1.) * cross(edge, point - a);
+      const double fraction     = edge.dot(point - a) / edge.squaredNorm();
+      const bool   faces        = fraction >= 0. && fraction <= 1.;
       return faces && side <= 0. ? 0. : distance_to_segment(a, b, point);
     }
   } // namespace

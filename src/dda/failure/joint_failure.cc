@@ -10,15 +10,15 @@ namespace hybrid::dda
   {
     /// Part of a joint's length: neighbours that do not look at each other before overlap by about
     /// twice this at most, and elastic joints do not reach it.
-    constexpr double loosened_part = 0.0025;
+    constexpr double yield_fraction = 0.0025;
 
     /// Part of a joint's length: ends that are farther apart no longer stand for the contact.
-    constexpr double released_part = 0.1;
+    constexpr double release_fraction = 0.1;
 
 
 
     /// Slip that friction has taken, or opening [m].
-    double way_given(const SpringState &point)
+    double yielding(const SpringState &point)
     {
       return std::max(std::abs(point.history.plastic_slip), point.gap);
     }
@@ -31,7 +31,7 @@ namespace hybrid::dda
     {
       const auto wide = [&](const SpringState &point) {
         return joint.law.broken_in_tension(point.history) &&
-               point.gap > released_part * joint.length;
+               point.gap > release_fraction * joint.length;
       };
       return wide(state.points[0]) || wide(state.points[1]);
     }
@@ -54,11 +54,11 @@ namespace hybrid::dda
         state.failure      = tensile ? FailureKind::tensile : FailureKind::shear;
         state.failure_time = time;
       }
-    const double given_way = std::max(way_given(state.points[0]), way_given(state.points[1]));
+    const double has_yielded = std::max(yielding(state.points[0]), yielding(state.points[1]));
     if (state.failure != FailureKind::none ||
-        (joint.kind == JointKind::body && given_way > loosened_part * joint.length))
-      state.given_way = true;
-    const double reach = released_part * joint.length;
+        (joint.kind == JointKind::body && has_yielded > yield_fraction * joint.length))
+      state.has_yielded = true;
+    const double reach = release_fraction * joint.length;
     if (state.failure != FailureKind::none && !joint.within_bedrock() &&
         (std::max(state.points[0].jump.norm(), state.points[1].jump.norm()) > reach))
       state.released = true;

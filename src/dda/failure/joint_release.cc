@@ -9,7 +9,7 @@ namespace hybrid::dda
 {
   namespace
   {
-    using BodyPair = std::pair<int, int>; ///< the lower number first; base_body is the lowest
+    using BodyPair = std::pair<int, int>; ///< the lower number first; foundation_body is the lowest
 
     /// @param a, b bodies; all blocks of the bedrock are one.
     BodyPair in_order(const Model &model, const int a, const int b)

@@ -40,7 +40,7 @@ namespace hybrid::dda
       update_edges(geometry, b);
     for (int b = 0; b < geometry.n_blocks(); ++b)
       update_corners(geometry, b, sine);
-    update_base(geometry, sine);
+    update_foundation(geometry, sine);
   }
 
 
@@ -55,7 +55,7 @@ namespace hybrid::dda
       update_edges(geometry, b);
     for (const int b : blocks)
       update_corners(geometry, b, sine);
-    update_base(geometry, sine);
+    update_foundation(geometry, sine);
   }
 
 
@@ -64,9 +64,9 @@ namespace hybrid::dda
   {
     block_edges.resize(geometry.vertices.size());
     block_corners.resize(geometry.vertices.size());
-    const int n_nodes = static_cast<int>(geometry.base_nodes.size());
-    base_edges.resize(n_nodes > 0 ? n_nodes - 1 : 0);
-    base_corners.assign(n_nodes, Corner::straight);
+    const int n_nodes = static_cast<int>(geometry.foundation_nodes.size());
+    foundation_edges.resize(n_nodes > 0 ? n_nodes - 1 : 0);
+    foundation_corners.assign(n_nodes, Corner::straight);
   }
 
 
@@ -91,12 +91,13 @@ namespace hybrid::dda
 
 
 
-  void OutlineFrames::update_base(const Geometry &geometry, const double sine)
+  void OutlineFrames::update_foundation(const Geometry &geometry, const double sine)
   {
-    const int n_nodes = static_cast<int>(geometry.base_nodes.size());
+    const int n_nodes = static_cast<int>(geometry.foundation_nodes.size());
     for (int i = 0; i + 1 < n_nodes; ++i)
-      base_edges[i] = make_frame(geometry.base_nodes[i], geometry.base_nodes[i + 1], -1.);
+      foundation_edges[i] =
+        make_frame(geometry.foundation_nodes[i], geometry.foundation_nodes[i + 1], -1.);
     for (int i = 1; i + 1 < n_nodes; ++i)
-      base_corners[i] = make_corner(base_edges[i - 1], base_edges[i], -1., sine);
+      foundation_corners[i] = make_corner(foundation_edges[i - 1], foundation_edges[i], -1., sine);
   }
 } // namespace hybrid::dda

@@ -70,7 +70,7 @@ namespace hybrid::dda
     const CohesionTaper fade = cohesion_taper(r.history.damage, residual_cohesion);
     if (kinematics.gap > 0. && kinematics.gap >= fade.end && has_let_go(r.history))
       {
-        // Open for good: no shear; the friction spring starts anew on closing.
+        // Open for good: no shear; the friction spring starts from zero on closing.
         r.history.plastic_slip = kinematics.slip;
         r.state                = ContactState::open;
         return r;
@@ -91,7 +91,7 @@ namespace hybrid::dda
     const double spring = (1. + damping.ratio) * k_s;
     const double shift  = damping.ratio / (1. + damping.ratio) * damping.elastic_slip;
     const double trial  = -spring * (kinematics.slip - history.plastic_slip - shift);
-    Strain       at{r.normal, contact_part(r.history), residual_cohesion, 0., 0.};
+    Strain       at{r.normal, contact_fraction(r.history), residual_cohesion, 0., 0.};
     if (r.history.damage > history.damage && at.damage == r.history.damage)
       at.damage_by_gap = tension().damage_by_gap(kinematics.gap);
     const double widest = widest_opening(kinematics.gap, history);
@@ -229,7 +229,7 @@ namespace hybrid::dda
 
 
 
-  double JointLaw::contact_part(const JointHistory &history) const
+  double JointLaw::contact_fraction(const JointHistory &history) const
   {
     return history.held > 0. ? std::min(history.damage, 1. - history.held / strength.tensile)
                              : history.damage;

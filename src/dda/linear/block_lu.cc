@@ -13,7 +13,7 @@ namespace hybrid::dda
   {
     /// Of a block of the diagonal while others are eliminated; times the round-off it is the error
     /// of the factors (Wilkinson 1961).
-    constexpr double most_growth = 1e4;
+    constexpr double max_growth = 1e4;
 
     bool is_zero(const BlockMatrix &matrix, const std::size_t pair)
     {
@@ -175,7 +175,7 @@ namespace hybrid::dda
       {
         const double start = matrix.diagonal[block[p]].cwiseAbs().maxCoeff();
         inverse[p]         = Eigen::PartialPivLU<Mat6>(diagonal[p]).inverse();
-        if (!inverse[p].allFinite() || !(diagonal[p].cwiseAbs().maxCoeff() <= most_growth * start))
+        if (!inverse[p].allFinite() || !(diagonal[p].cwiseAbs().maxCoeff() <= max_growth * start))
           return false;
         for (int a = begin[p]; a < begin[p + 1]; ++a)
           lower[a] = lower[a] * inverse[p];

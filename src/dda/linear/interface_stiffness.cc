@@ -27,20 +27,20 @@ namespace hybrid::dda
   {
     /// Entries below this part of the diagonal are left out: the tangent may be as much off, as the
     /// residual is not.
-    constexpr double small_part = 1e-8;
+    constexpr double small_fraction = 1e-8;
 
-    /// Joints and contacts softer than this part of the base are left out of its factor.
-    constexpr double soft_part = 0.1;
+    /// Joints and contacts softer than this part of the foundation are left out of its factor.
+    constexpr double soft_fraction = 0.1;
 
 
 
     /// Distance from the diagonal beyond which no entry exceeds this @p part of the diagonal.
-    int half_band_width(const Eigen::MatrixXd &s, const double part)
+    int half_band_width(const Eigen::MatrixXd &s, const double fraction)
     {
       const int n = static_cast<int>(s.rows());
       for (int band = n - 1; band > 0; --band)
         for (int j = 0; j + band < n; ++j)
-          if (std::abs(s(j + band, j)) > part * std::sqrt(s(j, j) * s(j + band, j + band)))
+          if (std::abs(s(j + band, j)) > fraction * std::sqrt(s(j, j) * s(j + band, j + band)))
             return band;
       return 0;
     }
@@ -64,21 +64,21 @@ namespace hybrid::dda
       return;
 
     size  = static_cast<int>(stiffness->rows());
-    width = std::min(size - 1, std::max(3, half_band_width(*stiffness, small_part)));
+    width = std::min(size - 1, std::max(3, half_band_width(*stiffness, small_fraction)));
     // All entries beyond together are lost in the round-off of a row's product.
     reach = half_band_width(*stiffness, std::numeric_limits<double>::epsilon() / size);
     band  = Eigen::MatrixXd::Zero(width + 1, size);
     for (int j = 0; j < size; ++j)
       for (int below = 0; below <= width && j + below < size; ++below)
         band(below, j) = (*stiffness)(j + below, j);
-    base_factor = band;
-    joined      = false;
-    if (!factorize(base_factor))
+    foundation_factor = band;
+    joined            = false;
+    if (!factorize(foundation_factor))
       {
         // The band is not definite by itself: fall back to the diagonal.
-        base_factor.setZero();
+        foundation_factor.setZero();
         for (int j = 0; j < size; ++j)
-          base_factor(0, j) = std::sqrt((*stiffness)(j, j));
+          foundation_factor(0, j) = std::sqrt((*stiffness)(j, j));
       }
   }
 
@@ -102,7 +102,7 @@ namespace hybrid::dda
     const int m = matrix.n_nodes();
     for (int k = 0; k < m; ++k)
       for (int c = 0; c < 2; ++c)
-        joined = joined || matrix.node_diagonal[k](c, c) > soft_part * band(0, 2 * k + c);
+        joined = joined || matrix.node_diagonal[k](c, c) > soft_fraction * band(0, 2 * k + c);
     if (!joined)
       return;
     own.resize(m);
@@ -193,7 +193,7 @@ namespace hybrid::dda
   {
     if (source == nullptr || size == 0)
       return;
-    const Eigen::MatrixXd &factor  = joined ? joined_factor : base_factor;
+    const Eigen::MatrixXd &factor  = joined ? joined_factor : foundation_factor;
     const int              leading = width + 1, one = 1;
     int                    info = 0;
     dpbtrs_("L", &size, &width, &one, factor.data(), &leading, x, &size, &info);

@@ -31,16 +31,16 @@ namespace hybrid::dda
   void LinearSolver::matrix_changed(const BlockMatrix &matrix, const std::vector<int> &blocks)
   {
     factor_is_current = false;
-    base.matrix_changed(matrix);
-    swept.set(matrix, base, blocks);
+    foundation.matrix_changed(matrix);
+    swept.set(matrix, foundation, blocks);
   }
 
 
 
   void LinearSolver::matrix_restored(const BlockMatrix &matrix)
   {
-    base.matrix_changed(matrix);
-    swept.set(matrix, base, {});
+    foundation.matrix_changed(matrix);
+    swept.set(matrix, foundation, {});
   }
 
 
@@ -59,7 +59,7 @@ namespace hybrid::dda
   {
     matrix.multiply(x, y);
     const int nodes = 6 * matrix.n_blocks();
-    base.add_product(x.data() + nodes, y.data() + nodes);
+    foundation.add_product(x.data() + nodes, y.data() + nodes);
   }
 
 
@@ -70,7 +70,7 @@ namespace hybrid::dda
     factor.solve(residual, z);
     z.tail(z.size() - nodes) = residual.tail(z.size() - nodes);
     matrix.add_blocks_to_nodes(z, z, -1.);
-    base.solve(z.data() + nodes);
+    foundation.solve(z.data() + nodes);
   }
 
 

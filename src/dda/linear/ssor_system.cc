@@ -42,19 +42,19 @@ namespace hybrid::dda
 
 
   void SsorSystem::set(const BlockMatrix        &block_matrix,
-                       const InterfaceStiffness &base_band,
+                       const InterfaceStiffness &foundation_band,
                        const std::vector<int>   &blocks)
   {
     const bool same = matrix == &block_matrix && version == block_matrix.pattern_version();
     matrix          = &block_matrix;
-    base            = &base_band;
+    foundation      = &foundation_band;
     if (!same)
       order_rows();
     const int n = same ? static_cast<int>(blocks.size()) : matrix->n_blocks();
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int k = 0; k < n; ++k)
       set_row(same ? blocks[k] : order.block[k]);
-    base->diagonal(weight.tail(2 * matrix->n_nodes()));
+    foundation->diagonal(weight.tail(2 * matrix->n_nodes()));
   }
 
 
@@ -174,7 +174,7 @@ namespace hybrid::dda
     sweep(order.n_parts());
     result.tail(2 * matrix->n_nodes()) = b.tail(2 * matrix->n_nodes());
     matrix->add_blocks_to_nodes(result, result, -1.);
-    base->solve(result.data() + 6 * matrix->n_blocks());
+    foundation->solve(result.data() + 6 * matrix->n_blocks());
   }
 
 
@@ -187,8 +187,8 @@ namespace hybrid::dda
     sweep_backward(x, place);
     y.head(6 * n) = above;
     matrix->multiply_nodes(place, y);
-    if (base->exists())
-      base->add_nodes(place.data() + 6 * n, y.data() + 6 * n, -1.);
+    if (foundation->exists())
+      foundation->add_nodes(place.data() + 6 * n, y.data() + 6 * n, -1.);
     else
       y.tail(m) -= place.tail(m);
     sweep_forward(y, y);
@@ -204,14 +204,14 @@ namespace hybrid::dda
     for (int i = 0; i < n; ++i)
       Eigen::Map<Vec6>(y.data() + 6 * i).noalias() =
         matrix->diagonal[i] * Eigen::Map<const Vec6>(x.data() + 6 * i);
-    if (!base->exists())
+    if (!foundation->exists())
       {
         y.tail(m) = x.tail(m);
         return;
       }
     y.tail(m).setZero();
-    base->add_product(x.data() + 6 * n, y.data() + 6 * n);
-    base->add_nodes(x.data() + 6 * n, y.data() + 6 * n, 1.);
+    foundation->add_product(x.data() + 6 * n, y.data() + 6 * n);
+    foundation->add_nodes(x.data() + 6 * n, y.data() + 6 * n, 1.);
   }
 
 

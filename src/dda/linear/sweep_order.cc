@@ -35,8 +35,8 @@ namespace hybrid::dda
 
   std::vector<int> slices(const std::vector<Vec2> &centres)
   {
-    constexpr int least = 128, most = 8; // blocks per part, parts
-    const int     n = static_cast<int>(centres.size()), n_parts = std::min(most, n / least);
+    constexpr int min_blocks = 128, max_parts = 8; // per part, in all
+    const int n = static_cast<int>(centres.size()), n_parts = std::min(max_parts, n / min_blocks);
     if (n_parts < 2)
       return std::vector<int>(n, 0);
     Vec2 lower = centres[0], upper = centres[0];

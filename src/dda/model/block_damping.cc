@@ -23,7 +23,7 @@ namespace hybrid::dda
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       if (state.joints[j].failure == FailureKind::none)
         for (const int body : {model.joints[j].block, model.joints[j].other})
-          if (body != base_body)
+          if (body != foundation_body)
             times[body] = model.blocks[body].damping_time;
   }
 } // namespace hybrid::dda

@@ -136,11 +136,11 @@ namespace hybrid::dda
 
 
 
-    /// The base runs along edges of the mesh, with nodes between their ends where elements are of
-    /// higher degree.
+    /// The foundation runs along edges of the mesh, with nodes between their ends where elements
+    /// are of higher degree.
     void ContactLawBuilder::name_segments()
     {
-      const std::vector<Vec2> &nodes = model.initial.base_nodes;
+      const std::vector<Vec2> &nodes = model.initial.foundation_nodes;
       laws.segment.assign(nodes.empty() ? 0 : nodes.size() - 1, 0);
       std::map<Pair, int>                      region_at;
       std::map<std::pair<double, double>, int> node_at;
@@ -183,7 +183,7 @@ namespace hybrid::dda
           const Vec2 middle =
             a + 0.5 * (joint.points[0].position + joint.points[1].position) * (e - a);
           const int belt = number_of(Kind::belt, &material(true, material.below_water(middle)));
-          if (joint.other == base_body)
+          if (joint.other == foundation_body)
             laws.segment[joint.points[0].other_vertex] = belt;
           else
             laws.edge[joint.points[1].other_vertex] = belt;
@@ -215,16 +215,18 @@ namespace hybrid::dda
   ContactLaws::law(const Geometry &initial, const Contact &contact, const int n_mass) const
   {
     const int  owner = contact.vertex_body, other = contact.edge_body;
-    const auto is_mass = [n_mass](const int body) { return body != base_body && body < n_mass; };
+    const auto is_mass = [n_mass](const int body) {
+      return body != foundation_body && body < n_mass;
+    };
     if (is_mass(other) && is_mass(owner))
       return of[block[other]][owner];
-    if (other == base_body)
+    if (other == foundation_body)
       return of[segment[contact.edge]][owner];
     if (is_mass(owner))
       return of[edge[contact.edge]][owner];
     // A vertex of the ground lies between two of its edges.
     const int v = contact.vertex;
-    if (owner != base_body)
+    if (owner != foundation_body)
       {
         const int before = edge_before(initial, owner, v);
         return of[std::max(edge[v], edge[before < 0 ? v : before])][other];

@@ -22,8 +22,8 @@ namespace hybrid::dda
     , model(block_model)
   {
     const Geometry &g = model.initial;
-    for (std::size_t k = 0; k < g.base_nodes.size(); ++k)
-      base_at[{g.base_nodes[k].x(), g.base_nodes[k].y()}] = static_cast<int>(k);
+    for (std::size_t k = 0; k < g.foundation_nodes.size(); ++k)
+      foundation_at[{g.foundation_nodes[k].x(), g.foundation_nodes[k].y()}] = static_cast<int>(k);
     if (model.n_bedrock == 0)
       return;
     for (std::size_t plane = 0; plane < scene.bedding.names.size(); ++plane)
@@ -45,10 +45,10 @@ namespace hybrid::dda
 
 
 
-  int JointBuilder::base_node(const int node) const
+  int JointBuilder::foundation_node(const int node) const
   {
-    const auto found = base_at.find({mesh.nodes[node].x(), mesh.nodes[node].y()});
-    return found == base_at.end() ? -1 : found->second;
+    const auto found = foundation_at.find({mesh.nodes[node].x(), mesh.nodes[node].y()});
+    return found == foundation_at.end() ? -1 : found->second;
   }
 
 
@@ -62,11 +62,11 @@ namespace hybrid::dda
           const EdgeOfBlock e      = edge_of(b, k);
           const double      length = (mesh.nodes[e.to] - mesh.nodes[e.from]).norm();
           const auto        twin   = open_edges.find({e.to, e.from});
-          const int         start = base_node(e.from), end = base_node(e.to);
+          const int         start = foundation_node(e.from), end = foundation_node(e.to);
           if (twin != open_edges.end())
             shared[{twin->second, e.block}] += length;
           else if (start >= 0 && end == start + 1)
-            shared[{base_body, e.block}] += length;
+            shared[{foundation_body, e.block}] += length;
           else
             open_edges[{e.from, e.to}] = e.block;
         }
@@ -77,7 +77,7 @@ namespace hybrid::dda
   double JointBuilder::softer_modulus(const int block, const int other) const
   {
     const double e = blocks.materials[block].young_modulus;
-    return other == base_body ? e : std::min(e, blocks.materials[other].young_modulus);
+    return other == foundation_body ? e : std::min(e, blocks.materials[other].young_modulus);
   }
 
 
@@ -88,7 +88,7 @@ namespace hybrid::dda
       const Material &m = blocks.materials[b];
       return height * std::sqrt(m.density / (m.lame_lambda() + 2. * m.shear_modulus()));
     };
-    return other == base_body ? time(block) : std::max(time(block), time(other));
+    return other == foundation_body ? time(block) : std::max(time(block), time(other));
   }
 
 
@@ -100,7 +100,7 @@ namespace hybrid::dda
   {
     const bool   belt = joint.kind == JointKind::belt;
     const double k_n  = scene.blocks.penalty_ratio *
-                       softer_modulus(joint.block, belt ? base_body : joint.other) / height;
+                       softer_modulus(joint.block, belt ? foundation_body : joint.other) / height;
     joint.strength_factor = material.factor(scene.heterogeneity.strength_shape,
                                             belt ? BlockMaterials::belt_strength_number
                                                  : BlockMaterials::body_strength_number,
@@ -115,10 +115,10 @@ namespace hybrid::dda
       JointLaw((belt ? laws.belt : laws.body).bond(m, fracture_energy, softening_slip),
                k_n,
                scene.blocks.shear_ratio * k_n)
-        .letting_go_in(crossing_time(joint.block, belt ? base_body : joint.other, height));
+        .letting_go_in(crossing_time(joint.block, belt ? foundation_body : joint.other, height));
     model.joints.push_back(joint);
     model.bonded[joint.block] = true;
-    if (joint.other != base_body)
+    if (joint.other != foundation_body)
       model.bonded[joint.other] = true;
   }
 
@@ -134,11 +134,11 @@ namespace hybrid::dda
       joint.plane = plane->second;
     else
       {
-        const double area = joint.other == base_body
-                              ? 2. * model.blocks[joint.block].area
-                              : model.blocks[joint.block].area + model.blocks[joint.other].area;
-        const Pair   bodies =
-          joint.other == base_body ? Pair{base_body, joint.block} : Pair{joint.block, joint.other};
+        const double area   = joint.other == foundation_body
+                                ? 2. * model.blocks[joint.block].area
+                                : model.blocks[joint.block].area + model.blocks[joint.other].area;
+        const Pair   bodies = joint.other == foundation_body ? Pair{foundation_body, joint.block}
+                                                             : Pair{joint.block, joint.other};
         k_n = scene.blocks.penalty_ratio * softer_modulus(joint.block, joint.other) *
               shared.at(bodies) / area;
         k_s = scene.blocks.shear_ratio * k_n;
@@ -149,7 +149,7 @@ namespace hybrid::dda
                          k_s);
     model.joints.push_back(joint);
     model.bonded[joint.block] = true;
-    if (joint.other != base_body)
+    if (joint.other != foundation_body)
       model.bonded[joint.other] = true;
   }
 
@@ -207,20 +207,24 @@ namespace hybrid::dda
 
 
 
-  void JointBuilder::add_base_joints()
+  void JointBuilder::add_foundation_joints()
   {
     const Geometry &g = model.initial;
     for (std::size_t b = blocks.n_mass; b < blocks.outlines.size(); ++b)
       for (std::size_t k = 0; k < blocks.outlines[b].size(); ++k)
         {
           const EdgeOfBlock edge  = edge_of(b, k);
-          const int         start = base_node(edge.from), end = base_node(edge.to);
+          const int         start = foundation_node(edge.from), end = foundation_node(edge.to);
           if (start < 0 || end != start + 1)
             continue;
-          const double length = (g.base_nodes[end] - g.base_nodes[start]).norm();
-          add_bedrock_joint(
-            {edge.block, edge.vertex, base_body, length, {{0., start}, {1., end}}, {{}, 1., 1.}},
-            edge);
+          const double length = (g.foundation_nodes[end] - g.foundation_nodes[start]).norm();
+          add_bedrock_joint({edge.block,
+                             edge.vertex,
+                             foundation_body,
+                             length,
+                             {{0., start}, {1., end}},
+                             {{}, 1., 1.}},
+                            edge);
         }
   }
 
@@ -230,7 +234,7 @@ namespace hybrid::dda
   {
     const auto line = mesh.lines.find("sliding_surface");
     if (line == mesh.lines.end() || scene.blocks.belt_material.empty() ||
-        model.initial.base_nodes.size() < 2)
+        model.initial.foundation_nodes.size() < 2)
       return;
     const Geometry &g = model.initial;
     std::set<Pair>  on_surface;
@@ -244,7 +248,7 @@ namespace hybrid::dda
           if (on_surface.count({std::min(edge.from, edge.to), std::max(edge.from, edge.to)}) == 0)
             continue;
           const Vec2 a = mesh.nodes[edge.from], e = mesh.nodes[edge.to];
-          const int  start = base_node(edge.from), end = base_node(edge.to);
+          const int  start = foundation_node(edge.from), end = foundation_node(edge.to);
           if (start < 0 || end < 0 || start >= end)
             {
               if (model.n_bedrock > 0)
@@ -258,11 +262,11 @@ namespace hybrid::dda
           const double length = (e - a).norm();
           for (int node = start; node < end; ++node)
             {
-              const Vec2   p = g.base_nodes[node], q = g.base_nodes[node + 1];
+              const Vec2   p = g.foundation_nodes[node], q = g.foundation_nodes[node + 1];
               const double from_a = (p - a).norm() / length, to_a = (q - a).norm() / length;
               add_bond({b,
                         edge.vertex,
-                        base_body,
+                        foundation_body,
                         (q - p).norm(),
                         {{from_a, node}, {to_a, node + 1}},
                         {{}, 1., 1.},

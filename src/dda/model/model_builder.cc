@@ -25,7 +25,7 @@ namespace hybrid::dda
     public:
       Builder(const SectionMesh       &section,
               const SceneParameters   &parameters,
-              const std::vector<Vec2> &base_nodes,
+              const std::vector<Vec2> &foundation_nodes,
               const BondLaws          &chosen_laws)
         : mesh(section)
         , scene(parameters)
@@ -34,7 +34,7 @@ namespace hybrid::dda
         , damping_time(parameters.blocks.damping_ratio /
                        (M_PI * parameters.blocks.damping_frequency))
       {
-        model.initial.base_nodes = base_nodes;
+        model.initial.foundation_nodes = foundation_nodes;
       }
 
       Model build()
@@ -224,7 +224,7 @@ namespace hybrid::dda
         joints.add_block_joints();
       joints.add_belt_joints();
       if (model.n_bedrock > 0)
-        joints.add_base_joints();
+        joints.add_foundation_joints();
     }
 
 
@@ -275,7 +275,7 @@ namespace hybrid::dda
             around[block].shear += 0.5 * density * (1. / kn + 1. / ks);
           };
           // A joint between blocks is shared; the bedrock takes no share of a belt joint.
-          const bool   shared = joint.other != base_body && joint.kind != JointKind::belt;
+          const bool   shared = joint.other != foundation_body && joint.kind != JointKind::belt;
           const double share  = shared ? share_of_joint(joint) : 1.;
           add(joint.block, share);
           if (shared)
@@ -316,9 +316,9 @@ namespace hybrid::dda
 
   Model build_model(const SectionMesh       &mesh,
                     const SceneParameters   &scene,
-                    const std::vector<Vec2> &base_nodes,
+                    const std::vector<Vec2> &foundation_nodes,
                     const BondLaws          &laws)
   {
-    return Builder(mesh, scene, base_nodes, laws).build();
+    return Builder(mesh, scene, foundation_nodes, laws).build();
   }
 } // namespace hybrid::dda

@@ -24,9 +24,10 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, JointState &joint)
   {
-    auto &[points, failure, failure_time, given_way, released, handed_over, parted, rest_slip] =
+    auto &[points, failure, failure_time, has_yielded, released, handed_over, parted, rest_slip] =
       joint;
-    archive(points, failure, failure_time, given_way, released, handed_over, parted[0], parted[1]);
+    archive(
+      points, failure, failure_time, has_yielded, released, handed_over, parted[0], parted[1]);
     archive(rest_slip[0], rest_slip[1]);
   }
 
@@ -79,14 +80,18 @@ namespace hybrid::dda
            damping_loss,
            integration_loss,
            spring_replacement_loss,
-           base_work,
+           foundation_work,
            boundary_loss,
            input_work,
            static_work,
            edge_load_work] = energy;
     archive(kinetic, strain, gravity, springs, friction_loss, fracture_loss, damping_loss);
-    archive(
-      integration_loss, spring_replacement_loss, base_work, boundary_loss, input_work, static_work);
+    archive(integration_loss,
+            spring_replacement_loss,
+            foundation_work,
+            boundary_loss,
+            input_work,
+            static_work);
     archive(edge_load_work, bedding_loss);
   }
 
@@ -94,17 +99,18 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, Geometry &geometry)
   {
-    auto &[offset, block_of, vertices, base_nodes, bedrock, base_shares] = geometry;
-    auto &[first_block, next, previous]                                  = bedrock;
-    archive(offset, block_of, vertices, base_nodes, first_block, next, previous, base_shares);
+    auto &[offset, block_of, vertices, foundation_nodes, bedrock, foundation_shares] = geometry;
+    auto &[first_block, next, previous]                                              = bedrock;
+    archive(
+      offset, block_of, vertices, foundation_nodes, first_block, next, previous, foundation_shares);
   }
 
 
 
   void serialize(Archive &archive, RestState &rest)
   {
-    auto &[vertices, base_nodes, settled_vertices, settled_nodes] = rest;
-    archive(vertices, base_nodes, settled_vertices, settled_nodes);
+    auto &[vertices, foundation_nodes, settled_vertices, settled_nodes] = rest;
+    archive(vertices, foundation_nodes, settled_vertices, settled_nodes);
   }
 
 
@@ -116,18 +122,26 @@ namespace hybrid::dda
            blocks,
            joints,
            contacts,
-           awake,
+           contact_scope,
            rest,
-           base_displacement,
-           base_force,
-           base_contact_force,
+           foundation_displacement,
+           foundation_force,
+           foundation_contact_force,
            static_force,
            static_contact_force,
            bedrock_static_force,
            boundary_force,
            energy] = state;
-    archive(time, geometry, blocks, joints, contacts, awake, rest, base_displacement, base_force);
-    archive(base_contact_force,
+    archive(time,
+            geometry,
+            blocks,
+            joints,
+            contacts,
+            contact_scope,
+            rest,
+            foundation_displacement,
+            foundation_force);
+    archive(foundation_contact_force,
             static_force,
             static_contact_force,
             bedrock_static_force,

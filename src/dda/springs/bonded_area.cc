@@ -13,13 +13,13 @@ namespace hybrid::dda
   void BondedArea::update(const Model &model, const DdaState &state)
   {
     edges.assign(model.initial.vertices.size(), 0);
-    segments.assign(model.initial.base_nodes.size(), 0);
+    segments.assign(model.initial.foundation_nodes.size(), 0);
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       {
         const Joint &joint = model.joints[j];
         if (!joint.bears_residual_cohesion())
           continue;
-        (joint.other == base_body ? segments : edges)[joint.ground_edge()] = both;
+        (joint.other == foundation_body ? segments : edges)[joint.ground_edge()] = both;
         for (const int end : {0, 1})
           if (!state.joints[j].parted[end])
             edges[joint.edge] |= joint.points[end].position < at_corner        ? first

@@ -14,7 +14,7 @@ namespace hybrid::dda
   {
     /// Of an edge's length: vertices that are nearer to each other are at one place. Welded
     /// triangles of the bedrock are some millionths apart under load.
-    constexpr double same_place_part = 1e-4;
+    constexpr double same_place_fraction = 1e-4;
 
 
 
@@ -56,11 +56,12 @@ namespace hybrid::dda
 
 
 
-    /// Unit normal out of the body: on the right of a block's outline, on the left of the base's.
+    /// Unit normal out of the body: on the right of a block's outline, on the left of the
+    /// foundation's.
     Vec2 outward(const Geometry &geometry, const Walk &walk)
     {
       const Vec2   along = direction(geometry, walk);
-      const double side  = (walk.body == base_body) != walk.forwards ? 1. : -1.;
+      const double side  = (walk.body == foundation_body) != walk.forwards ? 1. : -1.;
       return side * Vec2(along.y(), -along.x());
     }
 
@@ -73,7 +74,7 @@ namespace hybrid::dda
 
 
 
-    /// The edge on which the walk goes on; false at a corner and at an end of the base.
+    /// The edge on which the walk goes on; false at a corner and at an end of the foundation.
     bool advance(const Geometry &geometry, Walk &walk)
     {
       int edge = edge_before(geometry, walk.body, walk.edge);
@@ -235,7 +236,8 @@ namespace hybrid::dda
 
 
     /// What the vertex at the beginning of a piece of an overlap bears of a uniform load on it [-]:
-    /// half, or, the more of an edge of the base the piece covers, what the base says of that edge.
+    /// half, or, the more of an edge of the foundation the piece covers, what the foundation says
+    /// of that edge.
     double share_of_piece(const Geometry &geometry,
                           const Reach    &piece,
                           const Vec2     &origin,
@@ -243,10 +245,11 @@ namespace hybrid::dda
                           const double    same_place)
     {
       const Walk &edge = piece.last;
-      if (edge.body != base_body || geometry.base_shares.empty() ||
-          along.dot(position(geometry, base_body, edge.begin(geometry)) - origin) > same_place)
+      if (edge.body != foundation_body || geometry.foundation_shares.empty() ||
+          along.dot(position(geometry, foundation_body, edge.begin(geometry)) - origin) >
+            same_place)
         return 0.5;
-      const double first   = geometry.base_shares[edge.edge];
+      const double first   = geometry.foundation_shares[edge.edge];
       const double all     = edge.forwards ? first : 1. - first;
       const double covered = std::min(1., piece.length / length(geometry, edge));
       return 0.5 + covered * (all - 0.5);
@@ -265,12 +268,12 @@ namespace hybrid::dda
 
 
     /// What is bonded of a piece of an overlap [m].
-    double bonded_part(const Geometry   &geometry,
-                       const BondedArea &area,
-                       const Contact    &contact,
-                       const Walk       &mine,
-                       const Reach      &piece,
-                       const double      share)
+    double bonded_fraction(const Geometry   &geometry,
+                           const BondedArea &area,
+                           const Contact    &contact,
+                           const Walk       &mine,
+                           const Reach      &piece,
+                           const double      share)
     {
       const bool is_place = is_surface(geometry, mine.body);
       const Walk block    = is_place ? Walk{contact.edge_body, contact.edge, false} : mine;
@@ -288,11 +291,11 @@ namespace hybrid::dda
 
 
 
-    Part part_of_overlap(const Geometry             &geometry,
-                         const std::vector<Contact> &contacts,
-                         const Contact              &contact,
-                         const Walk                 &mine,
-                         const BondedArea           *area)
+    Part fraction_of_overlap(const Geometry             &geometry,
+                             const std::vector<Contact> &contacts,
+                             const Contact              &contact,
+                             const Walk                 &mine,
+                             const BondedArea           *area)
     {
       if (mine.edge < 0)
         return {};
@@ -308,7 +311,7 @@ namespace hybrid::dda
       const bool   is_place   = is_surface(geometry, mine.body);
       const bool   on_surface = is_place || is_surface(geometry, other.body);
       const double same_place =
-        same_place_part * std::min(length(geometry, mine), length(geometry, other));
+        same_place_fraction * std::min(length(geometry, mine), length(geometry, other));
       const Faces  faces{is_place ? mine : other, is_place ? other : mine, on_surface, same_place};
       Part         part{0., 0., closeness(along, direction(geometry, other))};
       const double begin =
@@ -322,7 +325,7 @@ namespace hybrid::dda
         share *= 0.5;
       part.length = share * piece.length;
       if (area != nullptr && on_surface)
-        part.bonded = bonded_part(geometry, *area, contact, mine, piece, share);
+        part.bonded = bonded_fraction(geometry, *area, contact, mine, piece, share);
       return part;
     }
 
@@ -358,8 +361,8 @@ namespace hybrid::dda
     const Walk behind{edge_behind < 0 ? body : body_of(geometry, body, edge_behind),
                       edge_behind,
                       false};
-    const Part a = part_of_overlap(geometry, contacts, contact, ahead, area);
-    const Part b = part_of_overlap(geometry, contacts, contact, behind, area);
+    const Part a = fraction_of_overlap(geometry, contacts, contact, ahead, area);
+    const Part b = fraction_of_overlap(geometry, contacts, contact, behind, area);
 
     ContactLength result;
     result.overlap = a.length + b.length;

@@ -89,7 +89,7 @@ namespace hybrid::dda
 
   ContactLoads::Bodies ContactLoads::bodies_of(const Contact &contact, const Geometry &geometry)
   {
-    const auto body = [&](const int b) { return is_surface(geometry, b) ? base_body : b; };
+    const auto body = [&](const int b) { return is_surface(geometry, b) ? foundation_body : b; };
     return std::minmax({body(contact.vertex_body), body(contact.edge_body)});
   }
 
@@ -124,20 +124,20 @@ namespace hybrid::dda
     const Geometry &geometry = lists.geometry;
     const Place     place(contact, geometry);
     const Contact  *nearest = nullptr;
-    double          least = std::numeric_limits<double>::infinity(), turn = 0., depth = 0.;
+    double nearest_distance = std::numeric_limits<double>::infinity(), turn = 0., depth = 0.;
     for (auto it = between.first; it != between.second; ++it)
       {
         const Contact &old = lists.before[it->number];
         const Place    then(old, geometry);
         const double   distance = (then.vertex - place.vertex).norm();
         const double   cosine   = then.along.dot(place.along);
-        if (distance >= least || distance > 0.5 * std::max(then.length, place.length) ||
+        if (distance >= nearest_distance || distance > 0.5 * std::max(then.length, place.length) ||
             std::abs(cosine) < ContactTolerances{}.continuing_cosine)
           continue;
-        nearest = &old;
-        least   = distance;
-        turn    = std::copysign(1., cosine);
-        depth   = it->depth;
+        nearest          = &old;
+        nearest_distance = distance;
+        turn             = std::copysign(1., cosine);
+        depth            = it->depth;
       }
     if (nearest == nullptr)
       return false;
@@ -146,10 +146,10 @@ namespace hybrid::dda
       is_surface(geometry, nearest->vertex_body) == is_surface(geometry, contact.vertex_body);
     const double role = same_role ? 1. : -1.;
     const double own = lists.length(lists.now, contact), its = lists.length(lists.before, *nearest);
-    const double part       = own > its ? its / own : 1.;
-    contact.stress_free_gap = std::min(0., place.gap + part * depth);
+    const double fraction   = own > its ? its / own : 1.;
+    contact.stress_free_gap = std::min(0., place.gap + fraction * depth);
     contact.plastic_slip =
-      contact.slip - role * turn * part * (nearest->slip - nearest->plastic_slip);
+      contact.slip - role * turn * fraction * (nearest->slip - nearest->plastic_slip);
     return true;
   }
 } // namespace hybrid::dda

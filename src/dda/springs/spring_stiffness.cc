@@ -10,7 +10,7 @@ namespace hybrid::dda
 {
   namespace
   {
-    /// A joint that has turned by more is assembled anew [rad].
+    /// A joint that has turned by more is rebuilt [rad].
     constexpr double turned = 1e-4;
   } // namespace
 
@@ -47,14 +47,14 @@ namespace hybrid::dda
   {
     const double none       = -std::numeric_limits<double>::infinity();
     const double floor      = choice.follow_softening ? none : 0.;
-    const double part       = spring.contact_part;
-    const double weight     = 1. + part * (choice.contact_weight - 1.);
+    const double fraction   = spring.contact_fraction;
+    const double weight     = 1. + fraction * (choice.contact_weight - 1.);
     const double length     = weight * spring.length;
     const bool   coupled    = choice.follow_softening || response.k_nn >= 0.;
-    const bool   slides     = part == 1. && response.now.state == ContactState::sliding;
+    const bool   slides     = fraction == 1. && response.now.state == ContactState::sliding;
     const double kept_shear = slides ? choice.sliding_share * spring.law->shear_stiffness() : 0.;
     // Open, only the bond of a joint acts; closed, its contact has the part of k_n.
-    const double pressing = response.now.gap > 0. ? 0. : part * spring.law->normal_stiffness();
+    const double pressing = response.now.gap > 0. ? 0. : fraction * spring.law->normal_stiffness();
     return {spring.length * std::max(floor, response.k_nn - pressing) +
               choice.contact_weight * spring.length * pressing,
             length * (std::max(floor, response.shear_by_slip) + kept_shear),
@@ -86,7 +86,7 @@ namespace hybrid::dda
     is_marked.assign(n_block, choice.all ? 1 : 0);
     const auto mark = [&](const int block, const int other) {
       for (const int body : {block, other})
-        if (body != base_body && body < n_block)
+        if (body != foundation_body && body < n_block)
           is_marked[body] = 1;
     };
     for (int s = n; s < n_old; ++s)
@@ -136,7 +136,7 @@ namespace hybrid::dda
           rows.row(1) = trial.motion[block].gradient(response.place, response.tangent);
         };
         gradients(spring.block, now.of_block);
-        if (spring.other != base_body)
+        if (spring.other != foundation_body)
           gradients(spring.other, now.of_other);
       }
   }
@@ -156,7 +156,7 @@ namespace hybrid::dda
         const Rows &g        = is_first ? k.of_block : k.of_other;
         const int   there    = is_first ? k.other : k.block;
         matrix.diagonal[block].noalias() += g.transpose() * k.stiffness.times(g);
-        if (there == base_body)
+        if (there == foundation_body)
           continue;
         const Rows dg = k.stiffness.times(is_first ? k.of_other : k.of_block);
         (block < there ? matrix.off_diagonal : matrix.lower)[springs.springs[s].slot[0]]
@@ -166,11 +166,11 @@ namespace hybrid::dda
 
 
 
-  void SpringStiffness::add_base(const Springs &springs, BlockMatrix &matrix) const
+  void SpringStiffness::add_foundation(const Springs &springs, BlockMatrix &matrix) const
   {
-    for (const int s : springs.on_base())
+    for (const int s : springs.on_foundation())
       if (!kept[s].stiffness.none())
-        add_base_spring(springs, s, matrix);
+        add_foundation_spring(springs, s, matrix);
     for (const Kept &k : kept)
       if (k.stiffness.tn != 0. || k.stiffness.nn < 0. || k.stiffness.tt < 0.)
         matrix.symmetric = false;
@@ -178,8 +178,9 @@ namespace hybrid::dda
 
 
 
-  void
-  SpringStiffness::add_base_spring(const Springs &springs, const int s, BlockMatrix &matrix) const
+  void SpringStiffness::add_foundation_spring(const Springs &springs,
+                                              const int      s,
+                                              BlockMatrix   &matrix) const
   {
     const Springs::Spring   &spring   = springs.springs[s];
     const Springs::Response &response = springs.responses[s];

@@ -8,7 +8,7 @@ namespace hybrid::dda
 {
   namespace
   {
-    /// A spring's force on Q and where it acts, Q's share on the base nodes.
+    /// A spring's force on Q and where it acts, Q's share on the foundation nodes.
     struct Force
     {
       Vec2   force, place;
@@ -17,9 +17,9 @@ namespace hybrid::dda
 
 
 
-    Vec2 base_moved(const SpringStep &step, const int node)
+    Vec2 foundation_moved(const SpringStep &step, const int node)
     {
-      return (step.trial.base - step.before.base_displacement).segment<2>(2 * node);
+      return (step.trial.foundation - step.before.foundation_displacement).segment<2>(2 * node);
     }
 
 
@@ -31,13 +31,13 @@ namespace hybrid::dda
       const Joint    &joint    = step.model.joints[spring.joint];
       const Geometry &geometry = step.before.geometry;
       const auto      place    = [&](const int v) {
-        return joint.other == base_body ? geometry.base_nodes[v] : geometry.vertices[v];
+        return joint.other == foundation_body ? geometry.foundation_nodes[v] : geometry.vertices[v];
       };
-      const Vec2 &a        = geometry.vertices[joint.edge],
-                 &b        = geometry.vertices[geometry.next(joint.edge)];
-      const double part    = joint.points[1].position - joint.points[0].position;
-      const Vec2   tangent = (part * (b - a) + (place(joint.points[1].other_vertex) -
-                                              place(joint.points[0].other_vertex)))
+      const Vec2 &a         = geometry.vertices[joint.edge],
+                 &b         = geometry.vertices[geometry.next(joint.edge)];
+      const double fraction = joint.points[1].position - joint.points[0].position;
+      const Vec2   tangent  = (fraction * (b - a) + (place(joint.points[1].other_vertex) -
+                                                  place(joint.points[0].other_vertex)))
                              .normalized();
       const Vec2   normal(tangent.y(), -tangent.x());
       const double at = joint.points[spring.end].position;
@@ -54,11 +54,11 @@ namespace hybrid::dda
       const Contact      &contact = step.before.contacts[spring.contact];
       const ContactPlaces start   = places(contact, step.before.geometry);
       const ContactFrame  frame(contact, start.from_q(contact), start.second - start.first);
-      const double        sign = contact.vertex_body == base_body ? 1. : -1.;
+      const double        sign = contact.vertex_body == foundation_body ? 1. : -1.;
       Force               force{sign * spring.length *
                     (traction.normal * frame.outward + traction.shear * frame.along),
                   start.vertex};
-      if (contact.edge_body == base_body)
+      if (contact.edge_body == foundation_body)
         {
           force.weight[1] = std::min(1., std::max(0., frame.edge_position));
           force.weight[0] = 1. - force.weight[1];
@@ -82,10 +82,10 @@ namespace hybrid::dda
           .dot(step.trial.increment[b]);
       };
       double work = -on_body(spring.block);
-      if (spring.other != base_body)
+      if (spring.other != foundation_body)
         return work + on_body(spring.other);
       for (int k = 0; k < 2; ++k)
-        work += force.weight[k] * force.force.dot(base_moved(step, spring.node[k]));
+        work += force.weight[k] * force.force.dot(foundation_moved(step, spring.node[k]));
       return work;
     }
 
@@ -100,10 +100,11 @@ namespace hybrid::dda
       const Springs::Response &response = step.springs.responses[number];
       const Springs::Forces    force    = step.springs.forces_of(step.trial, number, traction);
       double                   work     = force.on_block.dot(step.trial.increment[spring.block]);
-      if (spring.other != base_body)
+      if (spring.other != foundation_body)
         return work + force.on_other.dot(step.trial.increment[spring.other]);
       for (int k = 0; k < 2; ++k)
-        work -= response.weight[k] * force.on_block.head<2>().dot(base_moved(step, spring.node[k]));
+        work -=
+          response.weight[k] * force.on_block.head<2>().dot(foundation_moved(step, spring.node[k]));
       return work;
     }
   } // namespace

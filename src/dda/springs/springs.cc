@@ -12,7 +12,7 @@ namespace hybrid::dda
 {
   namespace
   {
-    Vec2 base_displacement(const Eigen::VectorXd &w, const int node)
+    Vec2 foundation_displacement(const Eigen::VectorXd &w, const int node)
     {
       return {w[2 * node], w[2 * node + 1]};
     }
@@ -21,7 +21,7 @@ namespace hybrid::dda
 
     /// Part of a contact's springs on which its residual cohesion acts [-]: blocks that were bonded
     /// to each other, or what a belt bonds still.
-    double cohesive_part(const Model &model, const Contact &c, const ContactLength &length)
+    double cohesive_fraction(const Model &model, const Contact &c, const ContactLength &length)
     {
       if (length.spring <= 0.)
         return 0.;
@@ -74,16 +74,16 @@ namespace hybrid::dda
 
   void Springs::sort_by_block(const int n_blocks)
   {
-    base_springs.clear();
+    foundation_springs.clear();
     for (std::size_t s = 0; s < springs.size(); ++s)
-      if (springs[s].other == base_body)
-        base_springs.push_back(static_cast<int>(s));
+      if (springs[s].other == foundation_body)
+        foundation_springs.push_back(static_cast<int>(s));
     block_begin.assign(n_blocks + 2, 0); // one place later while counting and filling
     const auto for_each = [&](const auto &act) {
       for (std::size_t s = 0; s < springs.size(); ++s)
         {
           act(springs[s].block, 2 * static_cast<int>(s));
-          if (springs[s].other != base_body)
+          if (springs[s].other != foundation_body)
             act(springs[s].other, 2 * static_cast<int>(s) + 1);
         }
     };
@@ -106,15 +106,15 @@ namespace hybrid::dda
         for (int end = 0; end < 2; ++end)
           {
             Spring s;
-            s.block        = joint.block;
-            s.other        = joint.other;
-            s.joint        = static_cast<int>(j);
-            s.end          = end;
-            s.law          = &joint.law;
-            s.length       = 0.5 * joint.length;
-            s.old          = state.joints[j].points[end];
-            s.contact_part = joint.law.contact_part(s.old.history);
-            if (joint.other == base_body)
+            s.block            = joint.block;
+            s.other            = joint.other;
+            s.joint            = static_cast<int>(j);
+            s.end              = end;
+            s.law              = &joint.law;
+            s.length           = 0.5 * joint.length;
+            s.old              = state.joints[j].points[end];
+            s.contact_fraction = joint.law.contact_fraction(s.old.history);
+            if (joint.other == foundation_body)
               {
                 s.node[0] = s.node[1] = joint.points[end].other_vertex;
                 node_pairs.push_back({s.block, s.node[0]});
@@ -135,22 +135,22 @@ namespace hybrid::dda
     for (std::size_t c = 0; c < state.contacts.size(); ++c)
       {
         const Contact    &contact       = state.contacts[c];
-        const bool        node_on_block = contact.vertex_body == base_body;
-        const bool        on_base       = node_on_block || contact.edge_body == base_body;
+        const bool        node_on_block = contact.vertex_body == foundation_body;
+        const bool        on_foundation = node_on_block || contact.edge_body == foundation_body;
         const int         owner         = node_on_block ? contact.edge_body : contact.vertex_body;
         const ContactLaw &law = model.contacts.law(model.initial, contact, model.n_mass());
         Spring            s;
-        s.block        = owner;
-        s.other        = on_base ? base_body : contact.edge_body;
-        s.contact      = static_cast<int>(c);
-        s.contact_part = 1.;
-        s.law          = &law.law;
+        s.block            = owner;
+        s.other            = on_foundation ? foundation_body : contact.edge_body;
+        s.contact          = static_cast<int>(c);
+        s.contact_fraction = 1.;
+        s.law              = &law.law;
         const ContactLength length =
           contact_length(geometry, state.contacts, contact, law.length, &bonded_area);
         s.length = length.spring;
         if (law.law.has_residual_cohesion())
-          s.cohesion_length_ratio = cohesive_part(model, contact, length);
-        if (on_base)
+          s.cohesion_length_ratio = cohesive_fraction(model, contact, length);
+        if (on_foundation)
           {
             s.node[0] = node_on_block ? contact.vertex : contact.edge;
             s.node[1] = node_on_block ? contact.vertex : contact.edge + 1;
@@ -181,7 +181,7 @@ namespace hybrid::dda
   {
     const auto find_slots = [&]() {
       for (Spring &s : springs)
-        if (s.other == base_body)
+        if (s.other == foundation_body)
           {
             for (int k = 0; k < 2; ++k)
               if ((s.slot[k] = matrix.node_slot(s.block, s.node[k])) < 0)
@@ -193,10 +193,10 @@ namespace hybrid::dda
       return true;
     };
     const bool same_size =
-      matrix.n_blocks() == model.n_blocks() && matrix.n_nodes() == model.n_base_nodes();
+      matrix.n_blocks() == model.n_blocks() && matrix.n_nodes() == model.n_foundation_nodes();
     if (same_size && matrix.pairs.size() <= 2 * block_pairs.size() + 64 && find_slots())
       return;
-    matrix.set_pattern(model.n_blocks(), model.n_base_nodes(), block_pairs, node_pairs);
+    matrix.set_pattern(model.n_blocks(), model.n_foundation_nodes(), block_pairs, node_pairs);
     find_slots();
   }
 
@@ -241,26 +241,26 @@ namespace hybrid::dda
     const int       a = joint.edge, b = geometry.next(a);
 
     const auto other_place = [&](const int v) -> Vec2 {
-      return joint.other == base_body
-               ? Vec2(model.initial.base_nodes[v] + base_displacement(trial.base, v))
-               : Vec2(geometry.vertices[v] + trial.displacement[v]);
+      return joint.other == foundation_body ? Vec2(model.initial.foundation_nodes[v] +
+                                                   foundation_displacement(trial.foundation, v))
+                                            : Vec2(geometry.vertices[v] + trial.displacement[v]);
     };
-    const Vec2 pa     = geometry.vertices[a] + trial.displacement[a];
-    const Vec2 pb     = geometry.vertices[b] + trial.displacement[b];
-    const Vec2 q0     = other_place(joint.points[0].other_vertex),
-               q1     = other_place(joint.points[1].other_vertex);
-    const double part = joint.points[1].position - joint.points[0].position;
-    response.tangent  = (part * (pb - pa) + (q1 - q0)).normalized();
-    response.normal   = Vec2(response.tangent.y(), -response.tangent.x());
+    const Vec2 pa         = geometry.vertices[a] + trial.displacement[a];
+    const Vec2 pb         = geometry.vertices[b] + trial.displacement[b];
+    const Vec2 q0         = other_place(joint.points[0].other_vertex),
+               q1         = other_place(joint.points[1].other_vertex);
+    const double fraction = joint.points[1].position - joint.points[0].position;
+    response.tangent      = (fraction * (pb - pa) + (q1 - q0)).normalized();
+    response.normal       = Vec2(response.tangent.y(), -response.tangent.x());
 
     const Joint::Point &point = joint.points[spring.end];
     const Vec2          moved_p =
       (1. - point.position) * trial.displacement[a] + point.position * trial.displacement[b];
-    const int  v = point.other_vertex;
-    const Vec2 moved_q =
-      joint.other == base_body
-        ? Vec2(base_displacement(trial.base, v) - base_displacement(state.base_displacement, v))
-        : trial.displacement[v];
+    const int  v       = point.other_vertex;
+    const Vec2 moved_q = joint.other == foundation_body
+                           ? Vec2(foundation_displacement(trial.foundation, v) -
+                                  foundation_displacement(state.foundation_displacement, v))
+                           : trial.displacement[v];
     // The jump is summed over the steps: differences of places would cost digits far from the
     // origin.
     const SpringState &old = spring.old;
@@ -290,21 +290,24 @@ namespace hybrid::dda
                                  const std::size_t  s,
                                  const SlipReversal reversed)
   {
-    const Spring   &spring     = springs[s];
-    Response       &response   = responses[s];
-    const Contact  &contact    = state.contacts[spring.contact];
-    const Geometry &geometry   = state.geometry;
-    const auto      base_moved = [&](const int k) -> Vec2 {
-      return base_displacement(trial.base, k) - base_displacement(state.base_displacement, k);
+    const Spring   &spring           = springs[s];
+    Response       &response         = responses[s];
+    const Contact  &contact          = state.contacts[spring.contact];
+    const Geometry &geometry         = state.geometry;
+    const auto      foundation_moved = [&](const int k) -> Vec2 {
+      return foundation_displacement(trial.foundation, k) -
+             foundation_displacement(state.foundation_displacement, k);
     };
 
-    const bool    node_on_block = contact.vertex_body == base_body;
-    const bool    edge_on_base  = contact.edge_body == base_body;
+    const bool    node_on_block      = contact.vertex_body == foundation_body;
+    const bool    edge_on_foundation = contact.edge_body == foundation_body;
     ContactPlaces moved;
-    moved.vertex = node_on_block ? base_moved(contact.vertex) : trial.displacement[contact.vertex];
-    moved.first  = edge_on_base ? base_moved(contact.edge) : trial.displacement[contact.edge];
-    moved.second =
-      edge_on_base ? base_moved(contact.edge + 1) : trial.displacement[geometry.next(contact.edge)];
+    moved.vertex =
+      node_on_block ? foundation_moved(contact.vertex) : trial.displacement[contact.vertex];
+    moved.first =
+      edge_on_foundation ? foundation_moved(contact.edge) : trial.displacement[contact.edge];
+    moved.second              = edge_on_foundation ? foundation_moved(contact.edge + 1)
+                                                   : trial.displacement[geometry.next(contact.edge)];
     const ContactPlaces start = places(contact, geometry);
     const ContactFrame  frame(contact,
                              start.from_q(contact) + moved.from_q(contact),
@@ -315,8 +318,8 @@ namespace hybrid::dda
     response.place         = start.vertex + moved.vertex;
     response.edge_position = frame.edge_position;
     const double xi        = std::min(1., std::max(0., frame.edge_position));
-    response.weight[0]     = edge_on_base ? 1. - xi : 1.;
-    response.weight[1]     = edge_on_base ? xi : 0.;
+    response.weight[0]     = edge_on_foundation ? 1. - xi : 1.;
+    response.weight[1]     = edge_on_foundation ? xi : 0.;
 
     const JointHistory   &history = spring.old.history;
     const JointKinematics kinematics{frame.gap - contact.stress_free_gap,
@@ -342,7 +345,7 @@ namespace hybrid::dda
       spring.length * (traction.normal * response.normal + traction.shear * response.tangent);
     Forces forces;
     forces.on_block = -trial.motion[spring.block].gradient(response.place, force);
-    if (spring.other != base_body)
+    if (spring.other != foundation_body)
       forces.on_other = trial.motion[spring.other].gradient(response.place, force);
     return forces;
   }
@@ -356,7 +359,7 @@ namespace hybrid::dda
     if (response.now.normal == 0. && response.now.shear == 0.)
       return;
     response.force = forces_of(trial, s, {response.now.normal, response.now.shear});
-    if (spring.contact_part > 0. && spring.contact_part < 1.)
+    if (spring.contact_fraction > 0. && spring.contact_fraction < 1.)
       response.contact = forces_of(trial, s, spring.contact_traction(response.now));
   }
 
@@ -372,17 +375,17 @@ namespace hybrid::dda
     const Spring &spring = springs[s];
     const Forces  force  = forces_of(trial, s, traction);
     Eigen::Map<Vec6>(forces.data() + 6 * spring.block) += force.on_block;
-    if (spring.other != base_body)
+    if (spring.other != foundation_body)
       Eigen::Map<Vec6>(forces.data() + 6 * spring.other) += force.on_other;
     else
-      add_force_on_base(s, force, forces);
+      add_force_on_foundation(s, force, forces);
   }
 
 
 
-  void Springs::add_force_on_base(const std::size_t s,
-                                  const Forces     &force,
-                                  Eigen::VectorXd  &forces) const
+  void Springs::add_force_on_foundation(const std::size_t s,
+                                        const Forces     &force,
+                                        Eigen::VectorXd  &forces) const
   {
     const Spring   &spring   = springs[s];
     const Response &response = responses[s];
@@ -411,10 +414,10 @@ namespace hybrid::dda
             const auto on_this = [entry](const Forces &force) -> const Vec6 & {
               return entry % 2 == 0 ? force.on_block : force.on_other;
             };
-            const Vec6  &force = on_this(response.force);
-            const double part  = springs[s].contact_part;
-            if (part == 0. || part == 1.)
-              (part == 1. ? contact : bond) += force;
+            const Vec6  &force    = on_this(response.force);
+            const double fraction = springs[s].contact_fraction;
+            if (fraction == 0. || fraction == 1.)
+              (fraction == 1. ? contact : bond) += force;
             else
               {
                 contact += on_this(response.contact);
@@ -425,28 +428,28 @@ namespace hybrid::dda
         Eigen::Map<Vec6>(bonds.data() + 6 * b) += bond;
         Eigen::Map<Vec6>(contacts.data() + 6 * b) += contact;
       }
-    add_forces_on_base(bonds, contacts);
+    add_forces_on_foundation(bonds, contacts);
   }
 
 
 
-  void Springs::add_forces_on_base(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts) const
+  void Springs::add_forces_on_foundation(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts) const
   {
-    for (const int s : base_springs)
+    for (const int s : foundation_springs)
       {
         const Response &response = responses[s];
         if (response.now.normal == 0. && response.now.shear == 0.)
           continue;
-        const double part = springs[s].contact_part;
-        if (part == 0. || part == 1.)
+        const double fraction = springs[s].contact_fraction;
+        if (fraction == 0. || fraction == 1.)
           {
-            add_force_on_base(s, response.force, part == 1. ? contacts : bonds);
+            add_force_on_foundation(s, response.force, fraction == 1. ? contacts : bonds);
             continue;
           }
-        add_force_on_base(s, response.contact, contacts);
+        add_force_on_foundation(s, response.contact, contacts);
         Forces bond = response.force;
         bond.on_block -= response.contact.on_block;
-        add_force_on_base(s, bond, bonds);
+        add_force_on_foundation(s, bond, bonds);
       }
   }
 

@@ -23,11 +23,11 @@ namespace hybrid::dda
   void store_static_reactions(const Model &model, DdaState &state, const bool held)
   {
     const RestForces springs(held ? with_unlimited_strengths(model) : model, state);
-    const int        first = 6 * model.n_blocks(), n = 2 * model.n_base_nodes();
-    state.base_contact_force   = springs.contacts.segment(first, n);
-    state.base_force           = springs.bonds.segment(first, n) + state.base_contact_force;
-    state.static_force         = state.base_force;
-    state.static_contact_force = state.base_contact_force;
+    const int        first = 6 * model.n_blocks(), n = 2 * model.n_foundation_nodes();
+    state.foundation_contact_force = springs.contacts.segment(first, n);
+    state.foundation_force     = springs.bonds.segment(first, n) + state.foundation_contact_force;
+    state.static_force         = state.foundation_force;
+    state.static_contact_force = state.foundation_contact_force;
     begin_motion(model, state, held);
   }
 } // namespace hybrid::dda

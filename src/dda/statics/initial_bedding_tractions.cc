@@ -22,7 +22,7 @@ namespace hybrid::dda
     using scene::SceneParameters;
     using scene::SectionMesh;
 
-    constexpr double     load_part = 1e-3; ///< of loads and strengths in the model at rest
+    constexpr double     load_fraction = 1e-3; ///< of loads and strengths in the model at rest
     constexpr StaticPace pace{4., 200};
 
 
@@ -75,9 +75,9 @@ namespace hybrid::dda
       scene.continuum.base = scene::fixed_base();
       scene.blocks.enabled = false;
       scene.edge_loads.tractions.clear();
-      scene.bedding.cohesion *= load_part;
-      scene.bedding.tensile_strength *= load_part;
-      scene.bedding.initial_normal_stress *= load_part;
+      scene.bedding.cohesion *= load_fraction;
+      scene.bedding.tensile_strength *= load_fraction;
+      scene.bedding.initial_normal_stress *= load_fraction;
       return scene;
     }
 
@@ -93,7 +93,7 @@ namespace hybrid::dda
         , blocks(cut_bedrock(mesh, scene))
       {
         std::vector<Vec2> nodes;
-        for (const int node : blocks.base)
+        for (const int node : blocks.foundation)
           nodes.push_back(mesh.nodes[node]);
         model = static_problem(build_model(mesh, scene, nodes));
         for (const BoundaryEdge &edge : model.boundary)
@@ -110,7 +110,7 @@ namespace hybrid::dda
       void load_weight()
       {
         for (BlockProperties &block : model.blocks)
-          block.weight = load_part * block.weight_at_rest;
+          block.weight = load_fraction * block.weight_at_rest;
       }
 
       /// Pressure of the water on the surface.
@@ -156,16 +156,17 @@ namespace hybrid::dda
     void RestModel::add_roller(const BoundaryEdge &edge)
     {
       const double k    = model.contacts.of.front()[edge.block].law.normal_stiffness();
-      const int    node = model.n_base_nodes();
+      const int    node = model.n_foundation_nodes();
       model.joints.push_back({edge.block,
                               edge.vertex,
-                              base_body,
+                              foundation_body,
                               (edge.ends[1] - edge.ends[0]).norm(),
                               {{0., node}, {1., node + 1}},
                               JointLaw(JointStrength::roller(), k, k),
                               1.,
                               JointKind::weld});
-      model.initial.base_nodes.insert(model.initial.base_nodes.end(), {edge.ends[0], edge.ends[1]});
+      model.initial.foundation_nodes.insert(model.initial.foundation_nodes.end(),
+                                            {edge.ends[0], edge.ends[1]});
     }
 
 
@@ -194,7 +195,7 @@ namespace hybrid::dda
     {
       const BlockMotion at_rest(state.blocks[block].centroid, Vec6::Zero());
       state.bedrock_static_force.segment<6>(6 * block) -=
-        at_rest.gradient(place, load_part * force);
+        at_rest.gradient(place, load_fraction * force);
     }
 
 
@@ -215,7 +216,7 @@ namespace hybrid::dda
     {
       const std::vector<SurfaceEdge> edges   = surface_edges();
       const auto                     is_mass = [&](const int body) {
-        return body != base_body && body < other.n_mass();
+        return body != foundation_body && body < other.n_mass();
       };
       const Springs springs = springs_at_rest(other, settled);
       for (std::size_t s = 0; s < springs.springs.size() && !edges.empty(); ++s)
@@ -248,11 +249,11 @@ namespace hybrid::dda
           {
             const SpringState &point = state.joints[j].points[end];
             const EndKey       key   = key_of(model, model.joints[j], end);
-            found[key]               = {point.elastic_normal / load_part,
-                                        point.elastic_shear / load_part,
+            found[key]               = {point.elastic_normal / load_fraction,
+                                        point.elastic_shear / load_fraction,
                                         point.history.damage >= 1.};
             const bool   open        = point.state == ContactState::open;
-            const double slip        = std::abs(point.history.plastic_slip) / load_part;
+            const double slip        = std::abs(point.history.plastic_slip) / load_fraction;
             result.slipping += point.state == ContactState::sliding;
             result.open += open;
             if (!open && slip > result.largest)

@@ -102,8 +102,8 @@ namespace hybrid::dda
     begin_motion(model, state, held);
     find_fallen(model, start, state, result);
     state.time                 = start_time;
-    state.static_force         = state.base_force;
-    state.static_contact_force = state.base_contact_force;
+    state.static_force         = state.foundation_force;
+    state.static_contact_force = state.foundation_contact_force;
     state.energy               = stored_energy(model, state);
     return result;
   }

@@ -62,11 +62,11 @@ namespace hybrid::dda
     /// moves, and farther on the joint would pull askew.
     bool slides_on_joints(const Model &problem, const DdaState &state)
     {
-      constexpr double part = 0.1;
+      constexpr double fraction = 0.1;
       for (std::size_t j = 0; j < problem.joints.size(); ++j)
         for (const SpringState &point : state.joints[j].points)
           if (!state.joints[j].released && !problem.joints[j].within_bedrock() &&
-              std::abs(point.slip) > part * problem.joints[j].length)
+              std::abs(point.slip) > fraction * problem.joints[j].length)
             return true;
       return false;
     }
@@ -125,8 +125,8 @@ namespace hybrid::dda
                                  const StaticPace  &pace,
                                  const StaticWatch &watch)
   {
-    BaseResponse base;
-    base.displacement = state.base_displacement;
+    FoundationResponse foundation;
+    foundation.displacement = state.foundation_displacement;
     StaticResult                    result;
     const OpenCloseIteration::Watch watch_step =
       watch ? watch_of_step(watch, result) : OpenCloseIteration::Watch();
@@ -141,14 +141,15 @@ namespace hybrid::dda
         StepResult step;
         if (from_hold)
           {
-            step = from_hold->hold(state, base, dt);
+            step = from_hold->hold(state, foundation, dt);
             result.iterations += step.iterations;
           }
         if (!step.stopped)
           {
-            step = from_hold
-                     ? from_hold->solve(state, base, dt, result.steps > 0 ? result.residual : 1.)
-                     : solver.solve(state, base, dt);
+            step =
+              from_hold
+                ? from_hold->solve(state, foundation, dt, result.steps > 0 ? result.residual : 1.)
+                : solver.solve(state, foundation, dt);
             result.iterations += step.iterations;
           }
         result.stopped = step.stopped;

@@ -30,25 +30,26 @@ namespace hybrid::dda
 
 
 
-  StepResult
-  StickPredictorSteps::hold(const DdaState &state, const BaseResponse &base, const double dt)
+  StepResult StickPredictorSteps::hold(const DdaState           &state,
+                                       const FoundationResponse &foundation,
+                                       const double              dt)
   {
     DdaState         copy   = state;
-    const StepResult result = hold_solver.solve(copy, base, dt);
+    const StepResult result = hold_solver.solve(copy, foundation, dt);
     has_guess               = result.converged;
     return result;
   }
 
 
 
-  StepResult StickPredictorSteps::solve(DdaState           &state,
-                                        const BaseResponse &base,
-                                        const double        dt,
-                                        const double        residual)
+  StepResult StickPredictorSteps::solve(DdaState                 &state,
+                                        const FoundationResponse &foundation,
+                                        const double              dt,
+                                        const double              residual)
   {
     eased.iteration.tolerance = std::max(tolerance, fall * residual);
     return solver.solve(state,
-                        base,
+                        foundation,
                         dt,
                         has_guess ? &hold_solver.solved_step().increments() : nullptr);
   }

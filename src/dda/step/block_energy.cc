@@ -123,8 +123,8 @@ namespace hybrid::dda
 
       double shear(const double start, const double end) const
       {
-        const double part = spring.contact_part;
-        return (1. - part) * of_bond(start, end) + part * end;
+        const double fraction = spring.contact_fraction;
+        return (1. - fraction) * of_bond(start, end) + fraction * end;
       }
 
       /// What a traction has beyond the mean of both ends.

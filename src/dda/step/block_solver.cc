@@ -45,8 +45,8 @@ namespace hybrid::dda
         edges.insert({{a.x(), a.y()}, b - a});
         edges.insert({{b.x(), b.y()}, b - a});
       };
-      for (std::size_t k = 0; k + 1 < geometry.base_nodes.size(); ++k)
-        add(geometry.base_nodes[k + 1], geometry.base_nodes[k]);
+      for (std::size_t k = 0; k + 1 < geometry.foundation_nodes.size(); ++k)
+        add(geometry.foundation_nodes[k + 1], geometry.foundation_nodes[k]);
       for (int b = geometry.bedrock.first_block; b < geometry.n_blocks(); ++b)
         for (int v = geometry.offset[b]; v < geometry.offset[b + 1]; ++v)
           if (geometry.bedrock.next[v] != BedrockSurface::inside)
@@ -120,7 +120,7 @@ namespace hybrid::dda
 
 
 
-  std::vector<ContactScope> BlockSolver::awake_blocks(const DdaState &state) const
+  std::vector<ContactScope> BlockSolver::contact_scopes(const DdaState &state) const
   {
     std::vector<ContactScope> now(model.blocks.size(), ContactScope::no);
     for (std::size_t b = 0; b < now.size(); ++b)
@@ -129,10 +129,10 @@ namespace hybrid::dda
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       {
         const JointState &joint = state.joints[j];
-        if (!joint.given_way)
+        if (!joint.has_yielded)
           continue;
         for (const int body : {model.joints[j].block, model.joints[j].other})
-          if (body != base_body && !model.is_bedrock(body))
+          if (body != foundation_body && !model.is_bedrock(body))
             {
               const bool to_all = joint.failure != FailureKind::none || !is_on_belt[body];
               now[body] =
@@ -161,27 +161,28 @@ namespace hybrid::dda
       find_blocks_on_surface();
     int now = 0;
     for (const JointState &joint : state.joints)
-      now += (joint.given_way ? 1 : 0) + (joint.failure != FailureKind::none ? 1 : 0) +
+      now += (joint.has_yielded ? 1 : 0) + (joint.failure != FailureKind::none ? 1 : 0) +
              (joint.released ? 1 : 0);
     if (now == changes)
       return false;
     changes = now;
 
     SkippedPairs skipped;
-    skipped.awake = awake = awake_blocks(state);
+    skipped.scope = scope = contact_scopes(state);
     skipped.held_off      = held_off;
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       {
         const Joint &joint = model.joints[j];
         if (state.joints[j].released)
           continue;
-        if (joint.other != base_body && !model.is_bedrock(joint.other))
+        if (joint.other != foundation_body && !model.is_bedrock(joint.other))
           skipped.bonded.push_back({joint.block, joint.other});
         else if (!model.is_bedrock(joint.block))
           skipped.surface.push_back({joint.block,
                                      joint.other,
-                                     joint.other == base_body ? joint.points[0].other_vertex
-                                                              : joint.points[1].other_vertex});
+                                     joint.other == foundation_body
+                                       ? joint.points[0].other_vertex
+                                       : joint.points[1].other_vertex});
       }
     detection.set_skipped_pairs(skipped);
     return true;
@@ -189,14 +190,14 @@ namespace hybrid::dda
 
 
 
-  StepResult BlockSolver::solve(DdaState                &state,
-                                const BaseResponse      &base,
-                                const double             dt,
-                                const std::vector<Vec6> *guess)
+  StepResult BlockSolver::solve(DdaState                 &state,
+                                const FoundationResponse &foundation,
+                                const double              dt,
+                                const std::vector<Vec6>  *guess)
   {
     if (model.n_mass() > 0) // joints carry all loads of the bedrock
       search_contacts(state);
-    return iteration.solve(model, state, base, dt, guess);
+    return iteration.solve(model, state, foundation, dt, guess);
   }
 
 
@@ -206,7 +207,7 @@ namespace hybrid::dda
     const auto                     start          = std::chrono::steady_clock::now();
     const ContactDetection::Report before         = detection.report();
     const bool                     joints_changed = update_skipped_pairs(state);
-    detection.set_was_awake(state.awake);
+    detection.set_was_awake(state.contact_scope);
     contacts_before.assign(state.contacts.begin(), state.contacts.end());
     detection.update(state.geometry, state.contacts, state.rest);
     const auto corner = [&](const Contact &contact) {
@@ -216,7 +217,7 @@ namespace hybrid::dda
     if (joints_changed)
       hand_over_released_joints(model, state);
     belt_parting.update(model, state);
-    state.awake.assign(awake.begin(), awake.end());
+    state.contact_scope.assign(scope.begin(), scope.end());
     ++search_summary.steps;
     search_summary.searches += detection.report().searches - before.searches;
     search_summary.lists += detection.report().builds - before.builds;

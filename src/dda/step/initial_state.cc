@@ -16,14 +16,14 @@ namespace hybrid::dda
       state.blocks[b].centroid =
         polygon_moments(&g.vertices[g.offset[b]], g.offset[b + 1] - g.offset[b]).centroid;
     state.joints.resize(model.joints.size());
-    const Eigen::Index n       = 2 * model.n_base_nodes();
-    state.base_displacement    = Eigen::VectorXd::Zero(n);
-    state.base_force           = Eigen::VectorXd::Zero(n);
-    state.static_force         = Eigen::VectorXd::Zero(n);
-    state.static_contact_force = Eigen::VectorXd::Zero(n);
-    state.boundary_force       = Eigen::VectorXd::Zero(2 * BoundaryEdge::n_points *
+    const Eigen::Index n           = 2 * model.n_foundation_nodes();
+    state.foundation_displacement  = Eigen::VectorXd::Zero(n);
+    state.foundation_force         = Eigen::VectorXd::Zero(n);
+    state.static_force             = Eigen::VectorXd::Zero(n);
+    state.static_contact_force     = Eigen::VectorXd::Zero(n);
+    state.boundary_force           = Eigen::VectorXd::Zero(2 * BoundaryEdge::n_points *
                                                  static_cast<Eigen::Index>(model.boundary.size()));
-    state.base_contact_force   = Eigen::VectorXd::Zero(n);
+    state.foundation_contact_force = Eigen::VectorXd::Zero(n);
     start_accelerations(model, state);
     return state;
   }

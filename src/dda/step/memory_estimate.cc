@@ -15,7 +15,7 @@ namespace hybrid::dda
     {
       std::vector<BlockMatrix::Pair> pairs;
       for (const Joint &joint : model.joints)
-        if (joint.other != base_body)
+        if (joint.other != foundation_body)
           pairs.push_back({std::min(joint.block, joint.other), std::max(joint.block, joint.other)});
       std::sort(pairs.begin(), pairs.end());
       pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

@@ -67,21 +67,21 @@ namespace hybrid::dda
         const Springs::Spring &spring = springs.springs[s];
         const SpringState     &now    = springs.responses[s].now;
         const bool             gone   = spring.joint >= 0 && state.joints[spring.joint].released;
-        if (spring.contact_part == 1.)
+        if (spring.contact_fraction == 1.)
           continue;
-        const double part = gone ? 1. : spring.law->contact_part(now.history);
-        if (part == spring.contact_part)
+        const double fraction = gone ? 1. : spring.law->contact_fraction(now.history);
+        if (fraction == spring.contact_fraction)
           continue;
         if (torn.size() == 0)
           torn = Eigen::VectorXd::Zero(contact_force.size());
         const Springs::Traction then = spring.contact_traction(now);
-        const Springs::Traction next =
-          gone ? Springs::Traction{now.normal, now.shear} : Springs::contact_traction(now, part);
+        const Springs::Traction next = gone ? Springs::Traction{now.normal, now.shear}
+                                            : Springs::contact_traction(now, fraction);
         springs.add_force(trial, s, {next.normal - then.normal, next.shear - then.shear}, torn);
       }
-    state.base_contact_force = contact_force.tail(2 * model.n_base_nodes());
+    state.foundation_contact_force = contact_force.tail(2 * model.n_foundation_nodes());
     if (torn.size() > 0)
-      state.base_contact_force += torn.tail(2 * model.n_base_nodes());
+      state.foundation_contact_force += torn.tail(2 * model.n_foundation_nodes());
     for (int b = 0; b < n; ++b)
       {
         Vec6 c = contact_acceleration[b];
@@ -102,10 +102,11 @@ namespace hybrid::dda
     if (incoming.size() > 0)
       state.boundary_force = incoming;
     const double          gamma    = model.newmark.gamma;
-    const Eigen::VectorXd contacts = contact_force.tail(2 * model.n_base_nodes());
-    state.energy.base_work -= ((1. - gamma) * (state.base_force - state.base_contact_force) +
-                               gamma * (force_increment + state.static_force - contacts) + contacts)
-                                .dot(trial.base - state.base_displacement);
+    const Eigen::VectorXd contacts = contact_force.tail(2 * model.n_foundation_nodes());
+    state.energy.foundation_work -=
+      ((1. - gamma) * (state.foundation_force - state.foundation_contact_force) +
+       gamma * (force_increment + state.static_force - contacts) + contacts)
+        .dot(trial.foundation - state.foundation_displacement);
     state.time += dt;
 
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
@@ -125,10 +126,11 @@ namespace hybrid::dda
       }
     for (std::size_t v = 0; v < state.geometry.vertices.size(); ++v)
       state.geometry.vertices[v] += trial.displacement[v];
-    state.base_displacement = trial.base;
-    state.base_force        = force_increment + state.static_force;
-    for (int k = 0; k < model.n_base_nodes(); ++k)
-      state.geometry.base_nodes[k] = model.initial.base_nodes[k] + trial.base.segment<2>(2 * k);
+    state.foundation_displacement = trial.foundation;
+    state.foundation_force        = force_increment + state.static_force;
+    for (int k = 0; k < model.n_foundation_nodes(); ++k)
+      state.geometry.foundation_nodes[k] =
+        model.initial.foundation_nodes[k] + trial.foundation.segment<2>(2 * k);
 
     for (std::size_t s = 0; s < springs.springs.size(); ++s)
       {

@@ -21,22 +21,22 @@ namespace hybrid::dda
 
 
 
-    /// Part of the @p residual that the linear solver may leave: the faster the residual falls, the
-    /// less (Eisenstat and Walker 1996, choice 2).
+    /// Fraction of the @p residual that the linear solver may leave: the faster the residual falls,
+    /// the less (Eisenstat and Walker 1996, choice 2).
     double forcing_term(const double residual, const double previous)
     {
-      constexpr double most = 1e-3, factor = 0.1;
+      constexpr double max_term = 1e-3, factor = 0.1;
       const double     ratio = residual / previous;
-      return std::min(most, factor * ratio * ratio);
+      return std::min(max_term, factor * ratio * ratio);
     }
   } // namespace
 
 
 
-  void OpenCloseIteration::subtract_base_product(const Eigen::VectorXd      &displacement,
-                                                 Eigen::Ref<Eigen::VectorXd> force) const
+  void OpenCloseIteration::subtract_foundation_product(const Eigen::VectorXd      &displacement,
+                                                       Eigen::Ref<Eigen::VectorXd> force) const
   {
-    const InterfaceStiffness &rock = solver.base_stiffness();
+    const InterfaceStiffness &rock = solver.foundation_stiffness();
     const Eigen::Index        n    = displacement.size();
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (Eigen::Index k = 0; k < n; ++k)
@@ -69,10 +69,11 @@ namespace hybrid::dda
 
 
 
-  double
-  OpenCloseIteration::evaluate(const Model &model, const DdaState &state, const BaseResponse &base)
+  double OpenCloseIteration::evaluate(const Model              &model,
+                                      const DdaState           &state,
+                                      const FoundationResponse &foundation)
   {
-    const int    n = model.n_blocks(), m = model.n_base_nodes();
+    const int    n = model.n_blocks(), m = model.n_foundation_nodes();
     const double dt = trial.dt, beta = model.newmark.beta, weight = contact_weight(model.newmark);
     move(state);
     springs.evaluate(model,
@@ -118,19 +119,19 @@ namespace hybrid::dda
     contact_increment = contact_force.tail(2 * m) - state.static_contact_force;
     residual.tail(2 * m) -= state.static_force - state.static_contact_force;
     force_increment = residual.tail(2 * m) + contact_increment;
-    if (base.prescribed)
+    if (foundation.prescribed)
       residual.tail(2 * m).setZero();
     else
       {
-        base_moved = trial.base - base.displacement;
-        residual.tail(2 * m) += base_start + weight * contact_increment;
-        if (!base_moved.isZero(0.))
-          subtract_base_product(base_moved, residual.tail(2 * m));
+        foundation_moved = trial.foundation - foundation.displacement;
+        residual.tail(2 * m) += foundation_start + weight * contact_increment;
+        if (!foundation_moved.isZero(0.))
+          subtract_foundation_product(foundation_moved, residual.tail(2 * m));
       }
     reference = absolute.norm();
-    // A quiet mass on moving ground: the round-off of the base's balance.
-    if (!base.prescribed)
-      reference += 1e-5 * base.load.norm();
+    // A quiet mass on moving ground: the round-off of the foundation's balance.
+    if (!foundation.prescribed)
+      reference += 1e-5 * foundation.load.norm();
     return residual.cwiseQuotient(scale).norm() / std::max(reference, 1e-300);
   }
 
@@ -184,10 +185,10 @@ namespace hybrid::dda
 
 
 
-  void OpenCloseIteration::assemble(const Model        &model,
-                                    const DdaState     &state,
-                                    const BaseResponse &base,
-                                    const Tangent      &tangent)
+  void OpenCloseIteration::assemble(const Model              &model,
+                                    const DdaState           &state,
+                                    const FoundationResponse &foundation,
+                                    const Tangent            &tangent)
   {
     const double dt = trial.dt, beta = model.newmark.beta;
     update_stiffness(model, tangent);
@@ -204,10 +205,10 @@ namespace hybrid::dda
         stiffness.add_rows(springs, b, matrix);
       }
     matrix.set_nodes_zero();
-    stiffness.add_base(springs, matrix);
+    stiffness.add_foundation(springs, matrix);
     if (model.n_bedrock > 0)
       add_bedrock_stiffness({model, state, trial, incoming}, matrix);
-    if (base.prescribed)
+    if (foundation.prescribed)
       {
         // Prescribed nodes: no coupling, unit diagonal.
         std::fill(matrix.block_node.begin(), matrix.block_node.end(), BlockMatrix::Mat62::Zero());
@@ -228,73 +229,74 @@ namespace hybrid::dda
 
 
 
-  OpenCloseIteration::LineSearch OpenCloseIteration::search_line(const Model        &model,
-                                                                 const DdaState     &state,
-                                                                 const BaseResponse &base)
+  OpenCloseIteration::LineSearch
+  OpenCloseIteration::search_line(const Model              &model,
+                                  const DdaState           &state,
+                                  const FoundationResponse &foundation)
   {
     // Work of the residual along the update; zero at the best place. Falling work is followed to
     // its end: only a spring that grew stiffer on the way can turn its sign. No search where the
     // unsymmetric tangent points uphill.
-    constexpr double good_part    = 0.3;
-    constexpr int    maximum_cuts = 10;
-    const double     start        = residual.dot(update);
+    constexpr double good_fraction = 0.3;
+    constexpr int    maximum_cuts  = 10;
+    const double     start         = residual.dot(update);
     double           lower = 0., upper = 1., work_lower = start, work_upper = 0.;
-    double           part = 1., done = 0.;
+    double           fraction = 1., done = 0.;
     for (int cut = 0;; ++cut)
       {
         for (int b = 0; b < model.n_blocks(); ++b)
-          trial.increment[b] += (part - done) * update.segment<6>(6 * b);
-        if (!base.prescribed)
-          trial.base += (part - done) * update.tail(trial.base.size());
-        done = part;
+          trial.increment[b] += (fraction - done) * update.segment<6>(6 * b);
+        if (!foundation.prescribed)
+          trial.foundation += (fraction - done) * update.tail(trial.foundation.size());
+        done = fraction;
         if (full_steps)
           springs.remember();
-        const double norm = evaluate(model, state, base);
+        const double norm = evaluate(model, state, foundation);
         const double work = residual.dot(update);
         if (full_steps || start <= 0. || cut == maximum_cuts || !std::isfinite(norm) ||
-            std::abs(work) <= good_part * start || (cut == 0 && work > 0.))
+            std::abs(work) <= good_fraction * start || (cut == 0 && work > 0.))
           return {norm, done};
         // Regula falsi; an end that stays is given half its weight (Illinois).
         if (work > 0.)
           {
-            lower      = part;
+            lower      = fraction;
             work_lower = work;
             work_upper *= 0.5;
           }
         else
           {
-            upper      = part;
+            upper      = fraction;
             work_upper = work;
             work_lower *= cut > 0 ? 0.5 : 1.;
           }
         const double zero = work_lower / (work_lower - work_upper);
-        part              = lower + std::min(0.95, std::max(0.05, zero)) * (upper - lower);
+        fraction          = lower + std::min(0.95, std::max(0.05, zero)) * (upper - lower);
       }
   }
 
 
 
-  StepResult OpenCloseIteration::solve(const Model             &model,
-                                       const DdaState          &state,
-                                       const BaseResponse      &base,
-                                       const double             dt,
-                                       const std::vector<Vec6> *guess)
+  StepResult OpenCloseIteration::solve(const Model              &model,
+                                       const DdaState           &state,
+                                       const FoundationResponse &foundation,
+                                       const double              dt,
+                                       const std::vector<Vec6>  *guess)
   {
     StepResult result;
-    begin(model, state, base, dt, guess);
+    begin(model, state, foundation, dt, guess);
     if (flies_too_far(model, result))
       return result;
 
-    constexpr int    stall_window   = 10;
-    constexpr double stalled_part   = 0.3;
-    constexpr int    whole_every    = 3; ///< of a step's tangents is made of all rows
-    constexpr int    few_iterations = 4;
-    int              repairs        = 0;
-    double           window_start   = std::numeric_limits<double>::infinity();
-    int              search_start   = 0; ///< iteration in which the line search begins
+    constexpr int    stall_window     = 10;
+    constexpr double stalled_fraction = 0.3;
+    constexpr int    whole_every      = 3; ///< of a step's tangents is made of all rows
+    constexpr int    few_iterations   = 4;
+    int              repairs          = 0;
+    double           window_start     = std::numeric_limits<double>::infinity();
+    int              search_start     = 0; ///< iteration in which the line search begins
 
-    result.residual =
-      guess == nullptr ? choose_guess(model, state, base) : evaluate(model, state, base);
+    result.residual = guess == nullptr ? choose_guess(model, state, foundation)
+                                       : evaluate(model, state, foundation);
     // The first linear system is solved to the end where that may be all.
     double previous = expects_many ? result.residual : std::numeric_limits<double>::infinity();
     expects_many    = true;
@@ -307,7 +309,7 @@ namespace hybrid::dda
         if (full_steps && !whole_updates.go_on())
           {
             search_start    = result.iterations;
-            result.residual = begin_line_search(model, state, base);
+            result.residual = begin_line_search(model, state, foundation);
             stale           = true;
           }
         if (!std::isfinite(result.residual))
@@ -323,15 +325,15 @@ namespace hybrid::dda
           return result;
         if (!full_steps && (result.iterations - search_start) % stall_window == 0)
           {
-            if (result.residual > stalled_part * window_start)
+            if (result.residual > stalled_fraction * window_start)
               return result; // a shorter step is cheaper than more of the same
             window_start = result.residual;
           }
-        // A kept tangent that no longer takes most of the residual away is made anew.
+        // A kept tangent that no longer takes most of the residual away is rebuilt.
         if (stale || (result.iterations > 0 && result.residual > 1e-3 * previous))
           {
             const bool all = stale || ++repairs % whole_every == 0;
-            assemble(model, state, base, {result.residual <= previous, all});
+            assemble(model, state, foundation, {result.residual <= previous, all});
           }
         stale = false;
 
@@ -342,12 +344,12 @@ namespace hybrid::dda
         result.solver_iterations += linear.iterations;
         result.factorizations += linear.factored ? 1 : 0;
         previous                  = result.residual;
-        const LineSearch searched = search_line(model, state, base);
+        const LineSearch searched = search_line(model, state, foundation);
         result.residual           = searched.residual;
         if (full_steps)
           whole_updates.judge(result.residual);
         if (model.iteration.regularises_sliding)
-          stale = sliding_share.adapt(searched.part);
+          stale = sliding_share.adapt(searched.fraction);
       }
     if (!result.converged)
       return result;

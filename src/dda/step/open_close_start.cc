@@ -8,12 +8,12 @@
 
 namespace hybrid::dda
 {
-  void OpenCloseIteration::predict(const Model        &model,
-                                   const DdaState     &state,
-                                   const BaseResponse &base,
-                                   const double        dt)
+  void OpenCloseIteration::predict(const Model              &model,
+                                   const DdaState           &state,
+                                   const FoundationResponse &foundation,
+                                   const double              dt)
   {
-    const int    n = model.n_blocks(), m = model.n_base_nodes();
+    const int    n = model.n_blocks(), m = model.n_foundation_nodes();
     const double beta = model.newmark.beta;
     trial.dt          = dt;
     trial.increment.resize(n);
@@ -38,19 +38,19 @@ namespace hybrid::dda
         start_rate[b]           = v;
         scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
       }
-    assert(base.displacement.size() == 2 * m);
-    start_trial(model, state, base);
-    if (base.prescribed)
+    assert(foundation.displacement.size() == 2 * m);
+    start_trial(model, state, foundation);
+    if (foundation.prescribed)
       return;
-    base_start = base.load;
-    subtract_base_product(base.displacement, base_start);
+    foundation_start = foundation.load;
+    subtract_foundation_product(foundation.displacement, foundation_start);
   }
 
 
 
-  void OpenCloseIteration::start_trial(const Model        &model,
-                                       const DdaState     &state,
-                                       const BaseResponse &base)
+  void OpenCloseIteration::start_trial(const Model              &model,
+                                       const DdaState           &state,
+                                       const FoundationResponse &foundation)
   {
     const int    n  = model.n_blocks();
     const double dt = trial.dt;
@@ -61,45 +61,45 @@ namespace hybrid::dda
         if (guesses_acceleration)
           trial.increment[b] += 0.5 * dt * dt * state.blocks[b].acceleration;
       }
-    trial.base = base.displacement;
+    trial.foundation = foundation.displacement;
   }
 
 
 
-  double OpenCloseIteration::choose_guess(const Model        &model,
-                                          const DdaState     &state,
-                                          const BaseResponse &base)
+  double OpenCloseIteration::choose_guess(const Model              &model,
+                                          const DdaState           &state,
+                                          const FoundationResponse &foundation)
   {
-    const double with_acceleration = evaluate(model, state, base);
+    const double with_acceleration = evaluate(model, state, foundation);
     if (!whole_updates.begin(model.iteration.whole_updates, with_acceleration))
       return with_acceleration;
     guesses_acceleration = false;
-    start_trial(model, state, base);
-    const double without = evaluate(model, state, base);
+    start_trial(model, state, foundation);
+    const double without = evaluate(model, state, foundation);
     if (without < with_acceleration)
       return without;
     guesses_acceleration = true;
-    start_trial(model, state, base);
-    return evaluate(model, state, base);
+    start_trial(model, state, foundation);
+    return evaluate(model, state, foundation);
   }
 
 
 
-  void OpenCloseIteration::begin(const Model             &model,
-                                 const DdaState          &state,
-                                 const BaseResponse      &base,
-                                 const double             dt,
-                                 const std::vector<Vec6> *guess)
+  void OpenCloseIteration::begin(const Model              &model,
+                                 const DdaState           &state,
+                                 const FoundationResponse &foundation,
+                                 const double              dt,
+                                 const std::vector<Vec6>  *guess)
   {
     springs.collect(model, state);
-    incoming = base.boundary_force;
+    incoming = foundation.boundary_force;
     solver.set_slices(model.slice);
-    solver.set_base_stiffness(base.prescribed ? nullptr : base.stiffness);
+    solver.set_foundation_stiffness(foundation.prescribed ? nullptr : foundation.stiffness);
     if (is_restored)
       solver.matrix_restored(matrix);
     is_restored          = false;
     guesses_acceleration = true;
-    predict(model, state, base, dt);
+    predict(model, state, foundation, dt);
     if (guess != nullptr)
       trial.increment = *guess;
     full_steps    = false;
@@ -108,15 +108,15 @@ namespace hybrid::dda
 
 
 
-  double OpenCloseIteration::begin_line_search(const Model        &model,
-                                               const DdaState     &state,
-                                               const BaseResponse &base)
+  double OpenCloseIteration::begin_line_search(const Model              &model,
+                                               const DdaState           &state,
+                                               const FoundationResponse &foundation)
   {
     full_steps        = false;
-    const double norm = evaluate(model, state, base);
+    const double norm = evaluate(model, state, foundation);
     if (norm <= whole_updates.first_residual())
       return norm;
-    start_trial(model, state, base);
-    return evaluate(model, state, base);
+    start_trial(model, state, foundation);
+    return evaluate(model, state, foundation);
   }
 } // namespace hybrid::dda

@@ -8,7 +8,7 @@ namespace hybrid::dda
     Trial trial; // nothing moves
     trial.dt = 1.;
     trial.displacement.assign(state.geometry.vertices.size(), Vec2::Zero());
-    trial.base = state.base_displacement;
+    trial.foundation = state.foundation_displacement;
     for (const BlockState &block : state.blocks)
       trial.motion.emplace_back(block.centroid, Vec6::Zero());
     Springs springs;
@@ -20,7 +20,7 @@ namespace hybrid::dda
 
 
   RestForces::RestForces(const Model &model, const DdaState &state)
-    : bonds(Eigen::VectorXd::Zero(6 * model.n_blocks() + 2 * model.n_base_nodes()))
+    : bonds(Eigen::VectorXd::Zero(6 * model.n_blocks() + 2 * model.n_foundation_nodes()))
     , contacts(bonds)
   {
     const Springs   springs  = springs_at_rest(model, state);

@@ -5,14 +5,14 @@
 
 namespace hybrid::dda
 {
-  bool SlidingRegularisation::adapt(const double part)
+  bool SlidingRegularisation::adapt(const double fraction)
   {
-    const double     before = share;
-    constexpr double least = 1e-3, most = 1., factor = 8.;
-    if (part < 0.25)
-      share = std::min(most, std::max(least, factor * share));
-    else if (part > 0.7)
-      share = share / factor < least ? 0. : share / factor;
+    const double     before    = share;
+    constexpr double min_share = 1e-3, max_share = 1., factor = 8.;
+    if (fraction < 0.25)
+      share = std::min(max_share, std::max(min_share, factor * share));
+    else if (fraction > 0.7)
+      share = share / factor < min_share ? 0. : share / factor;
     return share != before;
   }
 } // namespace hybrid::dda

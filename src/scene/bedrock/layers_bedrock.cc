@@ -136,15 +136,15 @@ namespace hybrid::scene
                                  ", " + std::to_string(x.y()) +
                                  ") m lies in two regions of the mesh; it must lie in one");
               }
-          std::size_t on_base = 0;
+          std::size_t on_foundation = 0;
           for (std::size_t k = 0; k < loop.size(); ++k)
-            on_base += base.count(sorted(loop[k], loop[(k + 1) % loop.size()]));
-          if (on_base == 0)
+            on_foundation += base.count(sorted(loop[k], loop[(k + 1) % loop.size()]));
+          if (on_foundation == 0)
             {
               blocks.outlines.push_back(loop);
               blocks.region.push_back(region);
             }
-          else if (on_base < base.size())
+          else if (on_foundation < base.size())
             {
               const Vec2 &x = mesh.nodes[loop[0]];
               throw InputError("Model/Bedrock = layers: the layer at (" + std::to_string(x.x()) +
@@ -153,7 +153,7 @@ namespace hybrid::scene
                                "surface of the mesh from side to side");
             }
           else
-            blocks.base = upper_boundary(mesh, loop);
+            blocks.foundation = upper_boundary(mesh, loop);
         }
       return blocks;
     }

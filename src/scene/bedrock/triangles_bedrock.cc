@@ -32,9 +32,9 @@ namespace hybrid::scene
       if (!scene.has_compliant_base())
         for (const auto &edge : mesh.lines.at("base"))
           {
-            if (blocks.base.empty())
-              blocks.base.push_back(edge[0]);
-            blocks.base.push_back(edge[1]);
+            if (blocks.foundation.empty())
+              blocks.foundation.push_back(edge[0]);
+            blocks.foundation.push_back(edge[1]);
           }
       return blocks;
     }

@@ -103,28 +103,28 @@ namespace hybrid::scene
     std::string
     warning_of(const SectionMesh &mesh, const SceneParameters &scene, const std::string &side)
     {
-      const Column column = column_of(mesh, side);
-      const bool   left   = side == "left";
-      const Ground ground = ground_beside(mesh, scene, column, left);
-      double       most = 0., where = 0.;
+      const Column column  = column_of(mesh, side);
+      const bool   left    = side == "left";
+      const Ground ground  = ground_beside(mesh, scene, column, left);
+      double       largest = 0., where = 0.;
       for (int i = 0; i <= samples; ++i) // from the side inwards
         {
           const int    k          = left ? i : samples - i;
           const double difference = ground.y[k] - column.top;
           const double allowed    = (i == 0 ? difference_at : difference_near) * column.height();
           if (ground.y[k] > -1e299 && std::abs(difference) > allowed &&
-              std::abs(difference) > std::abs(most) + 1e-9 * column.height())
+              std::abs(difference) > std::abs(largest) + 1e-9 * column.height())
             {
-              most  = difference;
-              where = i == 0 ? column.x : ground.x[k];
+              largest = difference;
+              where   = i == 0 ? column.x : ground.x[k];
             }
         }
-      if (most == 0.)
+      if (largest == 0.)
         return "";
       std::ostringstream text;
       text.precision(4);
-      text << "the ground beside the line " << side << " is up to " << std::abs(most) << " m "
-           << (most > 0. ? "higher" : "lower") << " (at x = " << where
+      text << "the ground beside the line " << side << " is up to " << std::abs(largest) << " m "
+           << (largest > 0. ? "higher" : "lower") << " (at x = " << where
            << " m) than the free-field column there, which is " << column.height()
            << " m high and ends at y = " << column.top
            << " m, so that it sends in the motion of other ground; let bedrock reach the ground at "

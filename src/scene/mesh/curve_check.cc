@@ -158,8 +158,8 @@ namespace hybrid::scene
 
   std::string curves_within_surfaces()
   {
-    constexpr int    most  = 4; // named one by one
-    int              count = 0;
+    constexpr int    max_named = 4; // named one by one
+    int              count     = 0;
     std::string      text;
     gmsh::vectorpair surfaces;
     gmsh::model::getEntities(surfaces, 2);
@@ -168,10 +168,10 @@ namespace hybrid::scene
         gmsh::vectorpair inner;
         gmsh::model::mesh::getEmbedded(2, surface.second, inner);
         for (const auto &curve : inner)
-          if (curve.first == 1 && ++count <= most)
+          if (curve.first == 1 && ++count <= max_named)
             text += (text.empty() ? "" : ", ") + name_of(curve.second) + " within surface " +
                     std::to_string(surface.second);
       }
-    return count > most ? text + ", ..." : text;
+    return count > max_named ? text + ", ..." : text;
   }
 } // namespace hybrid::scene

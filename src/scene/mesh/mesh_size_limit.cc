@@ -13,7 +13,7 @@ namespace hybrid::scene
 {
   namespace
   {
-    constexpr double most_cells = 2e6;
+    constexpr double max_cells = 2e6;
 
 
     /// Boundary of a surface, curve by curve.
@@ -64,13 +64,13 @@ namespace hybrid::scene
         edges += boundary.edges;
         length += boundary.length;
       }
-    if (!(cells > most_cells))
+    if (!(cells > max_cells))
       return cells;
     std::ostringstream text;
     text.precision(2);
     text << "the mesh would have about " << cells << " cells: the edges on the boundaries of its "
-         << "surfaces are " << length / edges << " m long on average; at most " << most_cells
-         << " cells are allowed, so coarsen it by " << std::sqrt(cells / most_cells)
+         << "surfaces are " << length / edges << " m long on average; at most " << max_cells
+         << " cells are allowed, so coarsen it by " << std::sqrt(cells / max_cells)
          << " or look at the unit of the coordinates.";
     throw InputError(file, 0, text.str());
   }

@@ -90,9 +90,9 @@ namespace hybrid::scene
       return a.front();
     if (frequency >= f.back())
       return a.back();
-    const std::size_t i    = std::upper_bound(f.begin(), f.end(), frequency) - f.begin();
-    const double      part = std::log(frequency / f[i - 1]) / std::log(f[i] / f[i - 1]);
-    return a[i - 1] * std::pow(a[i] / a[i - 1], part);
+    const std::size_t i        = std::upper_bound(f.begin(), f.end(), frequency) - f.begin();
+    const double      fraction = std::log(frequency / f[i - 1]) / std::log(f[i] / f[i - 1]);
+    return a[i - 1] * std::pow(a[i] / a[i - 1], fraction);
   }
 
 

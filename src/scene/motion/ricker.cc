@@ -17,12 +17,12 @@ namespace hybrid::scene
         throw InputError("Motion/Frequency is " + in_words(frequency) +
                          "; a Ricker wavelet needs a positive one.");
 
-      constexpr double most_samples = 1e6; // a second or two for the scene card
-      const double     dt           = wave_spacing(frequency, time_step);
-      if (!(3. / (frequency * dt) <= most_samples))
+      constexpr double max_samples = 1e6; // a second or two for the scene card
+      const double     dt          = wave_spacing(frequency, time_step);
+      if (!(3. / (frequency * dt) <= max_samples))
         throw InputError("Motion/Frequency is " + in_words(frequency) +
                          "; a Ricker wavelet in steps of " + in_words(dt) + " s has at least " +
-                         in_words(3. / (most_samples * dt)) + " Hz.");
+                         in_words(3. / (max_samples * dt)) + " Hz.");
       const int half = static_cast<int>(std::ceil(1.5 / (frequency * dt) - 1e-9));
 
       std::vector<double> a(2 * half + 1);

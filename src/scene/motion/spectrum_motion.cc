@@ -23,7 +23,7 @@ namespace hybrid::scene
     constexpr int    sets_of_phases     = 8; // tried until one is good
     constexpr double good_misfit        = 0.05;
     constexpr int    control_points     = 100;
-    constexpr double most_samples       = 3e5; // a quarter of a minute
+    constexpr double max_samples        = 3e5; // a quarter of a minute
 
 
     /// Motion from amplitudes and phases at multiples of 1/(2T), so that it does not repeat in T.
@@ -216,7 +216,7 @@ namespace hybrid::scene
              "a band that overlaps that of the spectrum file");
     if (!(parameters.duration * lowest >= 2.))
       refuse("Duration", parameters.duration, "at least two periods of the lowest frequency");
-    if (!(samples_per_period * highest * parameters.duration <= most_samples))
+    if (!(samples_per_period * highest * parameters.duration <= max_samples))
       refuse("Duration", parameters.duration, "at most 10000 periods of the highest frequency");
 
     Synthesis                 synthesis(parameters, highest);

@@ -10,7 +10,7 @@ namespace hybrid::scene
 {
   namespace
   {
-    const int most_threads = 1024;
+    const int max_threads = 1024;
 
     /// First pass: the names of the materials, which are sections of the second pass.
     void make_material_table(const std::vector<ParameterLine> &lines, SceneParameters &scene)
@@ -126,7 +126,7 @@ namespace hybrid::scene
     ParameterSection(table, {"Parallel"})
       .integer("Threads",
                scene.threads,
-               {1, most_threads},
+               {1, max_threads},
                "Threads of one run; results do not depend on it.");
   }
 

@@ -69,13 +69,13 @@ namespace hybrid::scene
 
   void check(const TimeParameters &time, const ParameterTable &table)
   {
-    const double most_steps = 1e9;
+    const double max_steps = 1e9;
     if (time.end_time == 0.)
       return; // the static state only
     if (time.time_step > time.end_time)
       throw table.error("Time/Time step",
                         "must not exceed Time/End time = " + number_text(time.end_time) + " [s]");
-    if (time.end_time / time.time_step > most_steps)
+    if (time.end_time / time.time_step > max_steps)
       throw table.error("Time/End time",
                         "is more than 1e9 steps of Time/Time step = " +
                           number_text(time.time_step) + " [s]");

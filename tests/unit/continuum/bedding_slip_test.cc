@@ -159,24 +159,24 @@ TEST(BeddingSlip, a_plane_that_breaks_loses_the_shear_stress_that_it_drops)
   const auto  &plane    = continuum.slipping_planes()[0];
   auto         state    = continuum.initial_state();
   double       expected = 0.;
-  int          broken   = 0;
+  int          failed   = 0;
   const double length = 60. / 12., k_n = scene.bedding.normal_stiffness,
                k_s = scene.bedding.shear_stiffness;
   while (state.time < 0.4)
     {
       const auto before     = continuum.bedding_values(state, plane);
-      const auto was_broken = state.slip.broken;
+      const auto had_failed = state.slip.failed;
       ASSERT_EQ(before.slip.size(), 12u);
       ASSERT_TRUE(continuum.step(state, 1e-3));
-      for (std::size_t i = 0; i < was_broken.size(); ++i)
-        if (state.slip.broken[i] && !was_broken[i])
+      for (std::size_t i = 0; i < had_failed.size(); ++i)
+        if (state.slip.failed[i] && !had_failed[i])
           {
-            ++broken;
+            ++failed;
             expected += length * (2e4 * 2e4 / (2. * k_n) +
                                   before.shear_stress[i] * before.shear_stress[i] / (2. * k_s));
           }
     }
-  EXPECT_GT(broken, 5);
+  EXPECT_GT(failed, 5);
   EXPECT_GT(expected, 10. * 60. * 2e4 * 2e4 / (2. * k_n)); // mostly of the shear stress
   EXPECT_NEAR(state.energy.bedding_loss, expected, 1e-6 * expected);
 }

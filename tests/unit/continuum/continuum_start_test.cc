@@ -71,7 +71,7 @@ TEST(ContinuumStart, nothing_without_a_wave)
   for (const auto *x : {&state.displacement, &state.velocity, &state.acceleration})
     for (const double value : *x)
       ASSERT_EQ(value, 0.);
-  EXPECT_EQ(rock.wave_at_boundary().part, 0.);
+  EXPECT_EQ(rock.wave_at_boundary().fraction, 0.);
 }
 
 
@@ -139,18 +139,18 @@ TEST(ContinuumStart, audit_closes_from_the_first_step)
 TEST(ContinuumStart, says_where_the_wave_is_cut_off)
 {
   Scene scene(scene::WaveType::shear);
-  EXPECT_LT(scene.rock().wave_at_boundary().part, 0.01);
+  EXPECT_LT(scene.rock().wave_at_boundary().fraction, 0.01);
   scene.parameters.initial_wave.centre = Vec2(400., 75.);
   const auto reach                     = scene.rock().wave_at_boundary();
-  EXPECT_GT(reach.part, 0.3);
-  EXPECT_LT(reach.part, 1.);
+  EXPECT_GT(reach.fraction, 0.3);
+  EXPECT_LT(reach.fraction, 1.);
   EXPECT_EQ(reach.where.y(), 0.);
 
   // A plane front meets the sides, which is no mistake.
   scene.parameters.initial_wave.centre    = Vec2(400., 400.);
   scene.parameters.initial_wave.direction = -90.;
   scene.parameters.initial_wave.width     = 0.;
-  EXPECT_LT(scene.rock().wave_at_boundary().part, 0.01);
+  EXPECT_LT(scene.rock().wave_at_boundary().fraction, 0.01);
 }
 
 

@@ -110,9 +110,9 @@ TEST(Continuum, mistakes_are_refused)
   no_base.lines.erase("base");
   EXPECT_THROW(make(no_base, test::rock_scene()), InputError);
 
-  auto wrong_base = box();
-  wrong_base.lines["base"].push_back({5, 6});
-  EXPECT_THROW(make(wrong_base, test::rock_scene()), InputError);
+  auto wrong_foundation = box();
+  wrong_foundation.lines["base"].push_back({5, 6});
+  EXPECT_THROW(make(wrong_foundation, test::rock_scene()), InputError);
 
   auto no_material = test::rock_scene();
   no_material.continuum.region_material.clear();

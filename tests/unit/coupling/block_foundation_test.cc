@@ -30,10 +30,11 @@ TEST(BlockFoundation, sends_twice_the_upgoing_wave_through_the_base)
   const scene::SceneParameters p     = bedrock_parameters("triangles");
   const dda::Model             model = dda::build_model(layered_section(2, {2, 1}), p, {});
   BlockFoundation              base({}, constant_acceleration(), p, model.boundary);
-  continuum::ContinuumState    state = base.initial_state();
-  state.time                         = 0.3;
-  const Eigen::VectorXd f            = base.predict(state, 0.1).boundary_force;
-  const Material       &rock         = p.materials.at("rock");
+  CoupledState                 state;
+  base.start(state);
+  state.time                 = 0.3;
+  const Eigen::VectorXd f    = base.predict(state, 0.1).boundary_force;
+  const Material       &rock = p.materials.at("rock");
   Vec2                  total(0., 0.);
   for (Eigen::Index k = 0; k < f.size(); k += 2)
     total += f.segment<2>(k);
@@ -45,18 +46,19 @@ TEST(BlockFoundation, sends_twice_the_upgoing_wave_through_the_base)
 
 TEST(BlockFoundation, columns_change_no_state_before_the_step_is_accepted)
 {
-  scene::SceneParameters p        = bedrock_parameters("triangles");
-  p.continuum.sides               = scene::free_field_side();
-  const dda::Model          model = dda::build_model(layered_section(2, {2, 1}), p, {});
-  BlockFoundation           base({}, constant_acceleration(), p, model.boundary);
-  continuum::ContinuumState state = base.initial_state();
-  EXPECT_EQ(state.displacement.size(), 2u * 2u * (3u * 2u + 1u));
+  scene::SceneParameters p = bedrock_parameters("triangles");
+  p.continuum.sides        = scene::free_field_side();
+  const dda::Model model   = dda::build_model(layered_section(2, {2, 1}), p, {});
+  BlockFoundation  base({}, constant_acceleration(), p, model.boundary);
+  CoupledState     state;
+  base.start(state);
+  EXPECT_EQ(state.columns.displacement.size(), 2u * 2u * (3u * 2u + 1u));
   const Eigen::VectorXd first  = base.predict(state, 0.1).boundary_force;
   const Eigen::VectorXd second = base.predict(state, 0.1).boundary_force;
   EXPECT_EQ((first - second).norm(), 0.);
-  EXPECT_EQ(state.velocity, std::vector<double>(state.velocity.size(), 0.));
+  EXPECT_EQ(state.columns.velocity, std::vector<double>(state.columns.velocity.size(), 0.));
   base.correct(state, 0.1, {}, {});
-  EXPECT_GT(state.velocity[0], 0.);
+  EXPECT_GT(state.columns.velocity[0], 0.);
 }
 
 
@@ -91,12 +93,12 @@ TEST(BlockFoundation, a_mass_at_rest_stays_at_rest)
       mesh.block_region_names = {"sliding_mass"};
       mesh.lines["sliding_surface"].push_back({a, a + 1});
       std::vector<Vec2> nodes;
-      for (const int node : scene::cut_bedrock(mesh, p).base)
+      for (const int node : scene::cut_bedrock(mesh, p).foundation)
         nodes.push_back(mesh.nodes[node]);
       const dda::Model model = dda::build_model(mesh, p, nodes);
       BlockFoundation  base(nodes, {}, p, model.boundary);
       CoupledState     state;
-      state.continuum               = base.initial_state();
+      base.start(state);
       state.blocks                  = dda::initial_state(model);
       const dda::StaticResult start = dda::settle(model, state.blocks, false);
       EXPECT_TRUE(start.equilibrium);

@@ -45,22 +45,22 @@ TEST(CondensedFoundation, prediction_changes_no_state)
 {
   MovingRun                       run;
   const continuum::ContinuumState before = run.state.continuum;
-  const Eigen::VectorXd           load   = run.base->predict(run.state.continuum, 1e-3).load;
+  const Eigen::VectorXd           load   = run.base->predict(run.state, 1e-3).load;
   EXPECT_EQ(run.state.continuum.time, before.time);
   EXPECT_EQ(run.state.continuum.displacement, before.displacement);
   EXPECT_EQ(run.state.continuum.velocity, before.velocity);
   EXPECT_EQ(run.state.continuum.acceleration, before.acceleration);
   // Another step size in between leaves no trace either.
-  run.base->predict(run.state.continuum, 5e-4);
-  EXPECT_EQ(run.base->predict(run.state.continuum, 1e-3).load, load);
+  run.base->predict(run.state, 5e-4);
+  EXPECT_EQ(run.base->predict(run.state, 1e-3).load, load);
 }
 
 
 
 TEST(CondensedFoundation, response_is_a_symmetric_positive_definite_body)
 {
-  MovingRun                run;
-  const dda::BaseResponse &response = run.base->predict(run.state.continuum, 1e-3);
+  MovingRun                      run;
+  const dda::FoundationResponse &response = run.base->predict(run.state, 1e-3);
   EXPECT_FALSE(response.prescribed);
   const Eigen::MatrixXd &s = *response.stiffness;
   ASSERT_EQ(s.rows(), 10);
@@ -74,12 +74,12 @@ TEST(CondensedFoundation, response_is_a_symmetric_positive_definite_body)
 // The accepted surface motion is the solution of S w = g + lambda.
 TEST(CondensedFoundation, correction_takes_the_surface_where_the_blocks_found_it)
 {
-  MovingRun                run;
-  const dda::BaseResponse &response = run.base->predict(run.state.continuum, 1e-3);
-  const Eigen::VectorXd    force    = Eigen::VectorXd::LinSpaced(10, -1e3, 1e3);
-  const Eigen::VectorXd    w        = response.stiffness->ldlt().solve(response.load + force);
-  const double             time     = run.state.continuum.time;
-  run.base->correct(run.state.continuum, 1e-3, w, force);
+  MovingRun                      run;
+  const dda::FoundationResponse &response = run.base->predict(run.state, 1e-3);
+  const Eigen::VectorXd          force    = Eigen::VectorXd::LinSpaced(10, -1e3, 1e3);
+  const Eigen::VectorXd          w        = response.stiffness->ldlt().solve(response.load + force);
+  const double                   time     = run.state.continuum.time;
+  run.base->correct(run.state, 1e-3, w, force);
   EXPECT_DOUBLE_EQ(run.state.continuum.time, time + 1e-3);
   for (std::size_t k = 0; k < run.rock.surface_nodes().size(); ++k)
     {
@@ -101,8 +101,8 @@ TEST(CondensedFoundation, surface_force_is_what_the_blocks_feel)
       Vec2 inertia = Vec2::Zero(), force = Vec2::Zero();
       for (int b = 0; b < run.model.n_blocks(); ++b)
         inertia += run.model.blocks[b].mass * run.state.blocks.blocks[b].acceleration.head<2>();
-      for (Eigen::Index i = 0; i < run.state.blocks.base_force.size(); i += 2)
-        force += run.state.blocks.base_force.segment<2>(i);
+      for (Eigen::Index i = 0; i < run.state.blocks.foundation_force.size(); i += 2)
+        force += run.state.blocks.foundation_force.segment<2>(i);
       EXPECT_LT((inertia + force).norm(), 1e-6 * force.norm());
     }
 }

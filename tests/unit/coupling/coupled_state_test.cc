@@ -13,6 +13,8 @@ namespace hybrid::coupling
     TEST(CoupledState, IsStoredWhole)
     {
       CoupledState state;
+      state.time                   = 1.;
+      state.columns                = {{14.}, {15., 16.}, {17.}};
       state.blocks.time            = 2.;
       auto &rock                   = state.continuum;
       rock.time                    = 3.;
@@ -24,7 +26,7 @@ namespace hybrid::coupling
       rock.contact_acceleration    = {11.5};
       rock.slip.jump               = {12.};
       rock.slip.path               = {13.};
-      rock.slip.broken             = {1, 0};
+      rock.slip.failed             = {1, 0};
       rock.slip.condition          = {continuum::PlaneCondition::open};
       constexpr std::size_t n      = sizeof(continuum::ContinuumEnergy) / sizeof(double);
       double *const         values = &rock.energy.kinetic;
@@ -37,6 +39,10 @@ namespace hybrid::coupling
       CoupledState copy;
       reader(copy);
       EXPECT_TRUE(reader.at_end());
+      EXPECT_EQ(copy.time, 1.);
+      EXPECT_EQ(copy.columns.displacement, state.columns.displacement);
+      EXPECT_EQ(copy.columns.velocity, state.columns.velocity);
+      EXPECT_EQ(copy.columns.acceleration, state.columns.acceleration);
       EXPECT_EQ(copy.blocks.time, 2.);
       EXPECT_EQ(copy.continuum.time, 3.);
       EXPECT_EQ(copy.continuum.displacement, rock.displacement);
@@ -47,7 +53,7 @@ namespace hybrid::coupling
       EXPECT_EQ(copy.continuum.contact_acceleration, rock.contact_acceleration);
       EXPECT_EQ(copy.continuum.slip.jump, rock.slip.jump);
       EXPECT_EQ(copy.continuum.slip.path, rock.slip.path);
-      EXPECT_EQ(copy.continuum.slip.broken, rock.slip.broken);
+      EXPECT_EQ(copy.continuum.slip.failed, rock.slip.failed);
       EXPECT_EQ(copy.continuum.slip.condition, rock.slip.condition);
       const double *const read = &copy.continuum.energy.kinetic;
       for (std::size_t k = 0; k < n; ++k)
@@ -59,7 +65,7 @@ namespace hybrid::coupling
     {
       CoupledState state;
       state.set_time(4.);
-      EXPECT_EQ(state.time(), 4.);
+      EXPECT_EQ(state.time, 4.);
       EXPECT_EQ(state.blocks.time, 4.);
       EXPECT_EQ(state.continuum.time, 4.);
     }

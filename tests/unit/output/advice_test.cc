@@ -142,7 +142,8 @@ namespace hybrid::output
     scene.blocks.belt_material   = "belt";
     scene::SectionMesh mesh      = test::square_blocks(2, 1);
     const auto         said      = [&]() {
-      return belt_warning(scene, dda::build_model(mesh, scene, test::straight_base(0., 0., 2., 2)));
+      return belt_warning(scene,
+                          dda::build_model(mesh, scene, test::straight_foundation(0., 0., 2., 2)));
     };
     EXPECT_EQ(said().find("Blocks/Belt material = belt bonds nothing"), 0u) << said();
     mesh.lines["sliding_surface"].push_back({0, 1});

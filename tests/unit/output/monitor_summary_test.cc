@@ -35,10 +35,10 @@ namespace hybrid::output
     TEST(MonitorSummary, PeaksAndAmplificationOfASine)
     {
       MonitorReference reference;
-      reference.time                 = equal_times(1e-3, 5000);
-      const std::vector<double> time = reference.time;
-      reference.outcrop_acceleration = sine(time, 2., 1e-16);
-      reference.base_displacement    = sine(time, 0.1, 0.);
+      reference.time                    = equal_times(1e-3, 5000);
+      const std::vector<double> time    = reference.time;
+      reference.outcrop_acceleration    = sine(time, 2., 1e-16);
+      reference.foundation_displacement = sine(time, 0.1, 0.);
       const MonitorSummarizer summarizer(reference);
       const MonitorSummary    summary =
         summarizer.summarize(sine(time, 0.4, 0.2), sine(time, 3., 1.), sine(time, -5., 1.));

@@ -18,7 +18,7 @@ namespace
     OneBlock()
       : model(dda::build_model(test::square_blocks(1, 1, 2.),
                                test::block_parameters(30.),
-                               test::straight_base(0., 1., 3.)))
+                               test::straight_foundation(0., 1., 3.)))
     {
       state.blocks = dda::initial_state(model);
     }
@@ -102,8 +102,8 @@ TEST(Probes, points_outside_of_blocks_move_with_the_rigid_base)
   Probes    probes(&scene.model, nullptr);
   const int p = probes.add(Vec2(0.5, -5.), "below");
   probes.set_reference(scene.state);
-  for (int k = 0; k < scene.model.n_base_nodes(); ++k)
-    scene.state.blocks.base_displacement.segment<2>(2 * k) = Vec2(0.2, 0.1);
+  for (int k = 0; k < scene.model.n_foundation_nodes(); ++k)
+    scene.state.blocks.foundation_displacement.segment<2>(2 * k) = Vec2(0.2, 0.1);
   EXPECT_EQ(probes.sample(scene.state, p).displacement, Vec2(0.2, 0.1));
 }
 
@@ -112,7 +112,7 @@ TEST(Probes, points_outside_of_blocks_move_with_the_rigid_base)
 TEST(Probes, the_base_has_the_velocity_and_acceleration_of_the_motion)
 {
   OneBlock                        scene;
-  const coupling::RigidFoundation base(scene.model.initial.base_nodes,
+  const coupling::RigidFoundation base(scene.model.initial.foundation_nodes,
                                        {scene::Motion(0.5, {2., 2., 2.}),
                                         scene::MotionParameters()});
   Probes                          probes(&scene.model, nullptr, &base);

@@ -16,7 +16,7 @@ namespace
     TwoBlocks()
       : model(dda::build_model(test::square_blocks(2, 1, 2.),
                                test::block_parameters(30.),
-                               test::straight_base(0., 1., 6., 7)))
+                               test::straight_foundation(0., 1., 6., 7)))
       , state(dda::initial_state(model))
     {}
 
@@ -47,8 +47,8 @@ TEST(SoleSlip, counts_from_rest_relative_to_the_ground)
       scene.move(0, Vec2(0.01, -0.02)); // while it settles
       slip.set_reference(scene.state);
       EXPECT_EQ(slip.values(scene.state), std::vector<double>({0., 0.}));
-      for (int k = 0; k < scene.model.n_base_nodes(); ++k)
-        scene.state.base_displacement.segment<2>(2 * k) = Vec2(0.3, 0.1);
+      for (int k = 0; k < scene.model.n_foundation_nodes(); ++k)
+        scene.state.foundation_displacement.segment<2>(2 * k) = Vec2(0.3, 0.1);
       scene.move(0, Vec2(0.5, 0.1));
       scene.move(1, Vec2(0.2, 0.1));
       const std::vector<double> now = slip.values(scene.state);
@@ -84,8 +84,8 @@ TEST(SoleSlip, follows_the_point_that_the_sole_lay_on)
   TwoBlocks scene;
   SoleSlip  slip(&scene.model, 1.);
   slip.set_reference(scene.state);
-  for (int k = 0; k < scene.model.n_base_nodes(); ++k)
-    scene.state.base_displacement[2 * k] = 0.01 * scene.model.initial.base_nodes[k].x();
+  for (int k = 0; k < scene.model.n_foundation_nodes(); ++k)
+    scene.state.foundation_displacement[2 * k] = 0.01 * scene.model.initial.foundation_nodes[k].x();
   const std::vector<double> now = slip.values(scene.state);
   EXPECT_NEAR(now[0], -0.01 * 1., 1e-14);
   EXPECT_NEAR(now[1], -0.01 * 3., 1e-14);

@@ -16,11 +16,11 @@ namespace hybrid::dda
    */
   struct Contact
   {
-    int vertex_body; ///< block of the vertex, or base_body
-    int vertex;      ///< index in Geometry::vertices, or base node
-    int edge_body;   ///< block of the edge, or base_body
-    int edge; ///< index of the edge's first end in Geometry::vertices, or first base node of the
-              ///< segment
+    int vertex_body; ///< block of the vertex, or foundation_body
+    int vertex;      ///< index in Geometry::vertices, or foundation node
+    int edge_body;   ///< block of the edge, or foundation_body
+    int edge; ///< index of the edge's first end in Geometry::vertices, or first foundation node of
+              ///< the segment
 
     double edge_position = 0.; ///< projection of the vertex on the edge when last accepted, 0..1
                                ///< from first to second end [-]

@@ -14,10 +14,10 @@ namespace hybrid::dda
   /// A vertex near a block (edge = -1: any edge of it), one edge of it, or one of a surface.
   struct ContactCandidate
   {
-    int vertex_body; ///< block, or base_body
-    int vertex;      ///< vertex or base node
-    int edge_body;   ///< block, or base_body
-    int edge;        ///< its first vertex or base node, or -1
+    int vertex_body; ///< block, or foundation_body
+    int vertex;      ///< vertex or foundation node
+    int edge_body;   ///< block, or foundation_body
+    int edge;        ///< its first vertex or foundation node, or -1
   };
 
 
@@ -25,8 +25,8 @@ namespace hybrid::dda
   struct BondedEdge
   {
     int block;
-    int body; ///< base_body, or block of the bedrock
-    int edge; ///< its first vertex or base node
+    int body; ///< foundation_body, or block of the bedrock
+    int edge; ///< its first vertex or foundation node
 
     friend bool operator<(const BondedEdge &a, const BondedEdge &b)
     {
@@ -46,7 +46,7 @@ namespace hybrid::dda
     std::vector<std::pair<int, int>>
       bonded; ///< blocks of the mass with an unreleased joint between them: never candidates
     std::vector<BondedEdge>   surface; ///< with an unreleased joint: never candidates
-    std::vector<ContactScope> awake;   ///< per block; empty: all look at everything
+    std::vector<ContactScope> scope;   ///< per block; empty: all look at everything
     std::vector<char> held_off{}; ///< per block: does not look at a surface unless awake to all;
                                   ///< empty: none
   };
@@ -67,11 +67,11 @@ namespace hybrid::dda
    *   - edges (and their ends) of a surface to which a block is bonded;
    *   - a block that is held off (bonded to the surface, or touching it with corners
    *     only while its neighbours hold it) with the whole surface, until it is awake to all.
-   *     A belt slides for centimetres over the bends of a base of straight segments,
+   *     A belt slides for centimetres over the bends of a foundation of straight segments,
    *     where corners would catch: a joint that has given way does not wake a block
    *     on the belt to the surface. A block that touches it with a corner only is
    *     woken: it may be squeezed into it.
-   * Surfaces are the base and the outline of bedrock made of blocks (BedrockSurface); they
+   * Surfaces are the foundation and the outline of bedrock made of blocks (BedrockSurface); they
    * never meet each other. Every place of a surface is a vertex, as it may bend.
    *
    * Candidates are sorted by vertex_body, vertex, edge_body, edge, so results
@@ -167,7 +167,8 @@ namespace hybrid::dda
     double            awake_for = -1.; ///< movement for which the awake pairs were chosen [m]
     std::vector<Vec2> built_vertices, built_nodes; ///< positions at the last build [m]
     CellGrid          grid;
-    std::vector<Box>  boxes; ///< of bodies: base segments, blocks of the mass, edges of bedrock
+    std::vector<Box>
+      boxes; ///< of bodies: foundation segments, blocks of the mass, edges of bedrock
     std::vector<std::pair<int, int>> bodies;            ///< body and edge (-1: any) of each box
     int                              first_bedrock = 0; ///< BedrockSurface::first_block
     std::vector<int>                 found;

@@ -25,8 +25,8 @@ namespace hybrid::dda
    * Rules, in the order in which they are applied:
    *
    * 1. *Vertices* are the convex corners of blocks, by any angle above
-   *    smooth_angle, and every place of a surface (base, or outline of bedrock made of blocks):
-   *    a surface that bends touches a sole between the block's corners. By rule 2 a place
+   *    smooth_angle, and every place of a surface (foundation, or outline of bedrock made of
+   * blocks): a surface that bends touches a sole between the block's corners. By rule 2 a place
    *    where the surface is straight touches edges that lie along it only.
    *    Reflex corners of blocks cannot touch first.
    * 2. *An edge is a partner* if the vertex is at most reach in front of it or
@@ -50,7 +50,7 @@ namespace hybrid::dda
    *    history, an edge that continues the one in history, the least
    *    penetration; of equal ones the edge that the vertex's sole runs along,
    *    then the lower one, so that neither round-off nor numbers decide. Two
-   *    edges only if they face each other (a notch, a valley of the base
+   *    edges only if they face each other (a notch, a valley of the foundation
    *    sharper than 10 degrees).
    * 6. *One edge per seam*: of edges of several bodies with normals within 10
    *    degrees that pass the vertex at the same height only one acts, so

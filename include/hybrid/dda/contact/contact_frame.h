@@ -24,10 +24,10 @@ namespace hybrid::dda
     {
       const double length = edge.norm();
       along               = edge / length;
-      // Blocks run counter-clockwise, so their outside is on the right; the base's is on the
+      // Blocks run counter-clockwise, so their outside is on the right; the foundation's is on the
       // left.
-      outward =
-        contact.edge_body == base_body ? Vec2(-along.y(), along.x()) : Vec2(along.y(), -along.x());
+      outward           = contact.edge_body == foundation_body ? Vec2(-along.y(), along.x())
+                                                               : Vec2(along.y(), -along.x());
       const double slid = along.dot(from_q);
       edge_position     = contact.edge_position + slid / length;
       gap               = outward.dot(from_q);
@@ -54,12 +54,12 @@ namespace hybrid::dda
   inline ContactPlaces places(const Contact &contact, const Geometry &geometry)
   {
     ContactPlaces p;
-    p.vertex = contact.vertex_body == base_body ? geometry.base_nodes[contact.vertex]
-                                                : geometry.vertices[contact.vertex];
-    if (contact.edge_body == base_body)
+    p.vertex = contact.vertex_body == foundation_body ? geometry.foundation_nodes[contact.vertex]
+                                                      : geometry.vertices[contact.vertex];
+    if (contact.edge_body == foundation_body)
       {
-        p.first  = geometry.base_nodes[contact.edge];
-        p.second = geometry.base_nodes[contact.edge + 1];
+        p.first  = geometry.foundation_nodes[contact.edge];
+        p.second = geometry.foundation_nodes[contact.edge + 1];
       }
     else
       {

@@ -8,7 +8,7 @@ namespace hybrid::dda
   {
     no,        ///< nothing: all its joints hold
     to_blocks, ///< neighbours of the mesh: a joint of its has given way
-    to_all     ///< the base too: a joint of its has failed, or it was never bonded, or it only
-               ///< touches the base with a corner and a joint of its has given way
+    to_all ///< the foundation too: a joint of its has failed, or it was never bonded, or it only
+           ///< touches the foundation with a corner and a joint of its has given way
   };
 } // namespace hybrid::dda

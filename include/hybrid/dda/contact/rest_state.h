@@ -11,7 +11,7 @@ namespace hybrid::dda
   struct RestState
   {
     std::vector<Vec2> vertices,
-      base_nodes; ///< where each block and node was when it last moved [m]
+      foundation_nodes; ///< where each block and node was when it last moved [m]
     std::vector<char> settled_vertices, settled_nodes; ///< searched at rest, with nothing new found
   };
 } // namespace hybrid::dda

@@ -11,7 +11,7 @@ namespace hybrid::dda
   /**
    * Finds the vertices that need no contact search, as nothing near them moves.
    *
-   * A block or a base node rests while none of its points is farther than a
+   * A block or a foundation node rests while none of its points is farther than a
    * tolerance from where it was when it last moved. A vertex whose block and
    * all bodies near it rest is settled once a search has changed none of its
    * contacts; it keeps them until one of these bodies moves.
@@ -25,18 +25,18 @@ namespace hybrid::dda
     /// Compare all places with @p rest, and note there those that have moved.
     void look(const Geometry &geometry, RestState &rest);
 
-    /// True if the vertex body and the edge body, or the segment of the base, rest.
+    /// True if the vertex body and the edge body, or the segment of the foundation, rest.
     bool rests(const ContactCandidate &pair) const;
 
-    /// Mark of a vertex of a block or of the base.
+    /// Mark of a vertex of a block or of the foundation.
     static char &settled(RestState &rest, const int body, const int vertex)
     {
-      return (body == base_body ? rest.settled_nodes : rest.settled_vertices)[vertex];
+      return (body == foundation_body ? rest.settled_nodes : rest.settled_vertices)[vertex];
     }
 
   private:
     const double      tolerance;
     std::vector<char> is_resting;      ///< per block
-    std::vector<char> is_resting_node; ///< per base node
+    std::vector<char> is_resting_node; ///< per foundation node
   };
 } // namespace hybrid::dda

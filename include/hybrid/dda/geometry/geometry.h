@@ -8,8 +8,8 @@
 
 namespace hybrid::dda
 {
-  /// The body number of the bedrock (or rigid base) in contacts and joints.
-  constexpr int base_body = -1;
+  /// The body number of the bedrock (or rigid foundation) in contacts and joints.
+  constexpr int foundation_body = -1;
 
 
   /**
@@ -23,7 +23,7 @@ namespace hybrid::dda
    */
   struct BedrockSurface
   {
-    static constexpr int none   = -1; ///< the surface ends: at a prescribed base
+    static constexpr int none   = -1; ///< the surface ends: at a prescribed foundation
     static constexpr int inside = -2; ///< not an edge of the surface
 
     int first_block =
@@ -36,19 +36,19 @@ namespace hybrid::dda
 
   /**
    * Where all bodies are: the polygons of the blocks in one flat array and the
-   * polyline of the base. Outlines run counter-clockwise; the base lies to the
+   * polyline of the foundation. Outlines run counter-clockwise; the foundation lies to the
    * right of its polyline, walked from node 0 upwards (rock below, left end first
    * means the rock is on the right-hand side when x grows).
    */
   struct Geometry
   {
-    std::vector<int>  offset;     ///< first vertex of block b is offset[b]; size blocks + 1
-    std::vector<int>  block_of;   ///< block of each vertex
-    std::vector<Vec2> vertices;   ///< [m]
-    std::vector<Vec2> base_nodes; ///< [m]; empty without a base
+    std::vector<int>  offset;           ///< first vertex of block b is offset[b]; size blocks + 1
+    std::vector<int>  block_of;         ///< block of each vertex
+    std::vector<Vec2> vertices;         ///< [m]
+    std::vector<Vec2> foundation_nodes; ///< [m]; empty without a foundation
     BedrockSurface    bedrock;
-    /// Per base segment: what its first node bears of a uniform load on it [-]; empty: half.
-    std::vector<double> base_shares;
+    /// Per foundation segment: what its first node bears of a uniform load on it [-]; empty: half.
+    std::vector<double> foundation_shares;
 
     int n_blocks() const
     {

@@ -29,7 +29,7 @@ namespace hybrid::dda
    * Directions of all edges and corners of a geometry, made once per step.
    *
    * An edge is named by its first end. Blocks run counter-clockwise (outward
-   * normal on the right of the direction), the base has its outward normal on
+   * normal on the right of the direction), the foundation has its outward normal on
    * the left of the polyline; that is the only difference between them here.
    * Blocks of the bedrock have the corners of its surface. The two ends of a
    * surface count as straight: the rock goes on.
@@ -39,17 +39,17 @@ namespace hybrid::dda
   public:
     void update(const Geometry &geometry, double smooth_angle);
 
-    /// Only the outlines of the given blocks (all others keep what they had), and the base.
+    /// Only the outlines of the given blocks (all others keep what they had), and the foundation.
     void update(const Geometry &geometry, double smooth_angle, const std::vector<int> &blocks);
 
     const EdgeFrame &edge(const int body, const int first_end) const
     {
-      return body == base_body ? base_edges[first_end] : block_edges[first_end];
+      return body == foundation_body ? foundation_edges[first_end] : block_edges[first_end];
     }
 
     Corner corner(const int body, const int vertex) const
     {
-      return body == base_body ? base_corners[vertex] : block_corners[vertex];
+      return body == foundation_body ? foundation_corners[vertex] : block_corners[vertex];
     }
 
   private:
@@ -59,23 +59,23 @@ namespace hybrid::dda
 
     void update_corners(const Geometry &geometry, int block, double sine);
 
-    void update_base(const Geometry &geometry, double sine);
+    void update_foundation(const Geometry &geometry, double sine);
 
-    std::vector<EdgeFrame> block_edges, base_edges;
-    std::vector<Corner>    block_corners, base_corners;
+    std::vector<EdgeFrame> block_edges, foundation_edges;
+    std::vector<Corner>    block_corners, foundation_corners;
   };
 
 
-  /// Position of a vertex of a block or of a base node [m].
+  /// Position of a vertex of a block or of a foundation node [m].
   inline const Vec2 &position(const Geometry &geometry, const int body, const int vertex)
   {
-    return body == base_body ? geometry.base_nodes[vertex] : geometry.vertices[vertex];
+    return body == foundation_body ? geometry.foundation_nodes[vertex] : geometry.vertices[vertex];
   }
 
-  /// True for the base and for blocks of the bedrock: what the mass lies on.
+  /// True for the foundation and for blocks of the bedrock: what the mass lies on.
   inline bool is_surface(const Geometry &geometry, const int body)
   {
-    return body == base_body || body >= geometry.bedrock.first_block;
+    return body == foundation_body || body >= geometry.bedrock.first_block;
   }
 
   /// True if both are parts of one body: that with the same number, or the bedrock.
@@ -88,36 +88,39 @@ namespace hybrid::dda
   /// The body of an edge, or of the vertex where it begins, that is part of @p body.
   inline int body_of(const Geometry &geometry, const int body, const int edge)
   {
-    return body == base_body ? base_body : geometry.block_of[edge];
+    return body == foundation_body ? foundation_body : geometry.block_of[edge];
   }
 
   /// The edge before @p vertex, -1 at the first place of a surface.
   inline int edge_before(const Geometry &geometry, const int body, const int vertex)
   {
-    if (body == base_body)
+    if (body == foundation_body)
       return vertex - 1;
     return geometry.bedrock.previous.empty() ? geometry.previous(vertex)
                                              : geometry.bedrock.previous[vertex];
   }
 
-  /// The edge after @p vertex, -1 at the last base node.
+  /// The edge after @p vertex, -1 at the last foundation node.
   inline int edge_after(const Geometry &geometry, const int body, const int vertex)
   {
-    return body == base_body && vertex + 1 == static_cast<int>(geometry.base_nodes.size()) ? -1
-                                                                                           : vertex;
+    return body == foundation_body &&
+               vertex + 1 == static_cast<int>(geometry.foundation_nodes.size())
+             ? -1
+             : vertex;
   }
 
   /// Second end of an edge: where it is.
   inline int second_end(const Geometry &geometry, const int body, const int edge)
   {
-    return body == base_body ? edge + 1 : geometry.next(edge);
+    return body == foundation_body ? edge + 1 : geometry.next(edge);
   }
 
   /// Second end of an edge: the vertex as contacts name it (BedrockSurface), -1 at the last place
   /// of the bedrock's surface.
   inline int end_place(const Geometry &geometry, const int body, const int edge)
   {
-    return body == base_body || geometry.bedrock.next.empty() ? second_end(geometry, body, edge)
-                                                              : geometry.bedrock.next[edge];
+    return body == foundation_body || geometry.bedrock.next.empty()
+             ? second_end(geometry, body, edge)
+             : geometry.bedrock.next[edge];
   }
 } // namespace hybrid::dda

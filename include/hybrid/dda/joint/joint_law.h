@@ -108,7 +108,7 @@ namespace hybrid::dda
     bool has_let_go(const JointHistory &history) const;
 
     /// Part that is torn and has let go, and acts as a contact from then on [-].
-    double contact_part(const JointHistory &history) const;
+    double contact_fraction(const JointHistory &history) const;
 
     /// True if the shear strength is at its residual.
     bool broken_in_shear(const JointHistory &history) const;

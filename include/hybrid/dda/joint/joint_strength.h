@@ -62,7 +62,7 @@ namespace hybrid::dda
     JointStrength weaker_of(const JointStrength &other) const;
 
     /// Part of the way of linear softening from peak to residual strength, 0..1 [-].
-    double softened_part(const double slip) const
+    double softened_fraction(const double slip) const
     {
       if (softening_slip > 0.)
         return std::min(slip / softening_slip, 1.);
@@ -72,7 +72,7 @@ namespace hybrid::dda
     /// Tan of the friction angle after linear softening [-].
     double friction_at(const double slip) const
     {
-      return tan_phi + (residual_tan_phi - tan_phi) * softened_part(slip);
+      return tan_phi + (residual_tan_phi - tan_phi) * softened_fraction(slip);
     }
 
     /// Cohesion above its residual after linear softening, without damage [Pa].
@@ -80,7 +80,7 @@ namespace hybrid::dda
     {
       if (cohesion == residual_cohesion) // infinite, perhaps
         return 0.;
-      return (cohesion - residual_cohesion) * (1. - softened_part(slip));
+      return (cohesion - residual_cohesion) * (1. - softened_fraction(slip));
     }
 
     /// By the rule, or by linear softening (without derivatives, which its closed form has no use

@@ -12,12 +12,12 @@
 namespace hybrid::dda
 {
   /**
-   * The matrix of blocks and base nodes, in small dense blocks.
+   * The matrix of blocks and foundation nodes, in small dense blocks.
    *
-   * Unknowns: six per block, then two per base node. Stored are the diagonal
+   * Unknowns: six per block, then two per foundation node. Stored are the diagonal
    * 6x6 blocks, one 6x6 blocks above and below the diagonal per coupled pair of
    * blocks, 6x2 and 2x6 blocks per coupled block and node, and the contacts' 2x2
-   * blocks between a node and itself or the next. The base's own stiffness
+   * blocks between a node and itself or the next. The foundation's own stiffness
    * belongs to the linear solver. The pattern is kept until pairs change.
    */
   class BlockMatrix
@@ -47,7 +47,7 @@ namespace hybrid::dda
     /// Slot of (block, node) in block_node; -1 if it is not in the pattern.
     int node_slot(int block, int node) const;
 
-    /// y = K x (without the base's own stiffness). Same bits for any number of threads.
+    /// y = K x (without the foundation's own stiffness). Same bits for any number of threads.
     void multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 
     /// Row i times x: columns of nodes.

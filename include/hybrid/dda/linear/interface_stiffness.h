@@ -10,8 +10,8 @@
 namespace hybrid::dda
 {
   /**
-   * The base's own stiffness S in the tangent, as a band, and a factor that preconditions
-   * the base nodes: of S + P, where P is the symmetric part of what joints and
+   * The foundation's own stiffness S in the tangent, as a band, and a factor that preconditions
+   * the foundation nodes: of S + P, where P is the symmetric part of what joints and
    * contacts add (BlockMatrix's K_nn) if that matters beside S, else zero.
    */
   class InterfaceStiffness
@@ -22,7 +22,7 @@ namespace hybrid::dda
     /// if it is the same as before.
     void set(const Eigen::MatrixXd *stiffness);
 
-    /// Choose and factor P anew.
+    /// Choose P again and factor it.
     void matrix_changed(const BlockMatrix &matrix);
 
     bool exists() const
@@ -39,22 +39,22 @@ namespace hybrid::dda
     /// y += sign P x for n entries.
     void add_nodes(const double *x, double *y, double sign) const;
 
-    /// @param d receives the diagonal of S + P; that of the unit matrix without a base.
+    /// @param d receives the diagonal of S + P; that of the unit matrix without a foundation.
     void diagonal(Eigen::Ref<Eigen::VectorXd> d) const;
 
-    /// x = (S + P)^-1 x for n entries; without a base x stays.
+    /// x = (S + P)^-1 x for n entries; without a foundation x stays.
     void solve(double *x) const;
 
   private:
     const Eigen::MatrixXd *source = nullptr;
     std::vector<double> key; ///< a few entries of S, to notice another matrix at the same address
     int                 size  = 0;
-    int                 width = 0;      ///< half band width of the tangent's S, at least that of P
-    int                 reach = 0;      ///< half band width of S to round-off
-    Eigen::MatrixXd     band;           ///< rows 0..width: S(j + r, j), LAPACK lower band storage
-    Eigen::MatrixXd     base_factor;    ///< Cholesky factor of S, same storage
-    Eigen::MatrixXd     joined_factor;  ///< of S + P
-    bool                joined = false; ///< P is not zero
+    int                 width = 0; ///< half band width of the tangent's S, at least that of P
+    int                 reach = 0; ///< half band width of S to round-off
+    Eigen::MatrixXd     band;      ///< rows 0..width: S(j + r, j), LAPACK lower band storage
+    Eigen::MatrixXd     foundation_factor;  ///< Cholesky factor of S, same storage
+    Eigen::MatrixXd     joined_factor;      ///< of S + P
+    bool                joined = false;     ///< P is not zero
     std::vector<Eigen::Matrix2d> own, next; ///< P between a node and itself or the next
 
     bool factorize(Eigen::MatrixXd &matrix) const;

@@ -13,7 +13,7 @@
 namespace hybrid::dda
 {
   /**
-   * Krylov solver for blocks and base nodes: conjugate gradients while the
+   * Krylov solver for blocks and foundation nodes: conjugate gradients while the
    * matrix is symmetric, BiCGStab (van der Vorst 1992) while joints slide with
    * friction or soften.
    *
@@ -22,7 +22,7 @@ namespace hybrid::dda
    * serves badly (static stage, stiff joints); where hundreds of contacts change from one
    * matrix to the next an old factor is mostly passed over, and sweeps are tried again now and
    * then. The choice follows iteration counts only, so results are deterministic. Preconditioner
-   * of the base: InterfaceStiffness, before the blocks with sweeps, after them with a factor.
+   * of the foundation: InterfaceStiffness, before the blocks with sweeps, after them with a factor.
    */
   class LinearSolver
   {
@@ -34,17 +34,17 @@ namespace hybrid::dda
       bool factored   = false; ///< a new sparse factor was made
     };
 
-    /// The base's own stiffness S (n x n, symmetric positive definite) for the next solves;
+    /// The foundation's own stiffness S (n x n, symmetric positive definite) for the next solves;
     /// nullptr: none.
-    void set_base_stiffness(const Eigen::MatrixXd *stiffness)
+    void set_foundation_stiffness(const Eigen::MatrixXd *stiffness)
     {
-      base.set(stiffness);
+      foundation.set(stiffness);
     }
 
-    /// The base's own stiffness.
-    const InterfaceStiffness &base_stiffness() const
+    /// The foundation's own stiffness.
+    const InterfaceStiffness &foundation_stiffness() const
     {
-      return base;
+      return foundation;
     }
 
     /// Slices of the blocks that threads share out, see SsorSystem.
@@ -60,8 +60,8 @@ namespace hybrid::dda
     /// What is kept from one step to the next, for the checkpoint; after the matrix.
     void serialize(restart::Archive &archive, const BlockMatrix &matrix);
 
-    /// The matrix is that of a checkpoint, and set_base_stiffness() has been called: make again
-    /// what depends on both.
+    /// The matrix is that of a checkpoint, and set_foundation_stiffness() has been called: make
+    /// again what depends on both.
     void matrix_restored(const BlockMatrix &matrix);
 
     /// y = (K + S) x.
@@ -88,7 +88,7 @@ namespace hybrid::dda
       }
     };
 
-    InterfaceStiffness base;
+    InterfaceStiffness foundation;
     SsorSystem         swept;
     SparseFactor       factor;
     bool               use_factor        = false;

@@ -12,11 +12,11 @@
 namespace hybrid::dda
 {
   /**
-   * The system A x = b of blocks and base nodes, preconditioned by one
+   * The system A x = b of blocks and foundation nodes, preconditioned by one
    * symmetric Gauss-Seidel sweep over blocks, then nodes.
    *
-   * With A = L + D_A + U, D the 6x6 diagonal blocks and the base's S + P
-   * (InterfaceStiffness; the unit matrix without a base), it reads
+   * With A = L + D_A + U, D the 6x6 diagonal blocks and the foundation's S + P
+   * (InterfaceStiffness; the unit matrix without a foundation), it reads
    * @f[ \hat A \hat x = \hat b, \quad \hat A = (D+L)^{-1} A (D+U)^{-1} D, \quad
    *     \hat b = (D+L)^{-1} b, \quad x = (D+U)^{-1} D \hat x. @f]
    * In Eisenstat's (1981) form a product with @f$ \hat A @f$ is one backward and one
@@ -34,9 +34,9 @@ namespace hybrid::dda
 
     /// The matrix has changed in the rows of these blocks: copy them in the order of the sweeps and
     /// invert their diagonal blocks; all rows where another matrix or pattern was set before.
-    /// Matrix and base must outlive the use.
+    /// Matrix and foundation must outlive the use.
     void set(const BlockMatrix        &block_matrix,
-             const InterfaceStiffness &base_band,
+             const InterfaceStiffness &foundation_band,
              const std::vector<int>   &blocks);
 
     /// @f$ y = \hat A x @f$.
@@ -61,8 +61,8 @@ namespace hybrid::dda
     void undo_forward(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 
   private:
-    const BlockMatrix        *matrix = nullptr;
-    const InterfaceStiffness *base   = nullptr;
+    const BlockMatrix        *matrix     = nullptr;
+    const InterfaceStiffness *foundation = nullptr;
     std::vector<int>          slice;
     int                       version = -1; ///< of the pattern that the rows were ordered for
     SweepOrder                order;

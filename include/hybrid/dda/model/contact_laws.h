@@ -12,8 +12,8 @@ namespace hybrid::dda
    * Choose the laws of all contacts (Model::contacts) of a model whose joints are there.
    *
    * - A contact that was never bonded has friction only: the smaller one of both materials
-   * (residual where given). A bedrock whose material has no `Friction angle`, and a base without
-   * material, leave it to the block.
+   * (residual where given). A bedrock whose material has no `Friction angle`, and a foundation
+   * without material, leave it to the block.
    * - A surface that a belt bonded has the belt's residual friction for everything that touches it.
    * - Residual cohesion acts between blocks that a joint bonded, and on the area that a belt bonds
    *   (BondedArea).

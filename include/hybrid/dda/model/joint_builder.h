@@ -25,10 +25,10 @@ namespace hybrid::dda
 
 
   /**
-   * Finds the edges that blocks share with each other or with the base and
+   * Finds the edges that blocks share with each other or with the foundation and
    * bonds them:
    *   - body: within the sliding mass, artificial joints (unless it is loose);
-   *   - belt: on the line "sliding_surface", between mass and bedrock or base;
+   *   - belt: on the line "sliding_surface", between mass and bedrock or foundation;
    *   - bedding: on a bedding plane of the scene, with its stiffness per area;
    *   - weld: within the bedrock elsewhere, artificial joints that never fail.
    */
@@ -45,11 +45,11 @@ namespace hybrid::dda
     /// Between blocks.
     void add_block_joints();
 
-    /// Between the sliding mass and the base. @throws InputError if the two do not fit.
+    /// Between the sliding mass and the foundation. @throws InputError if the two do not fit.
     void add_belt_joints();
 
-    /// Between blocks of the bedrock and the base.
-    void add_base_joints();
+    /// Between blocks of the bedrock and the foundation.
+    void add_foundation_joints();
 
   private:
     /// An edge of a block: its first vertex and its nodes in the mesh.
@@ -67,13 +67,13 @@ namespace hybrid::dda
     const BlockMaterials          material;
     Model                        &model;
     std::map<Pair, int> bedding; ///< edges on planes of the scene, nodes ascending -> plane
-    std::map<std::pair<double, double>, int> base_at; ///< place [m] -> base node
+    std::map<std::pair<double, double>, int> foundation_at; ///< place [m] -> foundation node
     std::map<Pair, double> shared; ///< welded or bedding length between two bodies [m]
 
     EdgeOfBlock edge_of(std::size_t block, std::size_t k) const;
 
-    /// Base node at a node of the mesh, or -1.
-    int base_node(int node) const;
+    /// Foundation node at a node of the mesh, or -1.
+    int foundation_node(int node) const;
 
     void measure_shared_lengths();
 

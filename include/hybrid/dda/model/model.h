@@ -21,14 +21,14 @@ namespace hybrid::dda
   {
     body,   ///< blocks of the sliding mass
     belt,   ///< sliding mass and what it stands on
-    weld,   ///< blocks of the bedrock, or one and the base: never fails
+    weld,   ///< blocks of the bedrock, or one and the foundation: never fails
     bedding ///< likewise, along a bedding plane
   };
 
 
   /**
    * An artificial joint: bonds an edge of a block to an edge of another block
-   * or to a segment of the base, with springs at both ends.
+   * or to a segment of the foundation, with springs at both ends.
    *
    * The outward normal of @p block at the joint is positive; gap and slip are
    * those of the other side relative to @p block.
@@ -39,12 +39,12 @@ namespace hybrid::dda
     struct Point
     {
       double position;     ///< on the block's edge, 0..1 from @p edge to the next vertex [-]
-      int    other_vertex; ///< vertex of the other block, or base node
+      int    other_vertex; ///< vertex of the other block, or foundation node
     };
 
     int      block;                ///< block whose outward normal counts
     int      edge;                 ///< first vertex of its edge (Geometry::vertices)
-    int      other;                ///< other block, or base_body
+    int      other;                ///< other block, or foundation_body
     double   length;               ///< of the bonded edge or segment [m]
     Point    points[2];            ///< along the block's edge
     JointLaw law;                  ///< per area
@@ -63,7 +63,7 @@ namespace hybrid::dda
     /// The ground's edge that a belt joint bonds: its first end, seen from the ground's body.
     int ground_edge() const
     {
-      return points[other == base_body ? 0 : 1].other_vertex;
+      return points[other == foundation_body ? 0 : 1].other_vertex;
     }
 
     /// A belt that keeps cohesion when it has slid.
@@ -90,7 +90,7 @@ namespace hybrid::dda
   {
     std::vector<std::vector<ContactLaw>> of;      ///< [surface][block]
     std::vector<int>                     block;   ///< surface of each block of the mass
-    std::vector<int>                     segment; ///< of each segment of the base
+    std::vector<int>                     segment; ///< of each segment of the foundation
     std::vector<int> edge; ///< per vertex: of the bedrock block's edge that begins there
 
     std::vector<std::pair<int, int>>
@@ -120,7 +120,7 @@ namespace hybrid::dda
   struct Model
   {
     std::vector<BlockProperties>  blocks;
-    Geometry                      initial; ///< outlines and base before the first step
+    Geometry                      initial; ///< outlines and foundation before the first step
     std::vector<Joint>            joints;
     ContactLaws                   contacts;
     std::vector<std::vector<int>> neighbours; ///< per block of the mass, see held_neighbours()
@@ -163,9 +163,9 @@ namespace hybrid::dda
       return block - n_mass();
     }
 
-    int n_base_nodes() const
+    int n_foundation_nodes() const
     {
-      return static_cast<int>(initial.base_nodes.size());
+      return static_cast<int>(initial.foundation_nodes.size());
     }
   };
 } // namespace hybrid::dda

@@ -13,13 +13,14 @@ namespace hybrid::dda
    *
    * Edges shared by two blocks become artificial joints (unless the scene's
    * blocks are loose), edges on the line "sliding_surface" are bonded by the
-   * belt to the base, one joint per base segment.
+   * belt to the foundation, one joint per foundation segment.
    *
-   * @param base_nodes contact surface of the bedrock, left to right [m]; empty: nothing below.
+   * @param foundation_nodes contact surface of the bedrock, left to right [m]; empty: nothing
+   * below.
    * @throws InputError for materials that cannot be used.
    */
   Model build_model(const scene::SectionMesh     &mesh,
                     const scene::SceneParameters &scene,
-                    const std::vector<Vec2>      &base_nodes,
+                    const std::vector<Vec2>      &foundation_nodes,
                     const BondLaws               &laws = choose_bonds());
 } // namespace hybrid::dda

@@ -45,12 +45,12 @@ namespace hybrid::dda
     SpringState points[2];
     FailureKind failure      = FailureKind::none;
     double      failure_time = 0.; ///< [s]; negative: in the static stage
-    bool        given_way = false; ///< its blocks look at all their neighbours, see joint_failure.h
-    bool        released  = false; ///< slid or opened so far that vertex contacts took over
-    bool        handed_over = false; ///< released, and its contacts have its load: joint_release.h
-    bool        parted[2]   = {false, false}; ///< ends of a released belt that have lost their
-                                              ///< cohesion for good: belt_parting.h
-    double rest_slip[2] = {0., 0.}; ///< slip of the ends at rest, from which slip counts [m]
+    bool has_yielded = false;      ///< its blocks look at all their neighbours, see joint_failure.h
+    bool released    = false;      ///< slid or opened so far that vertex contacts took over
+    bool handed_over = false;      ///< released, and its contacts have its load: joint_release.h
+    bool parted[2]   = {false, false}; ///< ends of a released belt that have lost their
+                                       ///< cohesion for good: belt_parting.h
+    double rest_slip[2] = {0., 0.};    ///< slip of the ends at rest, from which slip counts [m]
   };
 
 
@@ -67,7 +67,7 @@ namespace hybrid::dda
     double damping_loss     = 0.; ///< stiffness-proportional damping and dynamic coefficient
     double integration_loss = 0.; ///< Newmark's own dissipation, springs included
     double spring_replacement_loss = 0.; ///< stored energy that vanished when springs were replaced
-    double base_work               = 0.; ///< done by the base on the blocks
+    double foundation_work         = 0.; ///< done by the foundation on the blocks
     double boundary_loss           = 0.; ///< dashpots on edges of the bedrock's blocks
     double input_work              = 0.; ///< done by what comes in through them
     double static_work             = 0.; ///< against the static forces that the bedrock bears
@@ -78,8 +78,8 @@ namespace hybrid::dda
     double balance() const
     {
       return kinetic + strain + gravity + springs + friction_loss + bedding_loss + fracture_loss +
-             damping_loss + integration_loss + spring_replacement_loss - base_work + boundary_loss -
-             input_work + static_work - edge_load_work;
+             damping_loss + integration_loss + spring_replacement_loss - foundation_work +
+             boundary_loss - input_work + static_work - edge_load_work;
     }
   };
 
@@ -92,12 +92,12 @@ namespace hybrid::dda
     std::vector<BlockState>   blocks;
     std::vector<JointState>   joints;
     std::vector<Contact>      contacts;
-    std::vector<ContactScope> awake;              ///< per block, at the last search
-    RestState                 rest;               ///< what lies still
-    Eigen::VectorXd           base_displacement;  ///< (x0, y0, x1, ...) [m], since the static state
-    Eigen::VectorXd           base_force;         ///< on the base nodes [N/m], now
-    Eigen::VectorXd           base_contact_force; ///< contacts' part of it [N/m], see Springs
-    Eigen::VectorXd static_force; ///< on the base nodes at the end of the static stage [N/m]
+    std::vector<ContactScope> contact_scope;  ///< per block, at the last search
+    RestState                 rest;           ///< what lies still
+    Eigen::VectorXd foundation_displacement;  ///< (x0, y0, x1, ...) [m], since the static state
+    Eigen::VectorXd foundation_force;         ///< on the foundation nodes [N/m], now
+    Eigen::VectorXd foundation_contact_force; ///< contacts' part of it [N/m], see Springs
+    Eigen::VectorXd static_force; ///< on the foundation nodes at the end of the static stage [N/m]
     Eigen::VectorXd static_contact_force; ///< contacts' part of it [N/m]
     Eigen::VectorXd bedrock_static_force; ///< on the bedrock's blocks then, six each; empty: none
     Eigen::VectorXd boundary_force;       ///< incoming, see ViscousBoundary [N/m], now

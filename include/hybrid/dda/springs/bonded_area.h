@@ -19,7 +19,7 @@ namespace hybrid::dda
     static constexpr char first = 1, second = 2, both = 3;
 
     std::vector<char> edges;    ///< per vertex: of the edge that begins there
-    std::vector<char> segments; ///< of the base
+    std::vector<char> segments; ///< of the foundation
 
     /// Allocates nothing after the first time.
     void update(const Model &model, const DdaState &state);
@@ -27,7 +27,7 @@ namespace hybrid::dda
     /// What is bonded of an edge: first, second, both or 0.
     char of(const int body, const int edge) const
     {
-      return body == base_body ? segments[edge] : edges[edge];
+      return body == foundation_body ? segments[edge] : edges[edge];
     }
   };
 } // namespace hybrid::dda

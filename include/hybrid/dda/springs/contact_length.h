@@ -27,11 +27,11 @@ namespace hybrid::dda
    * vertices of both are at one place, each with a contact of its own, they share. So
    * the springs integrate the pressure k_n (-gap) over the overlap by the trapezoidal rule,
    * which is exact for a uniform pressure, whatever the ratio of sizes: the patch test. Places of
-   * finite elements of higher degree bear what their shape functions say (Geometry::base_shares).
-   * An edge goes on through corners that are none
-   * (straight or reflex) and as long as it does not turn by more than those 3 degrees, so a place
-   * of a surface without a contact of its own cuts nothing. A vertex both of whose edges lie on the
-   * other body has both lengths.
+   * finite elements of higher degree bear what their shape functions say
+   * (Geometry::foundation_shares). An edge goes on through corners that are none (straight or
+   * reflex) and as long as it does not turn by more than those 3 degrees, so a place of a surface
+   * without a contact of its own cuts nothing. A vertex both of whose edges lie on the other body
+   * has both lengths.
    *
    * As the edges turn away from each other, up to 3 degrees, the springs of a contact with
    * a surface pass smoothly from their part of the overlap to @p corner (for a place

@@ -53,7 +53,7 @@ namespace hybrid::dda
       double length(const std::vector<Contact> &all, const Contact &contact) const;
     };
 
-    using Bodies = std::pair<int, int>; ///< the lower first; all surfaces are base_body
+    using Bodies = std::pair<int, int>; ///< the lower first; all surfaces are foundation_body
 
     /// A contact that pressed.
     struct Pressing

@@ -14,7 +14,7 @@ namespace hybrid::dda
    * While some joints of thousands change between sticking and sliding, the
    * others keep their stiffness and, but for the finite rotation of their
    * blocks, its direction: only rows of blocks with a spring that has changed
-   * are assembled anew. That the kept directions are not quite those of the
+   * are rebuilt. That the kept directions are not quite those of the
    * trial makes the tangent less exact, not the solution.
    */
   class SpringStiffness
@@ -29,7 +29,7 @@ namespace hybrid::dda
       double contact_weight = 1.;
       /// Of the shear stiffness of contacts that slide, see SlidingRegularisation [-].
       double sliding_share = 0.;
-      /// Every spring anew, whether it has changed or not.
+      /// Every spring is rebuilt, whether it has changed or not.
       bool all = true;
     };
 
@@ -37,7 +37,7 @@ namespace hybrid::dda
     void update(const Springs &springs, const Trial &trial, const Choice &choice);
 
     /// Blocks with a spring that has changed in the last update, ascending; all blocks if all
-    /// springs were made anew.
+    /// springs were rebuilt.
     const std::vector<int> &changed_blocks() const
     {
       return changed;
@@ -46,8 +46,8 @@ namespace hybrid::dda
     /// Add the rows of one block. @pre Springs::connect() has found the slots
     void add_rows(const Springs &springs, int block, BlockMatrix &matrix) const;
 
-    /// Add rows and columns of the base nodes, and say if the matrix is symmetric.
-    void add_base(const Springs &springs, BlockMatrix &matrix) const;
+    /// Add rows and columns of the foundation nodes, and say if the matrix is symmetric.
+    void add_foundation(const Springs &springs, BlockMatrix &matrix) const;
 
     static constexpr std::size_t bytes_per_spring()
     {
@@ -82,7 +82,7 @@ namespace hybrid::dda
     /// One spring as it was assembled.
     struct Kept
     {
-      int          block = 0, other = base_body, joint = -1, end = 0;
+      int          block = 0, other = foundation_body, joint = -1, end = 0;
       Coefficients stiffness;
       Rows         of_block = Rows::Zero(), of_other = Rows::Zero(); ///< gradients of displacements
 
@@ -95,10 +95,10 @@ namespace hybrid::dda
     /// The kept spring would be assembled as it was.
     static bool same(const Kept &, const Springs::Spring &, const Springs::Response &);
 
-    /// Make the kept springs in the list renewed anew.
+    /// Rebuild the kept springs in the list renewed.
     void renew(const Springs &springs, const Trial &trial, const Choice &choice);
 
-    void add_base_spring(const Springs &springs, int s, BlockMatrix &matrix) const;
+    void add_foundation_spring(const Springs &springs, int s, BlockMatrix &matrix) const;
 
     std::vector<Kept> kept;      ///< of each spring
     std::vector<int>  renewed;   ///< springs, in the last update

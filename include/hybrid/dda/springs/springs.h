@@ -22,14 +22,14 @@ namespace hybrid::dda
     std::vector<Vec6>        rate;         ///< velocity of each block at the end of the step
     std::vector<BlockMotion> motion;       ///< finite motion of each block
     std::vector<Vec2>        displacement; ///< of each vertex over the step [m]
-    Eigen::VectorXd          base;         ///< displacement of the base nodes at the end [m]
+    Eigen::VectorXd          foundation;   ///< displacement of the foundation nodes at the end [m]
   };
 
 
   /**
    * The springs of one time step: the ends of unreleased joints and the
    * vertex-edge contacts, all seen as pairs of points P (on a block) and Q (on
-   * another block or the base) with a normal from P to Q. The force on Q is
+   * another block or the foundation) with a normal from P to Q. The force on Q is
    * N n + T t times the length, the opposite acts on P, both at one place, so
    * action equals reaction in force and moment.
    *
@@ -59,30 +59,30 @@ namespace hybrid::dda
     /// Fixed data of one spring during a step.
     struct Spring
     {
-      int    block;                      ///< of P
-      int    other;                      ///< block of Q, or base_body
-      int    node[2]         = {0, 0};   ///< base nodes of Q
-      int    slot[2]         = {-1, -1}; ///< in the block matrix: pair of blocks, or block and node
-      int    joint           = -1;       ///< number of the joint, or -1
-      int    contact         = -1;       ///< number of the contact, or -1
-      int    end             = 0;        ///< of the joint
-      double contact_part    = 0.;       ///< that acts as a contact [-]: 1, or the joint's damage
-      const JointLaw *law    = nullptr;
-      double          length = 0.;                ///< [m]
+      int    block;                 ///< of P
+      int    other;                 ///< block of Q, or foundation_body
+      int    node[2] = {0, 0};      ///< foundation nodes of Q
+      int    slot[2] = {-1, -1};    ///< in the block matrix: pair of blocks, or block and node
+      int    joint   = -1;          ///< number of the joint, or -1
+      int    contact = -1;          ///< number of the contact, or -1
+      int    end     = 0;           ///< of the joint
+      double contact_fraction = 0.; ///< that acts as a contact [-]: 1, or the joint's damage
+      const JointLaw *law     = nullptr;
+      double          length  = 0.;               ///< [m]
       double          cohesion_length_ratio = 1.; ///< see JointKinematics [-]
       SpringState     old;                        ///< when the step began
 
       /// What acts as a contact at the start or end of the step.
       Traction contact_traction(const SpringState &state) const
       {
-        return Springs::contact_traction(state, contact_part);
+        return Springs::contact_traction(state, contact_fraction);
       }
     };
 
     /// What the part that is a contact bears.
-    static Traction contact_traction(const SpringState &state, const double part)
+    static Traction contact_traction(const SpringState &state, const double fraction)
     {
-      return {part * std::max(0., state.elastic_normal), part * state.shear};
+      return {fraction * std::max(0., state.elastic_normal), fraction * state.shear};
     }
 
     /// Generalised forces on both bodies.
@@ -96,7 +96,7 @@ namespace hybrid::dda
     {
       Vec2        normal, tangent;          ///< unit vectors; normal from P to Q
       Vec2        place;                    ///< where the force acts [m]
-      double      weight[2]     = {1., 0.}; ///< of the base nodes
+      double      weight[2]     = {1., 0.}; ///< of the foundation nodes
       double      edge_position = 0.;       ///< projection on the contact's edge [-]
       SpringState now;                      ///< if the step is accepted
       double      slid = 0.;    ///< shear traction in the trial of remember() if it slid there [Pa]
@@ -135,15 +135,15 @@ namespace hybrid::dda
     /// True if a contact is held: the forces are not those of its law.
     bool any_held() const;
 
-    /// Add forces on blocks and base nodes, of bonds and of contacts apart, and their absolute
-    /// values to @p absolute.
+    /// Add forces on blocks and foundation nodes, of bonds and of contacts apart, and their
+    /// absolute values to @p absolute.
     void
     add_forces(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts, Eigen::VectorXd &absolute) const;
 
     /// Generalised forces that a traction of one spring makes in the trial evaluated last.
     Forces forces_of(const Trial &trial, std::size_t number, const Traction &traction) const;
 
-    /// Add what a traction of one spring does on its blocks or base nodes.
+    /// Add what a traction of one spring does on its blocks or foundation nodes.
     void add_force(const Trial     &trial,
                    std::size_t      number,
                    const Traction  &traction,
@@ -182,10 +182,10 @@ namespace hybrid::dda
               block_springs.data() + block_begin[block + 1]};
     }
 
-    /// Springs between a block and the base, ascending.
-    const std::vector<int> &on_base() const
+    /// Springs between a block and the foundation, ascending.
+    const std::vector<int> &on_foundation() const
     {
-      return base_springs;
+      return foundation_springs;
     }
 
     std::vector<Spring>   springs;
@@ -196,15 +196,15 @@ namespace hybrid::dda
 
     void collect_contacts(const Model &model, const DdaState &state);
 
-    /// List the springs of each block and of the base.
+    /// List the springs of each block and of the foundation.
     void sort_by_block(int n_blocks);
 
     /// Generalised forces of one spring on its bodies.
     void set_forces(const Trial &trial, std::size_t s);
 
-    void add_force_on_base(std::size_t s, const Forces &force, Eigen::VectorXd &forces) const;
+    void add_force_on_foundation(std::size_t s, const Forces &force, Eigen::VectorXd &forces) const;
 
-    void add_forces_on_base(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts) const;
+    void add_forces_on_foundation(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts) const;
 
     void evaluate_joint(const Model    &model,
                         const DdaState &state,
@@ -221,6 +221,6 @@ namespace hybrid::dda
     std::vector<BlockMatrix::Pair> block_pairs, node_pairs; ///< of these springs
     std::vector<int>               block_begin;             ///< CSR over blocks of block_springs
     std::vector<int>               block_springs;           ///< of_block(), one after the other
-    std::vector<int>               base_springs;            ///< on_base()
+    std::vector<int>               foundation_springs;      ///< on_foundation()
   };
 } // namespace hybrid::dda

@@ -17,6 +17,6 @@ namespace hybrid::dda
   void begin_motion(const Model &model, DdaState &state, bool held);
 
 
-  /// The same, and the base's forces, after joints of the bedrock were given tractions.
+  /// The same, and the foundation's forces, after joints of the bedrock were given tractions.
   void store_static_reactions(const Model &model, DdaState &state, bool held);
 } // namespace hybrid::dda

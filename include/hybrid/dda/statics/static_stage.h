@@ -6,8 +6,8 @@
 namespace hybrid::dda
 {
   /**
-   * Let the blocks settle under gravity on the fixed base, strengths active
-   * (take_static_steps()). The forces on the base become DdaState::static_force.
+   * Let the blocks settle under gravity on the fixed foundation, strengths active
+   * (take_static_steps()). The forces on the foundation become DdaState::static_force.
    *
    * @param held friction and bonds are unlimited while the blocks settle.
    * @param watch may be empty.

@@ -63,7 +63,7 @@ namespace hybrid::dda
 
 
   /**
-   * Bring the blocks to rest on the base where it is.
+   * Bring the blocks to rest on the foundation where it is.
    *
    * Implicit steps from rest with a pseudo time step that grows until inertia is
    * negligible: Newton's method for the static problem with mass as regularisation, so that a mass

@@ -25,10 +25,11 @@ namespace hybrid::dda
     StickPredictorSteps &operator=(const StickPredictorSteps &) = delete;
 
     /// Find where contacts that never slide would bring the blocks. @return how it went
-    StepResult hold(const DdaState &state, const BaseResponse &base, double dt);
+    StepResult hold(const DdaState &state, const FoundationResponse &foundation, double dt);
 
     /// Solve the step from there. @param residual of the state [-]
-    StepResult solve(DdaState &state, const BaseResponse &base, double dt, double residual);
+    StepResult
+    solve(DdaState &state, const FoundationResponse &foundation, double dt, double residual);
 
     /// Make the solved step the new state.
     void accept(DdaState &state) const

@@ -19,10 +19,10 @@ namespace hybrid::dda
 
     /// Solve the step from @p state (whose contact list and awake blocks are brought up to date;
     /// nothing else changes). @p guess: see OpenCloseIteration.
-    StepResult solve(DdaState                &state,
-                     const BaseResponse      &base,
-                     double                   dt,
-                     const std::vector<Vec6> *guess = nullptr);
+    StepResult solve(DdaState                 &state,
+                     const FoundationResponse &foundation,
+                     double                    dt,
+                     const std::vector<Vec6>  *guess = nullptr);
 
     /// Let @p watch be asked before every open-close iteration whether to go on.
     void set_watch(OpenCloseIteration::Watch watch)
@@ -39,7 +39,8 @@ namespace hybrid::dda
     /// What is kept from one step to the next, for the checkpoint.
     void serialize(restart::Archive &archive);
 
-    /// The solved step: displacement of the base nodes [m] and force increments on them [N/m].
+    /// The solved step: displacement of the foundation nodes [m] and force increments on them
+    /// [N/m].
     const OpenCloseIteration &solved_step() const
     {
       return iteration;
@@ -76,11 +77,11 @@ namespace hybrid::dda
     std::vector<char>    is_on_belt;      ///< per block: bonded to a surface
     std::vector<char>    held_off;        ///< per block, see SkippedPairs
     int changes = -1; ///< given way, failed and released joints when the skip lists were made
-    std::vector<ContactScope> awake; ///< per block, now
+    std::vector<ContactScope> scope; ///< per block, now
 
     SearchSummary search_summary;
 
-    std::vector<ContactScope> awake_blocks(const DdaState &state) const;
+    std::vector<ContactScope> contact_scopes(const DdaState &state) const;
 
     /// Sets is_on_belt and held_off.
     void find_blocks_on_surface();

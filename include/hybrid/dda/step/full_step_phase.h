@@ -17,9 +17,9 @@ namespace hybrid::dda
   class FullStepPhase
   {
   public:
-    /// A step begins. @param most number, 0: none. @param residual [-] at the start
+    /// A step begins. @param max_steps number, 0: none. @param residual [-] at the start
     /// @return go_on()
-    bool begin(int most, double residual);
+    bool begin(int max_steps, double residual);
 
     /// The next update shall be taken as a whole.
     bool go_on() const

@@ -4,7 +4,7 @@
 #include <hybrid/dda/linear/linear_solver.h>
 #include <hybrid/dda/springs/spring_stiffness.h>
 #include <hybrid/dda/springs/springs.h>
-#include <hybrid/dda/step/base_response.h>
+#include <hybrid/dda/step/foundation_response.h>
 #include <hybrid/dda/step/full_step_phase.h>
 #include <hybrid/dda/step/sliding_regularisation.h>
 
@@ -30,21 +30,22 @@ namespace hybrid::dda
 
 
   /**
-   * One implicit step of blocks and base: the open-close iteration.
+   * One implicit step of blocks and foundation: the open-close iteration.
    *
-   * Finds the increments d of all blocks and the displacement w of the base
+   * Finds the increments d of all blocks and the displacement w of the foundation
    * nodes so that at the end of the step inertia, stresses, joints, contacts
    * and weight balance,
    *
    *     M (a(d) - (1/(2 beta)) c) + A_0 (s + D e(d) + beta_K D e(d)/dt) = W + sum of bonds G^T f,
    *     M c = sum of contacts G^T f,
-   *     S w = g + bonds on the base + (1/(2 beta)) contacts on the base, less those at rest,
+   *     S w = g + bonds on the foundation + (1/(2 beta)) contacts on the foundation, less those at
+   * rest,
    *
    * where c acts through the whole step (see Springs: (d - d*) / (beta dt^2) = a + c / (2 beta)),
-   * on blocks and base alike, so that the impulse of one is that of the other, with f(d, w), gaps
-   * and slips of the exact finite motion and contact states that agree with the forces. beta_K:
-   * block_damping_times(). Newton's method with the consistent tangent; the tangent is kept as long
-   * as it serves. Not converged is a status: the state is changed only by accept().
+   * on blocks and foundation alike, so that the impulse of one is that of the other, with f(d, w),
+   * gaps and slips of the exact finite motion and contact states that agree with the forces.
+   * beta_K: block_damping_times(). Newton's method with the consistent tangent; the tangent is kept
+   * as long as it serves. Not converged is a status: the state is changed only by accept().
    *
    * The first iterations take whole updates, and a joint or contact whose slip would turn round
    * sticks before it may slide back (Shi 1988). With its friction at once the other way a line
@@ -65,11 +66,11 @@ namespace hybrid::dda
 
     /// Solve the step from @p state; @p model must outlive the call to accept(). @p guess: the
     /// increments of all blocks to begin with, instead of those of the last motion.
-    StepResult solve(const Model             &model,
-                     const DdaState          &state,
-                     const BaseResponse      &base,
-                     double                   dt,
-                     const std::vector<Vec6> *guess = nullptr);
+    StepResult solve(const Model              &model,
+                     const DdaState           &state,
+                     const FoundationResponse &foundation,
+                     double                    dt,
+                     const std::vector<Vec6>  *guess = nullptr);
 
     /// Make the solved step the new state: move bodies, remember contacts, count failures and
     /// energy.
@@ -84,20 +85,20 @@ namespace hybrid::dda
       return trial.increment;
     }
 
-    /// Displacement w of the base nodes of the solved step [m].
-    const Eigen::VectorXd &base_displacement() const
+    /// Displacement w of the foundation nodes of the solved step [m].
+    const Eigen::VectorXd &foundation_displacement() const
     {
-      return trial.base;
+      return trial.foundation;
     }
 
-    /// Forces of the blocks on the base nodes in the solved step, less the static ones [N/m].
-    const Eigen::VectorXd &base_force_increment() const
+    /// Forces of the blocks on the foundation nodes in the solved step, less the static ones [N/m].
+    const Eigen::VectorXd &foundation_force_increment() const
     {
       return force_increment;
     }
 
     /// The contacts' part of it [N/m].
-    const Eigen::VectorXd &base_contact_increment() const
+    const Eigen::VectorXd &foundation_contact_increment() const
     {
       return contact_increment;
     }
@@ -117,12 +118,12 @@ namespace hybrid::dda
     std::vector<Vec6> acceleration; ///< of all but contacts, end of the solved step, not yet turned
     std::vector<Vec6> contact_acceleration; ///< of contacts, likewise
     Eigen::VectorXd   residual, absolute, scale, update, force_increment, contact_increment;
-    // The base's balance is taken from where the trial starts: at S w the round-off of a stiff base
-    // that moves as a whole would hide the forces of soft blocks.
-    Eigen::VectorXd base_start;    ///< load less S times the displacement at the start [N/m]
-    Eigen::VectorXd base_moved;    ///< displacement since then [m]
-    Eigen::VectorXd contact_force; ///< of contacts on blocks and base nodes
-    Eigen::VectorXd incoming;      ///< at artificial boundaries, end of the step [N/m]
+    // The foundation's balance is taken from where the trial starts: at S w the round-off of a
+    // stiff foundation that moves as a whole would hide the forces of soft blocks.
+    Eigen::VectorXd foundation_start; ///< load less S times the displacement at the start [N/m]
+    Eigen::VectorXd foundation_moved; ///< displacement since then [m]
+    Eigen::VectorXd contact_force;    ///< of contacts on blocks and foundation nodes
+    Eigen::VectorXd incoming;         ///< at artificial boundaries, end of the step [N/m]
     double          tangent_dt      = -1.; ///< step of the tangent in matrix
     double          tangent_share   = 0.;  ///< SlidingRegularisation of it
     int             tangent_pattern = -1;
@@ -134,17 +135,20 @@ namespace hybrid::dda
     double          reference            = 0.;    ///< norm of absolute forces [N]
 
     /// Collect the springs and set where the iteration starts.
-    void begin(const Model             &model,
-               const DdaState          &state,
-               const BaseResponse      &base,
-               double                   dt,
-               const std::vector<Vec6> *guess);
+    void begin(const Model              &model,
+               const DdaState           &state,
+               const FoundationResponse &foundation,
+               double                    dt,
+               const std::vector<Vec6>  *guess);
 
-    void predict(const Model &model, const DdaState &state, const BaseResponse &base, double dt);
+    void predict(const Model              &model,
+                 const DdaState           &state,
+                 const FoundationResponse &foundation,
+                 double                    dt);
 
     /// force -= S displacement
-    void subtract_base_product(const Eigen::VectorXd      &displacement,
-                               Eigen::Ref<Eigen::VectorXd> force) const;
+    void subtract_foundation_product(const Eigen::VectorXd      &displacement,
+                                     Eigen::Ref<Eigen::VectorXd> force) const;
 
     void move(const DdaState &state);
 
@@ -161,7 +165,8 @@ namespace hybrid::dda
     /// Forces of the trial and what is left of the balance; they depend on the trial alone (while
     /// it full_steps, on that of Springs::remember() as well). @return relative norm of the
     /// residual
-    double evaluate(const Model &model, const DdaState &state, const BaseResponse &base);
+    double
+    evaluate(const Model &model, const DdaState &state, const FoundationResponse &foundation);
 
     /// Add the water's forces to the residual.
     void add_water(const Model &model, const DdaState &state);
@@ -175,37 +180,42 @@ namespace hybrid::dda
       bool all;              ///< rows, not only those of springs that have changed
     };
 
-    void assemble(const Model        &model,
-                  const DdaState     &state,
-                  const BaseResponse &base,
-                  const Tangent      &tangent);
+    void assemble(const Model              &model,
+                  const DdaState           &state,
+                  const FoundationResponse &foundation,
+                  const Tangent            &tangent);
 
     /// Where a line search ended.
     struct LineSearch
     {
       double residual; ///< relative norm there
-      double part;     ///< of the update that was taken
+      double fraction; ///< of the update that was taken
     };
 
-    /// Choose the springs and rows to be made anew.
+    /// Choose the springs and rows to be rebuilt.
     void update_stiffness(const Model &model, const Tangent &tangent);
 
     /// Move the trial along the update, as far as the residual allows: a contact that locks, closes
     /// or slides back on the way would otherwise make the iteration cycle. All of it while
     /// it full_steps.
-    LineSearch search_line(const Model &model, const DdaState &state, const BaseResponse &base);
+    LineSearch
+    search_line(const Model &model, const DdaState &state, const FoundationResponse &foundation);
 
     /// Set the trial's motion to the guess: velocities as they were, and accelerations if
-    /// guesses_acceleration; the base where the rock brings it.
-    void start_trial(const Model &model, const DdaState &state, const BaseResponse &base);
+    /// guesses_acceleration; the foundation where the rock brings it.
+    void
+    start_trial(const Model &model, const DdaState &state, const FoundationResponse &foundation);
 
     /// Begin the trial with the acceleration as it was or, far from balance, with none where that
     /// is closer. @return relative norm of the residual there
-    double choose_guess(const Model &model, const DdaState &state, const BaseResponse &base);
+    double
+    choose_guess(const Model &model, const DdaState &state, const FoundationResponse &foundation);
 
     /// End whole updates: go on by the law alone from where they led, or from the start if that is
     /// closer. @return relative norm of the residual there
-    double begin_line_search(const Model &model, const DdaState &state, const BaseResponse &base);
+    double begin_line_search(const Model              &model,
+                             const DdaState           &state,
+                             const FoundationResponse &foundation);
 
     /// Displacement of a block in the trial over its size [-].
     double displacement_ratio(const Model &model, int block) const;
@@ -220,7 +230,7 @@ namespace hybrid::dda
     void finish(const Model &model);
 
     /// Joints that are torn or released in this step hand nothing to the next one either: the
-    /// contacts' part of accelerations and of the base force is set in @p state.
+    /// contacts' part of accelerations and of the foundation force is set in @p state.
     void carry_contact_accelerations(const Model &model, DdaState &state) const;
   };
 } // namespace hybrid::dda

@@ -9,10 +9,11 @@ namespace hybrid::dda
   Springs springs_at_rest(const Model &model, const DdaState &state);
 
 
-  /// What springs do to blocks and base nodes while nothing moves, bonds and contacts apart [N/m].
+  /// What springs do to blocks and foundation nodes while nothing moves, bonds and contacts apart
+  /// [N/m].
   struct RestForces
   {
-    Eigen::VectorXd bonds, contacts; ///< six values per block, then two per base node
+    Eigen::VectorXd bonds, contacts; ///< six values per block, then two per foundation node
 
     RestForces(const Model &model, const DdaState &state);
   };

@@ -21,7 +21,7 @@ namespace hybrid::dda
     }
 
     /// After an update of which the line search took @p part. @return true if the share changes.
-    bool adapt(double part);
+    bool adapt(double fraction);
 
   private:
     double share = 0.;

@@ -9,7 +9,7 @@ namespace hybrid::scene
    * Bonded triangular blocks that carry the waves: every cell is cut along its shorter diagonal;
    * between equal ones the diagonal is taken whose ends meet more diagonals already, so that
    * structured meshes get the pattern of alternating diagonals, which prefers no direction. The
-   * base is the line "base" unless it is compliant.
+   * foundation is the line "base" unless it is compliant.
    */
   BedrockModel triangles_bedrock();
 } // namespace hybrid::scene

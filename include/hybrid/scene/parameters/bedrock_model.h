@@ -18,7 +18,7 @@ namespace hybrid::scene
     std::vector<std::vector<int>> outlines; ///< nodes of the mesh, counter-clockwise
     std::vector<int>              region;   ///< per block: index into bedrock_region_names
     std::vector<int>
-      base; ///< nodes of a base that moves as prescribed, left to right; may be empty
+      foundation; ///< nodes of a foundation that moves as prescribed, left to right; may be empty
   };
 
 

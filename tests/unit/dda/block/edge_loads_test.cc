@@ -108,14 +108,14 @@ TEST(EdgeLoads, a_free_block_takes_their_impulse_and_work)
 {
   Scene scene;
   scene.parameters.edge_loads.tractions[0].traction = Vec2(0., 5e3);
-  const Model  model                                = scene.model();
-  DdaState     state                                = initial_state(model);
-  BlockSolver  solver(model);
-  BaseResponse base;
-  base.displacement = state.base_displacement;
+  const Model        model                          = scene.model();
+  DdaState           state                          = initial_state(model);
+  BlockSolver        solver(model);
+  FoundationResponse foundation;
+  foundation.displacement = state.foundation_displacement;
   for (int step = 0; step < 500; ++step)
     {
-      ASSERT_TRUE(solver.solve(state, base, 1e-3).converged);
+      ASSERT_TRUE(solver.solve(state, foundation, 1e-3).converged);
       solver.accept(state);
     }
   const double impulse = 1e4 * (0.5 - 0.1 - 0.1 + (model.newmark.gamma - 0.5) * 1e-3);

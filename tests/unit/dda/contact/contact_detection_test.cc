@@ -14,7 +14,7 @@ namespace
   using namespace hybrid::dda;
   using namespace hybrid::dda::contact_scenes;
 
-  /// Triangles thrown at random, some of them into each other, above a rough base.
+  /// Triangles thrown at random, some of them into each other, above a rough foundation.
   Geometry cloud(const int n, const unsigned seed)
   {
     std::mt19937                           random(seed);
@@ -37,7 +37,7 @@ namespace
       }
     std::uniform_real_distribution<double> height(-0.2, 0.4);
     for (double x = -1.; x < side + 1.; x += 0.7)
-      g.base_nodes.emplace_back(x, height(random));
+      g.foundation_nodes.emplace_back(x, height(random));
     return g;
   }
 
@@ -136,7 +136,7 @@ namespace
     for (unsigned seed = 1; seed <= 20; ++seed)
       {
         Geometry g = cloud(120, seed);
-        g.base_nodes.clear();
+        g.foundation_nodes.clear();
         ContactDetection detection(parameters);
         Contacts         contacts;
         detection.update(g, contacts);
@@ -227,7 +227,7 @@ namespace
     std::iota(order.begin(), order.end(), 0);
     std::shuffle(order.begin(), order.end(), std::mt19937(3));
     Geometry p;
-    p.base_nodes = g.base_nodes;
+    p.foundation_nodes = g.foundation_nodes;
     for (const int b : order)
       add_block(p, Outline(g.vertices.begin() + g.offset[b], g.vertices.begin() + g.offset[b + 1]));
 
@@ -236,14 +236,14 @@ namespace
     dg.update(g, cg);
     dp.update(p, cp);
     const auto vertex = [&](const int body, const int v) {
-      return body == base_body ? v : 3 * order[v / 3] + v % 3;
+      return body == foundation_body ? v : 3 * order[v / 3] + v % 3;
     };
     for (Contact &c : cp)
       {
         c.vertex = vertex(c.vertex_body, c.vertex);
         c.edge   = vertex(c.edge_body, c.edge);
         for (int *body : {&c.vertex_body, &c.edge_body})
-          *body = *body == base_body ? base_body : order[*body];
+          *body = *body == foundation_body ? foundation_body : order[*body];
       }
     std::sort(cp.begin(), cp.end(), [](const Contact &a, const Contact &b) {
       return key(a) < key(b);
@@ -256,23 +256,25 @@ namespace
 
   TEST(ContactDetection, BondedPairsAndSleepingNeighboursAreSkipped)
   {
-    Geometry g   = blocks({square(0., 0.), square(1., 0.), square(2., 0.)});
-    g.base_nodes = {{-1., 0.}, {1.5, 0.}, {4., 0.}};
+    Geometry g         = blocks({square(0., 0.), square(1., 0.), square(2., 0.)});
+    g.foundation_nodes = {{-1., 0.}, {1.5, 0.}, {4., 0.}};
     ContactDetection detection(parameters);
     detection.set_neighbours({0, 1, 3, 4}, {1, 0, 2, 1});
-    SkippedPairs skipped{
-      {{0, 1}, {1, 2}},
-      {{0, base_body, 0}, {1, base_body, 0}, {1, base_body, 1}, {2, base_body, 1}},
-      {ContactScope::no, ContactScope::no, ContactScope::no},
-      {1, 1, 1}};
+    SkippedPairs skipped{{{0, 1}, {1, 2}},
+                         {{0, foundation_body, 0},
+                          {1, foundation_body, 0},
+                          {1, foundation_body, 1},
+                          {2, foundation_body, 1}},
+                         {ContactScope::no, ContactScope::no, ContactScope::no},
+                         {1, 1, 1}};
     detection.set_skipped_pairs(skipped);
     Contacts contacts;
     detection.update(g, contacts);
     EXPECT_TRUE(contacts.empty()) << "an intact mass has no contacts";
 
     skipped.bonded  = {{0, 1}}; // joint between 1 and 2 released
-    skipped.surface = {{0, base_body, 0}, {1, base_body, 0}, {1, base_body, 1}};
-    skipped.awake   = {ContactScope::no, ContactScope::to_all, ContactScope::to_all};
+    skipped.surface = {{0, foundation_body, 0}, {1, foundation_body, 0}, {1, foundation_body, 1}};
+    skipped.scope   = {ContactScope::no, ContactScope::to_all, ContactScope::to_all};
     detection.set_skipped_pairs(skipped);
     detection.update(g, contacts);
     for (const Contact &c : contacts)
@@ -280,8 +282,8 @@ namespace
         EXPECT_NE(c.vertex_body, 0);
         EXPECT_NE(c.edge_body, 0);
       }
-    EXPECT_NE(find(contacts, 8, base_body, 1), nullptr);
-    EXPECT_EQ(find(contacts, 4, base_body, 0), nullptr) << "block 1 is still bonded there";
+    EXPECT_NE(find(contacts, 8, foundation_body, 1), nullptr);
+    EXPECT_EQ(find(contacts, 4, foundation_body, 0), nullptr) << "block 1 is still bonded there";
     EXPECT_EQ(contacts.size(), 6u) << "four between blocks 1 and 2, two below block 2";
 
     const long builds = detection.report().builds;
@@ -322,48 +324,48 @@ namespace
 
   TEST(ContactDetection, BlockWhoseJointHasGivenWayStillDoesNotLookAtTheBase)
   {
-    Geometry g   = blocks({square(0., -0.004), square(1.02, -0.004)});
-    g.base_nodes = {{-1., 0.}, {1., 0.}, {4., 0.}};
+    Geometry g         = blocks({square(0., -0.004), square(1.02, -0.004)});
+    g.foundation_nodes = {{-1., 0.}, {1., 0.}, {4., 0.}};
     ContactDetection detection(parameters);
     detection.set_neighbours({0, 1, 2}, {1, 0});
     Contacts     contacts;
     SkippedPairs skipped{{},
-                         {{0, base_body, 0}, {1, base_body, 1}},
+                         {{0, foundation_body, 0}, {1, foundation_body, 1}},
                          {ContactScope::to_blocks, ContactScope::no},
                          {1, 1}};
     detection.set_skipped_pairs(skipped);
     detection.set_was_awake({ContactScope::to_blocks, ContactScope::no});
     detection.update(g, contacts);
     for (const Contact &c : contacts)
-      EXPECT_TRUE(c.vertex_body != base_body && c.edge_body != base_body);
+      EXPECT_TRUE(c.vertex_body != foundation_body && c.edge_body != foundation_body);
 
-    skipped.awake = {ContactScope::to_blocks, ContactScope::to_all};
+    skipped.scope = {ContactScope::to_blocks, ContactScope::to_all};
     detection.set_skipped_pairs(skipped);
     detection.update(g, contacts);
-    const Contact *corner = find(contacts, 4, base_body, 0);
+    const Contact *corner = find(contacts, 4, foundation_body, 0);
     EXPECT_EQ(corner, nullptr) << "the second block begins beyond the first segment";
-    EXPECT_EQ(find(contacts, 5, base_body, 1), nullptr) << "still bonded to its own segment";
+    EXPECT_EQ(find(contacts, 5, foundation_body, 1), nullptr) << "still bonded to its own segment";
   }
 
   TEST(ContactDetection, FirstLookAtTheBaseStartsWithoutForceToo)
   {
-    Geometry g   = blocks({square(0.9, -0.004)});
-    g.base_nodes = {{-1., 0.}, {1., 0.}, {4., 0.}};
+    Geometry g         = blocks({square(0.9, -0.004)});
+    g.foundation_nodes = {{-1., 0.}, {1., 0.}, {4., 0.}};
     ContactDetection detection(parameters);
     detection.set_neighbours({0, 0}, {});
     Contacts contacts;
-    detection.set_skipped_pairs({{}, {{0, base_body, 1}}, {ContactScope::to_all}, {1}});
+    detection.set_skipped_pairs({{}, {{0, foundation_body, 1}}, {ContactScope::to_all}, {1}});
     detection.set_was_awake({ContactScope::to_blocks});
     detection.update(g, contacts);
-    const Contact *corner = find(contacts, 0, base_body, 0);
+    const Contact *corner = find(contacts, 0, foundation_body, 0);
     ASSERT_NE(corner, nullptr) << "over the segment to which it was never bonded";
     EXPECT_NEAR(corner->stress_free_gap, -0.004 - 0.01 * parameters.reach, 1e-12);
   }
 
   TEST(ContactDetection, BondedBlockThatIsNotHeldOffLooksAtTheBase)
   {
-    Geometry g   = blocks({square(0., -0.001)});
-    g.base_nodes = {{-1., 0.}, {4., 0.}};
+    Geometry g         = blocks({square(0., -0.001)});
+    g.foundation_nodes = {{-1., 0.}, {4., 0.}};
     ContactDetection detection(parameters);
     detection.set_neighbours({0, 0}, {});
     Contacts contacts;
@@ -382,8 +384,8 @@ namespace
 
   TEST(ContactDetection, WhatLiesStillIsNotSearchedAgain)
   {
-    Geometry g   = blocks({square(0., 0.), square(0., 1.), square(3., 0.), square(3., 1.)});
-    g.base_nodes = {{-1., 0.}, {2., 0.}, {5., 0.}};
+    Geometry g         = blocks({square(0., 0.), square(0., 1.), square(3., 0.), square(3., 1.)});
+    g.foundation_nodes = {{-1., 0.}, {2., 0.}, {5., 0.}};
     ContactDetection detection(parameters);
     RestState        rest;
     Contacts         contacts;

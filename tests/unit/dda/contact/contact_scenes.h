@@ -62,7 +62,7 @@ namespace hybrid::dda::contact_scenes
   find(const Contacts &contacts, const int vertex, const int edge_body, const int edge)
   {
     for (const Contact &c : contacts)
-      if (c.vertex_body != base_body && c.vertex == vertex && c.edge_body == edge_body &&
+      if (c.vertex_body != foundation_body && c.vertex == vertex && c.edge_body == edge_body &&
           c.edge == edge)
         return &c;
     return nullptr;
@@ -71,7 +71,7 @@ namespace hybrid::dda::contact_scenes
   inline int count_vertex(const Contacts &contacts, const int vertex)
   {
     return static_cast<int>(std::count_if(contacts.begin(), contacts.end(), [&](const Contact &c) {
-      return c.vertex_body != base_body && c.vertex == vertex;
+      return c.vertex_body != foundation_body && c.vertex == vertex;
     }));
   }
 
@@ -96,9 +96,12 @@ namespace hybrid::dda::contact_scenes
 
   inline Edge edge_of(const Geometry &g, const int body, const int e)
   {
-    const Vec2 a = body == base_body ? g.base_nodes[e] : g.vertices[e];
-    const Vec2 b = body == base_body ? g.base_nodes[e + 1] : g.vertices[g.next(e)];
+    const Vec2 a = body == foundation_body ? g.foundation_nodes[e] : g.vertices[e];
+    const Vec2 b = body == foundation_body ? g.foundation_nodes[e + 1] : g.vertices[g.next(e)];
     const Vec2 d = (b - a).normalized();
-    return {a, d, body == base_body ? Vec2(-d.y(), d.x()) : Vec2(d.y(), -d.x()), (b - a).norm()};
+    return {a,
+            d,
+            body == foundation_body ? Vec2(-d.y(), d.x()) : Vec2(d.y(), -d.x()),
+            (b - a).norm()};
   }
 } // namespace hybrid::dda::contact_scenes

@@ -23,28 +23,28 @@ namespace
       for (int i = 0; i < columns; ++i)
         add_block(g, square(i, j));
     for (int i = -1; i <= columns + 1; ++i)
-      g.base_nodes.emplace_back(i, 0.);
+      g.foundation_nodes.emplace_back(i, 0.);
 
     ContactDetection detection(parameters);
     Contacts         contacts;
     detection.update(g, contacts);
     for (const Contact &c : contacts)
       {
-        if (c.vertex_body == base_body)
+        if (c.vertex_body == foundation_body)
           {
             EXPECT_LT(c.edge_body, columns) << "places of the base touch the lowest row";
             EXPECT_EQ(c.edge % 4, 0) << "at its soles";
             continue;
           }
-        if (c.edge_body == base_body)
+        if (c.edge_body == foundation_body)
           continue;
         const int d = std::abs(c.vertex_body - c.edge_body);
         EXPECT_TRUE(d == 1 || d == columns)
           << c.vertex_body << " touches " << c.edge_body << " over the corner";
         EXPECT_TRUE(c.edge_position < 1e-12 || c.edge_position > 1. - 1e-12);
       }
-    // every shared edge: two vertices each way; every bottom corner once on the base, every place
-    // of the base below the row once on a sole
+    // every shared edge: two vertices each way; every bottom corner once on the foundation, every
+    // place of the foundation below the row once on a sole
     const int shared = (columns - 1) * rows + columns * (rows - 1);
     EXPECT_EQ(contacts.size(), static_cast<std::size_t>(4 * shared + 2 * columns + columns + 1));
   }
@@ -56,7 +56,7 @@ namespace
     const auto scene = [](const double passed) {
       Geometry g =
         blocks({{{0., 0.}, {0.6, 0.16}, {0.3, 0.4}}, {{0., 0.}, {-0.2, 0.6}, {-0.35, 0.26}}});
-      g.base_nodes = {{-5., 0.}, {5., 0.}};
+      g.foundation_nodes = {{-5., 0.}, {5., 0.}};
       move_block(g, 1, {passed, 0.});
       return g;
     };
@@ -68,7 +68,7 @@ namespace
                    contacts.end(),
                    std::back_inserter(found),
                    [](const Contact &c) {
-                     return c.vertex_body != base_body && c.edge_body != base_body;
+                     return c.vertex_body != foundation_body && c.edge_body != foundation_body;
                    });
       return found;
     };
@@ -131,7 +131,7 @@ namespace
     Geometry     g =
       blocks({{{0., above}, {2., above}, {2., above + height}},
               {{2., above + height + 1e-3}, {0., above + height + 1e-3}, {0., above + 1e-3}}});
-    g.base_nodes = {{-5., 0.}, {5., 0.}};
+    g.foundation_nodes = {{-5., 0.}, {5., 0.}};
     ContactDetection detection(parameters);
     Contacts         contacts;
     const int        corner = 5, upper_side = 2;
@@ -141,12 +141,12 @@ namespace
       });
     };
     detection.update(g, contacts);
-    EXPECT_TRUE(has(0, upper_side) && has(base_body, 0));
+    EXPECT_TRUE(has(0, upper_side) && has(foundation_body, 0));
     move_block(g, 0, {0., -above - 1e-7});
     move_block(g, 1, {0., -above - 1e-3 - 3e-7});
     detection.update(g, contacts);
     EXPECT_TRUE(has(0, upper_side)) << "else the tip rises through the corner";
-    EXPECT_TRUE(has(base_body, 0));
+    EXPECT_TRUE(has(foundation_body, 0));
   }
 
   TEST(ContactSelection, RowOfEqualHeightCarriesASlidingSquareWithoutSeam)
@@ -316,7 +316,7 @@ namespace
     EXPECT_EQ(count_vertex(fresh, 4), 1);
   }
 
-  // ------------------------------------------------------------- base
+  // ------------------------------------------------------------- foundation
 
   TEST(ContactSelection, SlipIsContinuousAlongAFacetedBase)
   {
@@ -324,9 +324,9 @@ namespace
     Geometry g = blocks({{{0.3, 1e-3}, {0.8, 0.6}, {0.3, 0.8}}});
     double   slope[]{0., 3., -2., 0., -4., -4., 1.};
     Vec2     node(0., 0.);
-    g.base_nodes.push_back(node);
+    g.foundation_nodes.push_back(node);
     for (const double s : slope)
-      g.base_nodes.push_back(node += Vec2(std::cos(s * degree), std::sin(s * degree)));
+      g.foundation_nodes.push_back(node += Vec2(std::cos(s * degree), std::sin(s * degree)));
     ContactDetection detection(parameters);
     Contacts         contacts;
     const double     step_length = 0.0137;
@@ -334,18 +334,18 @@ namespace
     int              segments = 0, last = -1;
     for (double x = 0.3; x < 6.4; x += step_length)
       {
-        // height of the base there, 10 um of penetration
+        // height of the foundation there, 10 um of penetration
         int s = 0;
-        while (g.base_nodes[s + 1].x() < x)
+        while (g.foundation_nodes[s + 1].x() < x)
           ++s;
-        const Vec2  &a = g.base_nodes[s], &b = g.base_nodes[s + 1];
+        const Vec2  &a = g.foundation_nodes[s], &b = g.foundation_nodes[s + 1];
         const double y = a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x()) - 1e-5;
         move_block(g, 0, Vec2(x, y) - g.vertices[0]);
         // the step's solution: slip grows on the edge known at its start
         for (Contact &c : contacts)
           if (c.vertex_body == 0 && c.vertex == 0)
             {
-              const Edge   e = edge_of(g, base_body, c.edge);
+              const Edge   e = edge_of(g, foundation_body, c.edge);
               const double t = (g.vertices[0] - e.a).dot(e.d) / e.length;
               c.slip += (t - c.edge_position) * e.length;
               c.edge_position = t;
@@ -367,14 +367,14 @@ namespace
 
   TEST(ContactSelection, PlacesOfTheBaseTouchEdgesThatLieAlongThem)
   {
-    Geometry g   = blocks({{{0.5, 0.3}, {2.5, 0.3}, {2.5, 1.3}, {0.5, 1.3}}});
-    g.base_nodes = {{0., 0.}, {1., 0.25}, {1.5, 0.29}, {2., 0.25}, {3., 0.}}; // convex ridge
+    Geometry g         = blocks({{{0.5, 0.3}, {2.5, 0.3}, {2.5, 1.3}, {0.5, 1.3}}});
+    g.foundation_nodes = {{0., 0.}, {1., 0.25}, {1.5, 0.29}, {2., 0.25}, {3., 0.}}; // convex ridge
     ContactDetection detection(parameters);
     Contacts         contacts;
     detection.update(g, contacts);
     std::vector<int> nodes;
     for (const Contact &c : contacts)
-      if (c.vertex_body == base_body)
+      if (c.vertex_body == foundation_body)
         {
           nodes.push_back(c.vertex);
           EXPECT_EQ(c.edge, 0);
@@ -382,27 +382,27 @@ namespace
     // the edges beside nodes 1 and 3 fall away from the block's bottom as well
     EXPECT_EQ(nodes, (std::vector<int>{2})) << "nodes 1 and 3 lie lower: angle test";
 
-    for (Vec2 &p : g.base_nodes)
+    for (Vec2 &p : g.foundation_nodes)
       p.y() = 0.29; // flat: the sole lies along all of it
     detection.update(g, contacts);
     nodes.clear();
     for (const Contact &c : contacts)
-      if (c.vertex_body == base_body)
+      if (c.vertex_body == foundation_body)
         nodes.push_back(c.vertex);
     EXPECT_EQ(nodes, (std::vector<int>{1, 2, 3}));
   }
 
   TEST(ContactSelection, ValleyActsWithBothSides)
   {
-    Geometry g   = blocks({{{0., 1e-3}, {0.1, 1.}, {-0.1, 1.}}});
-    g.base_nodes = {{-1., 1.}, {0., 0.}, {1., 1.}};
+    Geometry g         = blocks({{{0., 1e-3}, {0.1, 1.}, {-0.1, 1.}}});
+    g.foundation_nodes = {{-1., 1.}, {0., 0.}, {1., 1.}};
     ContactDetection detection(parameters);
     Contacts         contacts;
     detection.update(g, contacts);
-    EXPECT_NE(find(contacts, 0, base_body, 0), nullptr);
-    EXPECT_NE(find(contacts, 0, base_body, 1), nullptr);
+    EXPECT_NE(find(contacts, 0, foundation_body, 0), nullptr);
+    EXPECT_NE(find(contacts, 0, foundation_body, 1), nullptr);
 
-    g.base_nodes = {{-1., -0.02}, {0., 0.}, {1., -0.02}}; // a gentle ridge: one only
+    g.foundation_nodes = {{-1., -0.02}, {0., 0.}, {1., -0.02}}; // a gentle ridge: one only
     contacts.clear();
     detection.update(g, contacts);
     EXPECT_EQ(count_vertex(contacts, 0), 1);

@@ -53,7 +53,7 @@ TEST(HeldNeighbours, loose_blocks_on_a_belt_have_none)
   p.materials["belt"]           = p.materials["rock"];
   scene::SectionMesh mesh       = square_blocks(2, 1);
   mesh.lines["sliding_surface"] = {{0, 1}, {1, 2}};
-  const Model model             = build_model(mesh, p, straight_base(0., 0., 2., 2));
+  const Model model             = build_model(mesh, p, straight_foundation(0., 0., 2., 2));
   ASSERT_FALSE(model.joints.empty());
   EXPECT_TRUE(model.neighbours[0].empty());
 }

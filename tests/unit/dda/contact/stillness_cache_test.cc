@@ -15,15 +15,15 @@ namespace
 {
   constexpr double tolerance = 1e-6; // [m]
 
-  constexpr ContactCandidate upper_on_lower{1, 4, 0, -1}, lower_on_base{0, 0, base_body, 0},
-    end_on_base{0, 0, base_body, 1};
+  constexpr ContactCandidate upper_on_lower{1, 4, 0, -1},
+    lower_on_foundation{0, 0, foundation_body, 0}, end_on_foundation{0, 0, foundation_body, 1};
 
 
 
   Geometry two_blocks()
   {
-    Geometry g   = blocks({square(0., 0.), square(0., 1.)});
-    g.base_nodes = {{-1., 0.}, {2., 0.}, {5., 0.}};
+    Geometry g         = blocks({square(0., 0.), square(0., 1.)});
+    g.foundation_nodes = {{-1., 0.}, {2., 0.}, {5., 0.}};
     return g;
   }
 } // namespace
@@ -41,7 +41,7 @@ TEST(StillnessCache, a_body_rests_until_it_is_a_tolerance_away_from_where_it_las
       move_block(g, 1, {0.2 * tolerance, 0.});
       watch.look(g, rest);
       EXPECT_EQ(watch.rests(upper_on_lower), step != 5) << step;
-      EXPECT_TRUE(watch.rests(lower_on_base));
+      EXPECT_TRUE(watch.rests(lower_on_foundation));
     }
 }
 
@@ -53,10 +53,10 @@ TEST(StillnessCache, segments_of_the_base_rest_one_by_one)
   StillnessCache watch(tolerance);
   RestState      rest;
   watch.look(g, rest);
-  g.base_nodes[2].y() += 2. * tolerance;
+  g.foundation_nodes[2].y() += 2. * tolerance;
   watch.look(g, rest);
-  EXPECT_TRUE(watch.rests(lower_on_base));
-  EXPECT_FALSE(watch.rests(end_on_base));
+  EXPECT_TRUE(watch.rests(lower_on_foundation));
+  EXPECT_FALSE(watch.rests(end_on_foundation));
 }
 
 

@@ -38,10 +38,10 @@ namespace
 
 TEST(JointFailure, joint_that_has_given_way_wakes_its_blocks_before_it_fails)
 {
-  EXPECT_FALSE(after(0.009, 0., 1.).given_way);
-  EXPECT_TRUE(after(-0.011, 0., 1.).given_way);
-  EXPECT_TRUE(after(0., 0.011, 1.).given_way);
-  EXPECT_FALSE(after(0., -0.011, 1.).given_way) << "squeezed";
+  EXPECT_FALSE(after(0.009, 0., 1.).has_yielded);
+  EXPECT_TRUE(after(-0.011, 0., 1.).has_yielded);
+  EXPECT_TRUE(after(0., 0.011, 1.).has_yielded);
+  EXPECT_FALSE(after(0., -0.011, 1.).has_yielded) << "squeezed";
   EXPECT_EQ(after(0.011, 0., 1.).failure, FailureKind::none);
 }
 
@@ -54,7 +54,7 @@ TEST(JointFailure, belt_that_slides_wakes_nobody)
   JointState state;
   state.points[0].history.plastic_slip = 0.011;
   update_failure(belt, 1., state);
-  EXPECT_FALSE(state.given_way);
+  EXPECT_FALSE(state.has_yielded);
 }
 
 
@@ -62,7 +62,7 @@ TEST(JointFailure, belt_that_slides_wakes_nobody)
 TEST(JointFailure, in_the_static_stage_blocks_are_woken_too)
 {
   // A corner between joints that yield would sink into the ground unseen.
-  EXPECT_TRUE(after(0.011, 0., -1.).given_way);
+  EXPECT_TRUE(after(0.011, 0., -1.).has_yielded);
   EXPECT_EQ(after(0.011, 0., -1.).failure, FailureKind::none);
 }
 

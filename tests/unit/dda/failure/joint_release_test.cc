@@ -92,6 +92,6 @@ TEST(JointRelease, happens_once_and_to_the_bodies_of_the_joint)
   EXPECT_FALSE(holding.state.joints[0].handed_over);
 
   Pair other;
-  other.model.joints[0].other = base_body;
+  other.model.joints[0].other = foundation_body;
   EXPECT_EQ(other.after(-2. * overlap), -2. * overlap);
 }

@@ -26,15 +26,15 @@ namespace
   }
 
   /// S + P as the factor and as the products have it must be @p expected.
-  void expect_matrix(const InterfaceStiffness &base, const Eigen::MatrixXd &expected)
+  void expect_matrix(const InterfaceStiffness &foundation, const Eigen::MatrixXd &expected)
   {
     const Eigen::VectorXd x       = Eigen::VectorXd::Random(size);
     Eigen::VectorXd       product = Eigen::VectorXd::Zero(size);
-    base.add_product(x.data(), product.data());
-    base.add_nodes(x.data(), product.data(), 1.);
+    foundation.add_product(x.data(), product.data());
+    foundation.add_nodes(x.data(), product.data(), 1.);
     EXPECT_LT((product - expected * x).norm(), 1e-13 * product.norm());
     Eigen::VectorXd solution = product;
-    base.solve(solution.data());
+    foundation.solve(solution.data());
     EXPECT_LT((solution - x).norm(), 1e-12 * x.norm());
   }
 } // namespace
@@ -45,10 +45,10 @@ TEST(InterfaceStiffness, stiff_base_is_factored_alone)
 {
   const BlockMatrix     m = random_block_matrix(n_blocks, n_nodes);
   const Eigen::MatrixXd s = chain(1e4);
-  InterfaceStiffness    base;
-  base.set(&s);
-  base.matrix_changed(m);
-  expect_matrix(base, s);
+  InterfaceStiffness    foundation;
+  foundation.set(&s);
+  foundation.matrix_changed(m);
+  expect_matrix(foundation, s);
 }
 
 
@@ -57,10 +57,10 @@ TEST(InterfaceStiffness, soft_base_is_factored_with_what_joints_add)
 {
   const BlockMatrix     m = random_block_matrix(n_blocks, n_nodes);
   const Eigen::MatrixXd s = chain(1.);
-  InterfaceStiffness    base;
-  base.set(&s);
-  base.matrix_changed(m);
-  expect_matrix(base, s + dense(m).bottomRightCorner(size, size));
+  InterfaceStiffness    foundation;
+  foundation.set(&s);
+  foundation.matrix_changed(m);
+  expect_matrix(foundation, s + dense(m).bottomRightCorner(size, size));
 }
 
 
@@ -71,10 +71,10 @@ TEST(InterfaceStiffness, unsymmetric_joints_count_with_their_symmetric_part)
   m.node_diagonal[2](0, 1) += 0.4;
   m.node_next[3](1, 0) += 0.3;
   const Eigen::MatrixXd s = chain(1.), nodes = dense(m).bottomRightCorner(size, size);
-  InterfaceStiffness    base;
-  base.set(&s);
-  base.matrix_changed(m);
-  expect_matrix(base, s + 0.5 * (nodes + nodes.transpose()));
+  InterfaceStiffness    foundation;
+  foundation.set(&s);
+  foundation.matrix_changed(m);
+  expect_matrix(foundation, s + 0.5 * (nodes + nodes.transpose()));
 }
 
 
@@ -84,22 +84,22 @@ TEST(InterfaceStiffness, softening_that_would_make_it_indefinite_is_left_out)
   BlockMatrix m            = random_block_matrix(n_blocks, n_nodes);
   m.node_diagonal[0](0, 0) = -100.;
   const Eigen::MatrixXd s  = chain(1.);
-  InterfaceStiffness    base;
-  base.set(&s);
-  base.matrix_changed(m);
-  expect_matrix(base, s);
+  InterfaceStiffness    foundation;
+  foundation.set(&s);
+  foundation.matrix_changed(m);
+  expect_matrix(foundation, s);
 }
 
 
 
 TEST(InterfaceStiffness, without_a_base_nothing_changes)
 {
-  InterfaceStiffness base;
-  base.set(nullptr);
-  base.matrix_changed(random_block_matrix(n_blocks, n_nodes));
-  EXPECT_FALSE(base.exists());
+  InterfaceStiffness foundation;
+  foundation.set(nullptr);
+  foundation.matrix_changed(random_block_matrix(n_blocks, n_nodes));
+  EXPECT_FALSE(foundation.exists());
   Eigen::VectorXd x = Eigen::VectorXd::Random(size), same = x;
-  base.solve(x.data());
-  base.add_product(same.data(), x.data());
+  foundation.solve(x.data());
+  foundation.add_product(same.data(), x.data());
   EXPECT_EQ(x, same);
 }

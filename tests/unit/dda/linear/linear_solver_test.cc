@@ -17,8 +17,8 @@ namespace
   using hybrid::test::random_block_matrix;
   using hybrid::test::unsymmetric_block_matrix;
 
-  /// Banded stiffness of the base, as of a chain of nodes with neighbours up to three apart.
-  Eigen::MatrixXd base_stiffness(const int n)
+  /// Banded stiffness of the foundation, as of a chain of nodes with neighbours up to three apart.
+  Eigen::MatrixXd foundation_stiffness(const int n)
   {
     Eigen::MatrixXd s = Eigen::MatrixXd::Zero(n, n);
     for (int i = 0; i < n; ++i)
@@ -35,15 +35,16 @@ namespace
   }
 
   /// Solve and compare with a dense factorisation.
-  LinearSolver::Result check(LinearSolver &solver, BlockMatrix &matrix, const Eigen::MatrixXd *base)
+  LinearSolver::Result
+  check(LinearSolver &solver, BlockMatrix &matrix, const Eigen::MatrixXd *foundation)
   {
     Eigen::MatrixXd full = dense(matrix);
-    if (base != nullptr)
-      full.bottomRightCorner(base->rows(), base->cols()) += *base;
+    if (foundation != nullptr)
+      full.bottomRightCorner(foundation->rows(), foundation->cols()) += *foundation;
     const Eigen::VectorXd b     = Eigen::VectorXd::Random(matrix.size());
     const Eigen::VectorXd scale = Eigen::VectorXd::Ones(matrix.size());
     Eigen::VectorXd       x;
-    solver.set_base_stiffness(base);
+    solver.set_foundation_stiffness(foundation);
     solver.matrix_changed(matrix, all_blocks(matrix));
     const LinearSolver::Result result = solver.solve(matrix, b, scale, 1e-12 * b.norm(), x);
     EXPECT_TRUE(result.converged);
@@ -158,15 +159,16 @@ TEST(LinearSolver, sweeps_are_tried_again)
 
 
 
-// Blocks first, then the base: in one place after the other, not each as if there were no other.
+// Blocks first, then the foundation: in one place after the other, not each as if there were no
+// other.
 TEST(LinearSolver, a_factor_and_a_base_take_few_iterations)
 {
-  constexpr int         swept = 40; // tried before
-  BlockMatrix           m     = random_block_matrix(60, 8);
-  const Eigen::MatrixXd base  = base_stiffness(16);
+  constexpr int         swept      = 40; // tried before
+  BlockMatrix           m          = random_block_matrix(60, 8);
+  const Eigen::MatrixXd foundation = foundation_stiffness(16);
   stiffen(m, 1e5);
   LinearSolver               solver;
-  const LinearSolver::Result result = check(solver, m, &base);
+  const LinearSolver::Result result = check(solver, m, &foundation);
   EXPECT_TRUE(result.factored);
   EXPECT_LE(result.iterations, swept + 6);
 }
@@ -176,7 +178,7 @@ TEST(LinearSolver, a_factor_and_a_base_take_few_iterations)
 TEST(LinearSolver, base_with_a_banded_stiffness_of_its_own)
 {
   BlockMatrix           m = random_block_matrix(15, 8);
-  const Eigen::MatrixXd s = base_stiffness(16);
+  const Eigen::MatrixXd s = foundation_stiffness(16);
   LinearSolver          solver;
   check(solver, m, &s);
   const Eigen::VectorXd x = Eigen::VectorXd::Random(m.size());
@@ -192,7 +194,7 @@ TEST(LinearSolver, base_with_a_banded_stiffness_of_its_own)
 TEST(LinearSolver, changed_base_stiffness_at_the_same_address_is_noticed)
 {
   BlockMatrix     m = random_block_matrix(15, 8);
-  Eigen::MatrixXd s = base_stiffness(16);
+  Eigen::MatrixXd s = foundation_stiffness(16);
   LinearSolver    solver;
   check(solver, m, &s);
   s *= 3.;
@@ -205,7 +207,7 @@ TEST(LinearSolver, changed_base_stiffness_at_the_same_address_is_noticed)
 TEST(LinearSolver, unsymmetric_matrix_with_and_without_a_base)
 {
   BlockMatrix           m = unsymmetric_block_matrix(15, 8, 0.05);
-  const Eigen::MatrixXd s = base_stiffness(16);
+  const Eigen::MatrixXd s = foundation_stiffness(16);
   LinearSolver          solver;
   check(solver, m, &s);
   check(solver, m, nullptr);
@@ -213,14 +215,14 @@ TEST(LinearSolver, unsymmetric_matrix_with_and_without_a_base)
 
 
 
-// Sweeps with a base, and a kept factor of an earlier matrix.
+// Sweeps with a foundation, and a kept factor of an earlier matrix.
 TEST(LinearSolver, a_restored_solver_gives_the_same_bits)
 {
   using hybrid::restart::Archive;
   for (const double stiffness : {0., 1e5})
     {
-      BlockMatrix           m    = random_block_matrix(60, 8);
-      const Eigen::MatrixXd base = base_stiffness(16);
+      BlockMatrix           m          = random_block_matrix(60, 8);
+      const Eigen::MatrixXd foundation = foundation_stiffness(16);
       const Vec6            a = Vec6::LinSpaced(1., 2.), b = Vec6::LinSpaced(2., 0.5);
       for (std::size_t s = 0; s < m.pairs.size(); ++s)
         {
@@ -230,10 +232,10 @@ TEST(LinearSolver, a_restored_solver_gives_the_same_bits)
           m.lower[s] -= stiffness * b * a.transpose();
         }
       LinearSolver solver, copy;
-      check(solver, m, &base);
+      check(solver, m, &foundation);
       for (Mat6 &block : m.diagonal)
         block *= 1.01;
-      check(solver, m, &base);
+      check(solver, m, &foundation);
 
       BlockMatrix other;
       Archive     writer = Archive::writer();
@@ -242,7 +244,7 @@ TEST(LinearSolver, a_restored_solver_gives_the_same_bits)
       Archive reader = Archive::reader(writer.content());
       reader(other);
       copy.serialize(reader, other);
-      copy.set_base_stiffness(&base);
+      copy.set_foundation_stiffness(&foundation);
       copy.matrix_restored(other);
 
       const Eigen::VectorXd rhs   = Eigen::VectorXd::LinSpaced(m.size(), -1., 2.);

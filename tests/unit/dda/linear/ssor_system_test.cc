@@ -32,8 +32,8 @@ namespace
   {
     Eigen::MatrixXd a, lower, diagonal, upper;
 
-    /// @p base: S, or nothing.  @p slice of each block.
-    Parts(const BlockMatrix &m, const Eigen::MatrixXd *base, const std::vector<int> &slice)
+    /// @p foundation: S, or nothing.  @p slice of each block.
+    Parts(const BlockMatrix &m, const Eigen::MatrixXd *foundation, const std::vector<int> &slice)
       : a(dense(m))
       , lower(Eigen::MatrixXd::Zero(m.size(), m.size()))
       , diagonal(Eigen::MatrixXd::Zero(m.size(), m.size()))
@@ -54,10 +54,10 @@ namespace
       lower.bottomLeftCorner(nodes, first) = a.bottomLeftCorner(nodes, first);
       auto own                             = diagonal.bottomRightCorner(nodes, nodes);
       own.setIdentity();
-      if (base != nullptr)
+      if (foundation != nullptr)
         {
-          own = *base;
-          a.bottomRightCorner(nodes, nodes) += *base;
+          own = *foundation;
+          a.bottomRightCorner(nodes, nodes) += *foundation;
         }
     }
   };
@@ -65,12 +65,12 @@ namespace
   void
   check(const BlockMatrix &m, const Eigen::MatrixXd *stiffness, const std::vector<int> &slice = {})
   {
-    InterfaceStiffness base;
-    base.set(stiffness);
-    base.matrix_changed(m);
+    InterfaceStiffness foundation;
+    foundation.set(stiffness);
+    foundation.matrix_changed(m);
     SsorSystem swept;
     swept.set_slices(slice);
-    swept.set(m, base, {});
+    swept.set(m, foundation, {});
     const Parts           parts(m, stiffness, slice);
     const Eigen::MatrixXd forward = parts.diagonal + parts.lower;
     const Eigen::MatrixXd back    = (parts.diagonal + parts.upper).lu().solve(parts.diagonal);
@@ -92,7 +92,7 @@ namespace
   }
 
   /// So stiff that joints and contacts do not count beside it.
-  Eigen::MatrixXd stiff_base()
+  Eigen::MatrixXd stiff_foundation()
   {
     const Eigen::MatrixXd a = Eigen::MatrixXd::Random(2 * n_nodes, 2 * n_nodes);
     return 1e3 * (a * a.transpose() + Eigen::MatrixXd::Identity(2 * n_nodes, 2 * n_nodes));
@@ -103,7 +103,7 @@ namespace
 
 TEST(SsorSystem, symmetric_matrix_with_a_base)
 {
-  const Eigen::MatrixXd s = stiff_base();
+  const Eigen::MatrixXd s = stiff_foundation();
   check(random_block_matrix(n_blocks, n_nodes), &s);
 }
 
@@ -111,7 +111,7 @@ TEST(SsorSystem, symmetric_matrix_with_a_base)
 
 TEST(SsorSystem, unsymmetric_matrix_with_a_base)
 {
-  const Eigen::MatrixXd s = stiff_base();
+  const Eigen::MatrixXd s = stiff_foundation();
   check(unsymmetric_block_matrix(n_blocks, n_nodes, 0.05), &s);
 }
 
@@ -133,7 +133,7 @@ TEST(SsorSystem, blocks_alone)
 
 TEST(SsorSystem, slices_are_swept_before_the_blocks_between_them)
 {
-  const Eigen::MatrixXd s = stiff_base();
+  const Eigen::MatrixXd s = stiff_foundation();
   check(unsymmetric_block_matrix(n_blocks, n_nodes, 0.05), &s, two_slices());
 }
 
@@ -143,12 +143,12 @@ TEST(SsorSystem, any_number_of_threads_gives_the_same_bits)
 {
   constexpr int      many = 2100; // threads share loops over them
   const BlockMatrix  m    = random_block_matrix(many, 0);
-  InterfaceStiffness base;
-  base.set(nullptr);
-  base.matrix_changed(m);
+  InterfaceStiffness foundation;
+  foundation.set(nullptr);
+  foundation.matrix_changed(m);
   SsorSystem swept;
   swept.set_slices(two_slices(many));
-  swept.set(m, base, {});
+  swept.set(m, foundation, {});
   const Eigen::VectorXd x = Eigen::VectorXd::Random(m.size());
   Eigen::VectorXd       one(m.size()), two(m.size());
   const int             threads = omp_get_max_threads();
@@ -166,13 +166,13 @@ TEST(SsorSystem, pairs_that_part_and_touch_again)
 {
   const BlockMatrix  touching = unsymmetric_block_matrix(n_blocks, 0, 0.05);
   BlockMatrix        m        = touching;
-  InterfaceStiffness base;
-  base.set(nullptr);
+  InterfaceStiffness foundation;
+  foundation.set(nullptr);
   SsorSystem            swept;
   const Eigen::VectorXd x       = Eigen::VectorXd::Random(m.size());
   const auto            product = [&](SsorSystem &system, const std::vector<int> &changed) {
     Eigen::VectorXd y(m.size());
-    system.set(m, base, changed);
+    system.set(m, foundation, changed);
     system.multiply(x, y);
     return y;
   };

@@ -35,9 +35,9 @@ TEST(BedrockBlocks, layers_are_the_boundary_loops_of_their_surfaces_on_the_lowes
   EXPECT_NEAR(area_of(mesh, layers.outlines[0]), 4. * 1., 1e-14);
   EXPECT_NEAR(area_of(mesh, layers.outlines[1]), 4. * 3., 1e-14);
   EXPECT_EQ(layers.outlines[0].size(), 2u * (4 + 1));
-  ASSERT_EQ(layers.base.size(), 5u);
+  ASSERT_EQ(layers.foundation.size(), 5u);
   for (int i = 0; i <= 4; ++i)
-    EXPECT_LT((mesh.nodes[layers.base[i]] - Vec2(i, 2.)).norm(), 1e-14);
+    EXPECT_LT((mesh.nodes[layers.foundation[i]] - Vec2(i, 2.)).norm(), 1e-14);
 }
 
 
@@ -81,7 +81,7 @@ TEST(BedrockBlocks, triangles_fill_the_cells_with_alternating_diagonals)
   const scene::SectionMesh   mesh      = layered_section(4, {4});
   const scene::BedrockBlocks triangles = cut_bedrock(mesh, bedrock_parameters("triangles"));
   ASSERT_EQ(triangles.outlines.size(), 2u * 16u);
-  EXPECT_TRUE(triangles.base.empty());
+  EXPECT_TRUE(triangles.foundation.empty());
   std::vector<int> meeting(mesh.nodes.size(), 0);
   for (const auto &outline : triangles.outlines)
     {

@@ -8,19 +8,19 @@ namespace
   using namespace hybrid::dda::contact_scenes;
 
 
-  /// The contact of a place of the base with an edge, or nullptr.
+  /// The contact of a place of the foundation with an edge, or nullptr.
   const Contact *find_place(const Contacts &contacts, const int node, const int edge)
   {
     for (const Contact &c : contacts)
-      if (c.vertex_body == base_body && c.vertex == node && c.edge == edge)
+      if (c.vertex_body == foundation_body && c.vertex == node && c.edge == edge)
         return &c;
     return nullptr;
   }
 
   TEST(BedrockSurface, EveryPlaceOfTheBaseBelowASoleTouchesIt)
   {
-    Geometry g   = blocks({square(0.05, 0.)});
-    g.base_nodes = {{-1., 0.}, {0., 0.}, {0.2, 0.}, {0.5, 0.}, {0.9, 0.}, {2., 0.}};
+    Geometry g         = blocks({square(0.05, 0.)});
+    g.foundation_nodes = {{-1., 0.}, {0., 0.}, {0.2, 0.}, {0.5, 0.}, {0.9, 0.}, {2., 0.}};
     ContactDetection detection(parameters);
     Contacts         contacts;
     detection.update(g, contacts);

@@ -62,7 +62,7 @@ namespace
     const scene::SceneParameters p = parameters(bedrock, rock_has_friction);
     std::vector<Vec2>            nodes;
     if (p.has_bedrock_blocks())
-      for (const int node : cut_bedrock(mesh, p).base)
+      for (const int node : cut_bedrock(mesh, p).foundation)
         nodes.push_back(mesh.nodes[node]);
     else
       for (int i = 0; i <= s.columns; ++i)
@@ -77,9 +77,9 @@ namespace
     const auto      is_at = [x](const Vec2 &a, const Vec2 &b) {
       return (0.5 * (a + b) - Vec2(x, 0.)).norm() < 1e-9;
     };
-    for (int k = 0; k + 1 < model.n_base_nodes(); ++k)
-      if (is_at(g.base_nodes[k], g.base_nodes[k + 1]))
-        return &model.contacts.law(g, {0, 0, base_body, k}, model.n_mass()).law;
+    for (int k = 0; k + 1 < model.n_foundation_nodes(); ++k)
+      if (is_at(g.foundation_nodes[k], g.foundation_nodes[k + 1]))
+        return &model.contacts.law(g, {0, 0, foundation_body, k}, model.n_mass()).law;
     for (int b = model.n_mass(); b < model.n_blocks(); ++b)
       for (int v = g.offset[b]; v < g.offset[b + 1]; ++v)
         if (is_at(g.vertices[v], g.vertices[g.next(v)]))
@@ -131,15 +131,15 @@ TEST(ContactLaws, a_pair_has_the_smaller_friction_whichever_has_the_vertex)
   p.materials["wet"].friction_angle = 20.;
   p.blocks.saturated_material       = "wet";
   p.environment.water_level         = 1.;
-  const Model model    = build_model(square_blocks(1, 3), p, straight_base(0., 1., 2.));
+  const Model model    = build_model(square_blocks(1, 3), p, straight_foundation(0., 1., 2.));
   const auto  friction = [&](const int vertex_body, const int edge_body) {
     return strength(model.contacts.law(model.initial, {vertex_body, 0, edge_body, 0}, 3).law)[0];
   };
   EXPECT_NEAR(friction(0, 1), tan_deg(20.), 1e-6);
   EXPECT_NEAR(friction(1, 0), tan_deg(20.), 1e-6);
   EXPECT_NEAR(friction(1, 2), tan_deg(30.), 1e-6);
-  EXPECT_NEAR(friction(0, base_body), tan_deg(20.), 1e-6);
-  EXPECT_NEAR(friction(2, base_body), tan_deg(30.), 1e-6);
+  EXPECT_NEAR(friction(0, foundation_body), tan_deg(20.), 1e-6);
+  EXPECT_NEAR(friction(2, foundation_body), tan_deg(30.), 1e-6);
 }
 
 

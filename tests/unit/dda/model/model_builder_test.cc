@@ -67,15 +67,15 @@ TEST(ModelBuilder, loose_blocks_have_no_joints_bonded_blocks_one_for_each_shared
 TEST(ModelBuilder, ends_of_a_joint_coincide)
 {
   const Model model =
-    build_model(squares_on_surface(3, 2), bonded_parameters(), straight_base(0., 0., 3., 6));
+    build_model(squares_on_surface(3, 2), bonded_parameters(), straight_foundation(0., 0., 3., 6));
   const Geometry &g = model.initial;
-  EXPECT_EQ(model.joints.size(), 7u + 6u); // two base segments below each block
+  EXPECT_EQ(model.joints.size(), 7u + 6u); // two foundation segments below each block
   for (const Joint &joint : model.joints)
     for (const Joint::Point &point : joint.points)
       {
         const Vec2 a = g.vertices[joint.edge], b = g.vertices[g.next(joint.edge)];
-        const Vec2 other = joint.other == base_body ? g.base_nodes[point.other_vertex]
-                                                    : g.vertices[point.other_vertex];
+        const Vec2 other = joint.other == foundation_body ? g.foundation_nodes[point.other_vertex]
+                                                          : g.vertices[point.other_vertex];
         EXPECT_LT((a + point.position * (b - a) - other).norm(), 1e-14);
       }
 }
@@ -85,7 +85,7 @@ TEST(ModelBuilder, ends_of_a_joint_coincide)
 TEST(ModelBuilder, stiffness_of_a_joint_is_the_penalty_ratio_times_E_over_h)
 {
   const Model model =
-    build_model(squares_on_surface(2, 1), bonded_parameters(), straight_base(0., 0., 2., 2));
+    build_model(squares_on_surface(2, 1), bonded_parameters(), straight_foundation(0., 0., 2., 2));
   for (const Joint &joint : model.joints)
     EXPECT_NEAR(joint.law.normal_stiffness(), 40. * 50e6 / 2., 1e-3);
 }
@@ -95,14 +95,14 @@ TEST(ModelBuilder, stiffness_of_a_joint_is_the_penalty_ratio_times_E_over_h)
 TEST(ModelBuilder, weaker_strength_of_the_belt_holds_on_the_sliding_surface_only)
 {
   const Model model =
-    build_model(squares_on_surface(2, 1), bonded_parameters(), straight_base(0., 0., 2., 2));
+    build_model(squares_on_surface(2, 1), bonded_parameters(), straight_foundation(0., 0., 2., 2));
   for (const Joint &joint : model.joints)
     {
       const double        normal = 1e5, gap = -normal / joint.law.normal_stiffness();
       const JointResponse r = joint.law.respond({gap, 1.}, {});
       EXPECT_NEAR(-r.shear,
-                  joint.other == base_body ? 1e4 + normal * std::tan(12. * M_PI / 180.)
-                                           : normal * std::tan(30. * M_PI / 180.),
+                  joint.other == foundation_body ? 1e4 + normal * std::tan(12. * M_PI / 180.)
+                                                 : normal * std::tan(30. * M_PI / 180.),
                   1e-6 * normal);
     }
 }
@@ -147,7 +147,9 @@ TEST(ModelBuilder, surface_without_its_node_in_the_bedrock_is_refused)
 {
   try
     {
-      build_model(squares_on_surface(2, 1), bonded_parameters(), straight_base(0., 0.5, 2.5, 2));
+      build_model(squares_on_surface(2, 1),
+                  bonded_parameters(),
+                  straight_foundation(0., 0.5, 2.5, 2));
       FAIL() << "accepted";
     }
   catch (const InputError &error)
@@ -161,12 +163,12 @@ TEST(ModelBuilder, surface_without_its_node_in_the_bedrock_is_refused)
 TEST(ModelBuilder, initial_state_is_at_rest_and_unstressed)
 {
   const Model model =
-    build_model(square_blocks(2, 1), block_parameters(30.), straight_base(0., 1., 3., 2));
+    build_model(square_blocks(2, 1), block_parameters(30.), straight_foundation(0., 1., 3., 2));
   const DdaState state = initial_state(model);
   EXPECT_LT((state.blocks[1].centroid - Vec2(1.5, 0.5)).norm(), 1e-14);
   EXPECT_EQ(state.blocks[0].velocity.norm(), 0.);
   EXPECT_EQ(state.blocks[0].stress.norm(), 0.);
-  EXPECT_EQ(state.base_displacement.size(), 6);
+  EXPECT_EQ(state.foundation_displacement.size(), 6);
 }
 
 

@@ -24,12 +24,12 @@ namespace
     double total = 0., largest = 0., springs = 0.; // m
 
     Lengths(const scene::SectionMesh &mesh,
-            const std::vector<Vec2>  &base,
+            const std::vector<Vec2>  &foundation,
             const int                 first,
             const int                 second)
     {
-      FixedBaseRun run(mesh, block_parameters(30.), base);
-      run.solver.solve(run.state, run.base, 1e-4);
+      FixedBaseRun run(mesh, block_parameters(30.), foundation);
+      run.solver.solve(run.state, run.foundation, 1e-4);
       for (const Contact &c : run.state.contacts)
         if (std::minmax(c.vertex_body, c.edge_body) == std::minmax(first, second))
           {
@@ -85,8 +85,8 @@ TEST(ContactLength, is_that_of_the_edge_in_all_whatever_the_pieces_of_the_base)
       for (const double size : {0.2, 1., 3.})
         {
           const Lengths l(square_blocks(1, 1, size, angle),
-                          straight_base(angle, 1.3, 7., pieces),
-                          base_body,
+                          straight_foundation(angle, 1.3, 7., pieces),
+                          foundation_body,
                           0);
           EXPECT_NEAR(l.total, size, 1e-12);
           EXPECT_NEAR(l.springs, size, 1e-12);
@@ -96,8 +96,8 @@ TEST(ContactLength, is_that_of_the_edge_in_all_whatever_the_pieces_of_the_base)
   for (const double height : {0.2, 1., 3.})
     {
       const Lengths l(one_block({{0., 0.}, {2., 0.}, {0.7, height}}),
-                      straight_base(0., 1.3, 7., 9),
-                      base_body,
+                      straight_foundation(0., 1.3, 7., 9),
+                      foundation_body,
                       0);
       EXPECT_EQ(l.n, 4) << height;
       EXPECT_NEAR(l.total, 2., 1e-12) << height;
@@ -111,16 +111,16 @@ TEST(ContactLength, a_corner_alone_has_none)
   for (const double tilt : {5., 30., 45.})
     {
       const Lengths l(square_blocks(1, 1, 1., tilt * degree),
-                      straight_base(0., 5., 5.),
-                      base_body,
+                      straight_foundation(0., 5., 5.),
+                      foundation_body,
                       0);
       EXPECT_GE(l.n, 1) << tilt;
       EXPECT_EQ(l.total, 0.) << tilt;
       EXPECT_EQ(l.springs, l.n * corner_alone) << tilt;
     }
   const Lengths nearly(square_blocks(1, 1, 1., 2. * degree),
-                       straight_base(0., 5., 5.),
-                       base_body,
+                       straight_foundation(0., 5., 5.),
+                       foundation_body,
                        0);
   EXPECT_EQ(nearly.n, 2);
   EXPECT_NEAR(nearly.total, 1., 1e-3); // projected
@@ -130,16 +130,16 @@ TEST(ContactLength, a_corner_alone_has_none)
 
 TEST(ContactLength, blocks_on_blocks_have_their_overlap)
 {
-  const std::vector<Vec2> base = straight_base(0., 5., 5.);
+  const std::vector<Vec2> foundation = straight_foundation(0., 5., 5.);
   for (const double shift : {0.4, -0.7, 1e-9, 0.})
     {
-      const Lengths l(squares({{0., 0.}, {shift, 1.}}), base, 0, 1);
+      const Lengths l(squares({{0., 0.}, {shift, 1.}}), foundation, 0, 1);
       EXPECT_NEAR(l.total, 1. - std::abs(shift), 1e-8) << shift << ", contacts " << l.n;
     }
   // over the seam of a row
   const scene::SectionMesh row = squares({{0., 0.}, {1., 0.}, {0.4, 1.}});
-  EXPECT_NEAR(Lengths(row, base, 0, 2).total, 0.6, 1e-9);
-  EXPECT_NEAR(Lengths(row, base, 1, 2).total, 0.4, 1e-9);
+  EXPECT_NEAR(Lengths(row, foundation, 0, 2).total, 0.6, 1e-9);
+  EXPECT_NEAR(Lengths(row, foundation, 1, 2).total, 0.4, 1e-9);
 }
 
 
@@ -149,11 +149,11 @@ TEST(ContactLength, gentle_bends_of_the_base_divide_or_belong_to_the_edge)
   for (const double bend : {-2., -0.5, 0.5, 2.}) // positive: a ridge below the block [deg]
     {
       const double      dip = std::tan(0.5 * bend * degree);
-      std::vector<Vec2> base{{-5., -5.3 * dip}, {0.3, 0.}, {5., -4.7 * dip}};
+      std::vector<Vec2> foundation{{-5., -5.3 * dip}, {0.3, 0.}, {5., -4.7 * dip}};
       if (bend < 0.) // its ends touch
-        for (Vec2 &node : base)
+        for (Vec2 &node : foundation)
           node.y() += 0.3 * dip;
-      const Lengths l(square_blocks(1, 1), base, base_body, 0);
+      const Lengths l(square_blocks(1, 1), foundation, foundation_body, 0);
       EXPECT_NEAR(l.total, 1., 1e-3) << bend;
     }
 }
@@ -162,11 +162,11 @@ TEST(ContactLength, gentle_bends_of_the_base_divide_or_belong_to_the_edge)
 
 TEST(ContactLength, what_hangs_over_the_end_of_an_edge_does_not_count)
 {
-  // On the end of the base, and on a ridge that is no seam, the node has the other half.
-  const Lengths end(square_blocks(1, 1), straight_base(0., 5., 0.4), base_body, 0);
+  // On the end of the foundation, and on a ridge that is no seam, the node has the other half.
+  const Lengths end(square_blocks(1, 1), straight_foundation(0., 5., 0.4), foundation_body, 0);
   EXPECT_EQ(end.n, 2);
   EXPECT_NEAR(end.total, 0.4, 1e-12);
-  const Lengths edge(square_blocks(1, 1), {{-5., 0.}, {0.4, 0.}, {5., -4.}}, base_body, 0);
+  const Lengths edge(square_blocks(1, 1), {{-5., 0.}, {0.4, 0.}, {5., -4.}}, foundation_body, 0);
   EXPECT_EQ(edge.n, 2);
   EXPECT_NEAR(edge.total, 0.4, 1e-12);
 }
@@ -179,8 +179,8 @@ TEST(ContactLength, passes_from_overlap_to_corner_as_the_edges_turn_apart)
   for (const double tilt : {0.01, 0.5, 1., 2., 2.9, 3.1})
     {
       const Lengths l(square_blocks(1, 1, 1., tilt * degree),
-                      straight_base(0., 5., 5., 50),
-                      base_body,
+                      straight_foundation(0., 5., 5., 50),
+                      foundation_body,
                       0);
       EXPECT_LE(std::abs(l.springs - before), 1.) << tilt;
       before = l.springs;
@@ -194,15 +194,16 @@ TEST(ContactLength, is_shared_where_nodes_of_both_are_at_one_place)
 {
   for (const double shift : {0., 1e-7, -1e-7, 1e-3, -1e-3, 0.3})
     {
-      std::vector<Vec2> base = straight_base(0., 5., 5., 10); // nodes every metre
-      for (Vec2 &node : base)
+      std::vector<Vec2> foundation = straight_foundation(0., 5., 5., 10); // nodes every metre
+      for (Vec2 &node : foundation)
         node.x() += shift;
-      const Lengths one(square_blocks(1, 1), base, base_body, 0);
+      const Lengths one(square_blocks(1, 1), foundation, foundation_body, 0);
       EXPECT_NEAR(one.total, 1., 1e-7) << shift;
       EXPECT_NEAR(one.springs, 1., 1e-7) << shift;
       const scene::SectionMesh row = square_blocks(3, 1);
       for (const int block : {0, 1, 2})
-        EXPECT_NEAR(Lengths(row, base, base_body, block).total, 1., 1e-7) << shift << " " << block;
+        EXPECT_NEAR(Lengths(row, foundation, foundation_body, block).total, 1., 1e-7)
+          << shift << " " << block;
     }
 }
 
@@ -210,8 +211,8 @@ TEST(ContactLength, is_shared_where_nodes_of_both_are_at_one_place)
 
 TEST(ContactLength, corner_that_hangs_over_the_end_of_its_edge_leaves_the_rest_to_the_place_there)
 {
-  FixedBaseRun run(square_blocks(1, 1), block_parameters(30.), straight_base(0., 5., 5., 40));
-  run.solver.solve(run.state, run.base, 1e-4);
+  FixedBaseRun run(square_blocks(1, 1), block_parameters(30.), straight_foundation(0., 5., 5., 40));
+  run.solver.solve(run.state, run.foundation, 1e-4);
   const std::vector<Vec2> start = run.state.geometry.vertices;
   for (const double shift : {0., 2e-5, -2e-5, 5e-5, -5e-5})
     {
@@ -242,8 +243,10 @@ TEST(ContactLength, straight_corners_of_a_layer_do_not_divide_it)
       mesh.blocks[1].push_back(n + 2 + k);
     }
   mesh.block_region.push_back(0);
-  const Lengths l(mesh, straight_base(0., 5., 5., 3), 0, 1);
+  const Lengths l(mesh, straight_foundation(0., 5., 5., 3), 0, 1);
   EXPECT_EQ(l.n, 2);
   EXPECT_NEAR(l.total, 1., 1e-12);
-  EXPECT_NEAR(Lengths(mesh, straight_base(0., 5., 5., 3), base_body, 1).total, 4., 1e-12);
+  EXPECT_NEAR(Lengths(mesh, straight_foundation(0., 5., 5., 3), foundation_body, 1).total,
+              4.,
+              1e-12);
 }

@@ -32,13 +32,13 @@ namespace
       p.materials["rock"].cohesion         = 1e3;
       p.materials["rock"].tensile_strength = 1e9;
       p.blocks.bonded                      = true;
-      model = build_model(square_blocks(n_blocks, 1), p, straight_base(0., -20., 30., 1));
+      model = build_model(square_blocks(n_blocks, 1), p, straight_foundation(0., -20., 30., 1));
       state = initial_state(model);
       springs.collect(model, state);
       springs.connect(model, matrix);
       trial.dt = 1e-3;
       trial.rate.assign(n_blocks, Vec6::Zero());
-      trial.base = Eigen::VectorXd::Zero(2 * model.n_base_nodes());
+      trial.foundation = Eigen::VectorXd::Zero(2 * model.n_foundation_nodes());
       move(0., 0.);
       assemble(true);
     }
@@ -75,7 +75,7 @@ namespace
           stiffness.add_rows(springs, b, matrix);
         }
       matrix.set_nodes_zero();
-      stiffness.add_base(springs, matrix);
+      stiffness.add_foundation(springs, matrix);
     }
   };
 } // namespace
@@ -97,7 +97,7 @@ TEST(SpringStiffness, tangent_is_the_derivative_of_the_forces)
         stiffness.update(scene.springs, scene.trial, {});
         for (const int b : stiffness.changed_blocks())
           stiffness.add_rows(scene.springs, b, matrix);
-        stiffness.add_base(scene.springs, matrix);
+        stiffness.add_foundation(scene.springs, matrix);
         Eigen::VectorXd column(20);
         for (int i = 0; i < 20; ++i)
           {
@@ -108,7 +108,7 @@ TEST(SpringStiffness, tangent_is_the_derivative_of_the_forces)
             const Eigen::VectorXd difference =
               -(scene.forces(plus) - scene.forces(minus)) / (2. * h);
             matrix.multiply(Eigen::VectorXd::Unit(20, i), column);
-            // damping with the step's own rate would add a moving-base term
+            // damping with the step's own rate would add a moving-foundation term
             const int rows = damping > 0. ? 12 : 20;
             if (damping == 0. || i < 12)
               {

@@ -45,9 +45,9 @@ TEST(SpringWork, of_a_turning_force_is_that_on_the_chord)
 
   // The step by its kinematics: springs keep what they carry.
   Trial trial;
-  trial.dt        = dt;
-  trial.base      = before.base_displacement;
-  const Vec2 axis = 0.5 * (before.blocks[0].centroid + before.blocks[1].centroid);
+  trial.dt         = dt;
+  trial.foundation = before.foundation_displacement;
+  const Vec2 axis  = 0.5 * (before.blocks[0].centroid + before.blocks[1].centroid);
   trial.displacement.resize(before.geometry.vertices.size());
   for (int b = 0; b < 2; ++b)
     {

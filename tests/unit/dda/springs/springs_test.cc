@@ -54,7 +54,7 @@ TEST(Springs, action_equals_reaction_in_force_and_moment)
           {
             const Vec2 force = f.segment<2>(12 + 2 * k);
             const Vec2 place =
-              scene.model.initial.base_nodes[k] + scene.trial.base.segment<2>(2 * k);
+              scene.model.initial.foundation_nodes[k] + scene.trial.foundation.segment<2>(2 * k);
             sum += force;
             moment += cross(place, force);
             largest = std::max(largest, force.norm());
@@ -130,7 +130,7 @@ TEST(Springs, contacts_do_not_depend_on_the_place_in_the_section)
   const Vec2  offset(512., 256.);
   for (Vec2 &x : far.state.geometry.vertices)
     x += offset;
-  for (Vec2 &x : far.state.geometry.base_nodes)
+  for (Vec2 &x : far.state.geometry.foundation_nodes)
     x += offset;
   for (BlockState &block : far.state.blocks)
     block.centroid += offset;

@@ -45,7 +45,7 @@ namespace
     BeddingRest rest(const bool under_gravity = true)
     {
       std::vector<Vec2> nodes;
-      for (const int node : cut_bedrock(mesh, scene).base)
+      for (const int node : cut_bedrock(mesh, scene).foundation)
         nodes.push_back(mesh.nodes[node]);
       model = build_model(mesh, scene, nodes);
       state = initial_state(model);

@@ -34,7 +34,7 @@ TEST(StaticStage, bonded_column_carries_its_own_weight)
 {
   scene::SectionMesh mesh = square_blocks(1, 8);
   mesh.lines["sliding_surface"].push_back({0, 1});
-  const Model        model = build_model(mesh, strong(30.), straight_base(0., 0., 1., 1));
+  const Model        model = build_model(mesh, strong(30.), straight_foundation(0., 0., 1., 1));
   DdaState           state = initial_state(model);
   const StaticResult r     = settle(model, state);
   ASSERT_TRUE(r.equilibrium);
@@ -42,8 +42,10 @@ TEST(StaticStage, bonded_column_carries_its_own_weight)
   // Vertical stress at mid height of each block, to the change of the section by the strain (1e-3).
   for (int b = 0; b < 8; ++b)
     EXPECT_NEAR(state.blocks[b].stress[1], -weight * (8 - b - 0.5), 5e-3 * weight * 8.) << b;
-  EXPECT_NEAR(state.base_force[1] + state.base_force[3], -8. * weight, 1e-7 * weight * 8.);
-  EXPECT_TRUE(state.static_force == state.base_force);
+  EXPECT_NEAR(state.foundation_force[1] + state.foundation_force[3],
+              -8. * weight,
+              1e-7 * weight * 8.);
+  EXPECT_TRUE(state.static_force == state.foundation_force);
   EXPECT_EQ(state.time, 0.);
   for (const BlockState &block : state.blocks)
     {
@@ -58,8 +60,8 @@ TEST(StaticStage, whoever_watches_is_told_and_can_end_it)
 {
   scene::SectionMesh mesh = square_blocks(1, 8);
   mesh.lines["sliding_surface"].push_back({0, 1});
-  const Model                 model = build_model(mesh, strong(30.), straight_base(0., 0., 1., 1));
-  DdaState                    state = initial_state(model);
+  const Model model = build_model(mesh, strong(30.), straight_foundation(0., 0., 1., 1));
+  DdaState    state = initial_state(model);
   std::vector<StaticProgress> told;
   const StaticResult          whole = settle(model, state, false, [&](const StaticProgress &now) {
     told.push_back(now);
@@ -89,7 +91,7 @@ TEST(StaticStage, loose_column_on_a_slope_below_its_friction_angle_stands)
   const double       angle = 20. * M_PI / 180.;
   const Model        model = build_model(square_blocks(1, 2, 1., angle),
                                   block_parameters(21.),
-                                  straight_base(angle, 5., 5.));
+                                  straight_foundation(angle, 5., 5.));
   DdaState           state = initial_state(model);
   const StaticResult r     = settle(model, state);
   EXPECT_TRUE(r.equilibrium);
@@ -104,7 +106,7 @@ TEST(StaticStage, block_that_cannot_stand_is_reported_unless_it_is_held)
   const double       angle = 30. * M_PI / 180.;
   const Model        model = build_model(square_blocks(1, 1, 1., angle),
                                   block_parameters(15.),
-                                  straight_base(angle, 500., 50.));
+                                  straight_foundation(angle, 500., 50.));
   DdaState           state = initial_state(model);
   const StaticResult free  = settle(model, state);
   EXPECT_FALSE(free.equilibrium);
@@ -114,9 +116,9 @@ TEST(StaticStage, block_that_cannot_stand_is_reported_unless_it_is_held)
   const StaticResult held = settle(model, state, true);
   EXPECT_TRUE(held.equilibrium);
   EXPECT_LE(held.residual, 1e-9);
-  // force on the base: the whole weight, normal and along the slope
-  EXPECT_NEAR(state.base_force[1] + state.base_force[3], -weight, 1e-8 * weight);
-  EXPECT_NEAR(state.base_force[0] + state.base_force[2], 0., 1e-8 * weight);
+  // force on the foundation: the whole weight, normal and along the slope
+  EXPECT_NEAR(state.foundation_force[1] + state.foundation_force[3], -weight, 1e-8 * weight);
+  EXPECT_NEAR(state.foundation_force[0] + state.foundation_force[2], 0., 1e-8 * weight);
 }
 
 
@@ -130,7 +132,7 @@ TEST(StaticStage, block_that_topples_before_it_rests_is_named)
       scene::SceneParameters p     = strong(60.);
       p.blocks.belt_material.clear();
       const Model model =
-        build_model(square_blocks(1, 2, 1., angle), p, straight_base(angle, 5., 5.));
+        build_model(square_blocks(1, 2, 1., angle), p, straight_foundation(angle, 5., 5.));
       DdaState           state  = initial_state(model);
       const StaticResult result = settle(model, state);
       EXPECT_TRUE(result.equilibrium);
@@ -157,7 +159,7 @@ TEST(StaticStage, slab_that_its_belt_cannot_hold_finds_no_rest_further_down)
       scene::SectionMesh mesh      = square_blocks(6, 1, 1., angle);
       for (int k = 0; k < 6; ++k)
         mesh.lines["sliding_surface"].push_back({k, k + 1});
-      const Model        model  = build_model(mesh, p, straight_base(angle, 0., 6., 6));
+      const Model        model  = build_model(mesh, p, straight_foundation(angle, 0., 6., 6));
       DdaState           state  = initial_state(model);
       const StaticResult result = settle(model, state, false, {}, true);
       EXPECT_EQ(result.equilibrium, part > 1.);
@@ -175,10 +177,10 @@ TEST(StaticStage, what_moves_is_named_in_a_mass_that_partly_stands)
     mesh.nodes[node].x() += 5.;
   mesh.nodes.push_back({7., 0.});
   mesh.nodes.push_back({7., 1.});
-  mesh.blocks[2]           = {8, 3, 7, 9};
-  const Model        model = build_model(mesh, block_parameters(30.), straight_base(0., 1., 4.));
-  DdaState           state = initial_state(model);
-  const StaticResult r     = settle(model, state);
+  mesh.blocks[2]       = {8, 3, 7, 9};
+  const Model model    = build_model(mesh, block_parameters(30.), straight_foundation(0., 1., 4.));
+  DdaState    state    = initial_state(model);
+  const StaticResult r = settle(model, state);
   EXPECT_FALSE(r.equilibrium);
   EXPECT_EQ(r.moving_block, 2);
 }
@@ -195,8 +197,8 @@ TEST(StaticStage, failures_of_the_static_stage_have_negative_times_and_are_count
   p.materials["belt"].name             = "belt";
   p.blocks.belt_material               = "belt";
   p.materials["rock"].tensile_strength = 1e3;
-  std::vector<Vec2> base{{0., 0.}, {1., 0.}, {1.5, -1.2}, {4., -1.2}};
-  const Model       model = build_model(mesh, p, base);
+  std::vector<Vec2> foundation{{0., 0.}, {1., 0.}, {1.5, -1.2}, {4., -1.2}};
+  const Model       model = build_model(mesh, p, foundation);
   DdaState          state = initial_state(model);
   settle(model, state);
   int failed = 0;
@@ -221,7 +223,7 @@ TEST(StaticStage, motion_starts_with_the_acceleration_of_the_real_strengths)
       scene::SceneParameters p = block_parameters(15.);
       p.time.newmark           = Newmark::preset(preset);
       const Model model =
-        build_model(square_blocks(1, 1, 1., angle), p, straight_base(angle, 5., 5.));
+        build_model(square_blocks(1, 1, 1., angle), p, straight_foundation(angle, 5., 5.));
       DdaState state = initial_state(model);
       EXPECT_NEAR(state.blocks[0].acceleration[1], -9.81, 1e-12);
       ASSERT_TRUE(settle(model, state, true).equilibrium);
@@ -252,7 +254,7 @@ TEST(StaticStage, energy_of_a_held_mass_closes_from_the_first_step_on)
       p.materials["belt"].cohesion       = 0.;
       scene::SectionMesh mesh            = square_blocks(1, 1, 1., angle);
       mesh.lines["sliding_surface"].push_back({0, 1});
-      FixedBaseRun run(mesh, p, straight_base(angle, 0., 1., 1));
+      FixedBaseRun run(mesh, p, straight_foundation(angle, 0., 1., 1));
       ASSERT_TRUE(settle(run.model, run.state, true).equilibrium);
       const double before = run.state.energy.balance(), friction = run.state.energy.friction_loss;
       ASSERT_TRUE(run.advance(1e-3, 0));
@@ -272,9 +274,9 @@ TEST(StaticStage, buoyancy_and_pressures_give_the_same_effective_forces)
   std::vector<Vec2>  surface(mesh.nodes.begin(), mesh.nodes.begin() + 7);
   for (int k = 0; k < 6; ++k)
     mesh.lines["sliding_surface"].push_back({k, k + 1});
-  scene::SceneParameters p      = strong(30.);
-  p.environment.water_level     = level;
-  const auto settled_base_force = [&](const scene::WaterMethod method, double &submerged) {
+  scene::SceneParameters p            = strong(30.);
+  p.environment.water_level           = level;
+  const auto settled_foundation_force = [&](const scene::WaterMethod method, double &submerged) {
     p.environment.water_method = method;
     const Model        model   = build_model(mesh, p, surface);
     DdaState           state   = initial_state(model);
@@ -290,9 +292,10 @@ TEST(StaticStage, buoyancy_and_pressures_give_the_same_effective_forces)
     return state.static_force;
   };
   double                area = 0., same_area = 0., dry_area = 0.;
-  const Eigen::VectorXd buoyancy  = settled_base_force(scene::WaterMethod::submerged, area);
-  const Eigen::VectorXd pressures = settled_base_force(scene::WaterMethod::pressures, same_area);
-  const Eigen::VectorXd dry       = settled_base_force(scene::WaterMethod::paper, dry_area);
+  const Eigen::VectorXd buoyancy = settled_foundation_force(scene::WaterMethod::submerged, area);
+  const Eigen::VectorXd pressures =
+    settled_foundation_force(scene::WaterMethod::pressures, same_area);
+  const Eigen::VectorXd dry = settled_foundation_force(scene::WaterMethod::paper, dry_area);
   EXPECT_GT(area, 3.);
   EXPECT_LT(area, 9.);
   EXPECT_LT((buoyancy - pressures).norm(), 1e-8 * buoyancy.norm());

@@ -20,7 +20,7 @@ namespace
     const double           angle = 20. * M_PI / 180.;
     scene::SceneParameters p     = block_parameters(friction_angle);
     p.blocks.damping_ratio       = 0.05;
-    return build_model(square_blocks(1, 2, 1., angle), p, straight_base(angle, 5., 5.));
+    return build_model(square_blocks(1, 2, 1., angle), p, straight_foundation(angle, 5., 5.));
   }
 } // namespace
 
@@ -73,7 +73,7 @@ TEST(StaticSteps, a_wall_with_hundreds_of_contacts_at_their_limit_comes_to_rest)
   const int          columns = 8, rows = 25;
   const Model        model = static_problem(build_model(square_blocks(columns, rows),
                                                  block_parameters(31., 5e9),
-                                                 straight_base(0., 10., 10.)));
+                                                 straight_foundation(0., 10., 10.)));
   DdaState           state = initial_state(model);
   const StaticResult r     = take_static_steps(model, state);
   ASSERT_TRUE(r.equilibrium);
@@ -83,8 +83,8 @@ TEST(StaticSteps, a_wall_with_hundreds_of_contacts_at_their_limit_comes_to_rest)
   double weight = 0., borne = 0.;
   for (const BlockProperties &block : model.blocks)
     weight += block.weight * model.gravity;
-  for (int k = 0; k < model.n_base_nodes(); ++k)
-    borne -= state.base_force[2 * k + 1];
+  for (int k = 0; k < model.n_foundation_nodes(); ++k)
+    borne -= state.foundation_force[2 * k + 1];
   EXPECT_NEAR(borne, weight, 1e-6 * weight);
   // Symmetric, and settled as much as bars of that weight, between free and confined ones.
   const int    left = (rows - 1) * columns + columns / 2 - 1;

@@ -139,7 +139,7 @@ TEST(BlockEnergy, sliding_block_turns_its_fall_into_friction)
   const double angle = 30. * M_PI / 180.;
   FixedBaseRun run(square_blocks(1, 1, 1., angle),
                    block_parameters(15.),
-                   straight_base(angle, 20., 20.));
+                   straight_foundation(angle, 20., 20.));
   ASSERT_TRUE(settle(run.model, run.state, true).equilibrium);
   const Vec2   from  = run.state.blocks[0].centroid;
   const double start = run.state.energy.balance();

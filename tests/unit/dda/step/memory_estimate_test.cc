@@ -24,7 +24,7 @@ namespace
           if (j + 1 < n)
             add(n * i + j, n * i + j + 1);
           if (i == 0)
-            add(j, base_body);
+            add(j, foundation_body);
         }
     return model;
   }

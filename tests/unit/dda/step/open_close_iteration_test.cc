@@ -31,7 +31,7 @@ namespace
 TEST(OpenCloseIteration, free_block_needs_one_iteration)
 {
   FixedBaseRun     run(square_blocks(1, 1), block_parameters(30.), {});
-  const StepResult result = run.solver.solve(run.state, run.base, 1e-3);
+  const StepResult result = run.solver.solve(run.state, run.foundation, 1e-3);
   EXPECT_TRUE(result.converged);
   EXPECT_LE(result.iterations, 2);
   EXPECT_LT(result.residual, 1e-8);
@@ -43,10 +43,10 @@ TEST(OpenCloseIteration, unconverged_step_changes_nothing_but_contacts)
 {
   scene::SceneParameters p    = block_parameters(30.);
   p.blocks.maximum_iterations = 1;
-  FixedBaseRun run(square_blocks(1, 1), p, straight_base(0., 1., 2.));
+  FixedBaseRun run(square_blocks(1, 1), p, straight_foundation(0., 1., 2.));
   run.state.blocks[0].velocity[1] = -1.;
   const BlockState before         = run.state.blocks[0];
-  EXPECT_FALSE(run.solver.solve(run.state, run.base, 1e-3).converged);
+  EXPECT_FALSE(run.solver.solve(run.state, run.foundation, 1e-3).converged);
   EXPECT_EQ(run.state.blocks[0].centroid, before.centroid);
   EXPECT_EQ(run.state.blocks[0].velocity, before.velocity);
   EXPECT_EQ(run.state.time, 0.);
@@ -58,7 +58,7 @@ TEST(OpenCloseIteration, step_that_moves_too_far_is_refused_and_names_the_block)
 {
   FixedBaseRun run(square_blocks(2, 1), block_parameters(30.), {});
   run.state.blocks[1].velocity[0] = 60.; // 0.06 of its size in a step; allowed 0.05
-  const StepResult result         = run.solver.solve(run.state, run.base, 1e-3);
+  const StepResult result         = run.solver.solve(run.state, run.foundation, 1e-3);
   EXPECT_FALSE(result.converged);
   EXPECT_EQ(result.largest_block, 1);
   EXPECT_NEAR(result.displacement_ratio, 0.06, 1e-3);
@@ -108,20 +108,20 @@ TEST(OpenCloseIteration, strong_bond_holds)
 
 TEST(OpenCloseIteration, base_as_a_body_moves_by_its_stiffness_and_load)
 {
-  // A block that rests on two nodes of a flexible base: S w = g + f - f_static, f = half its
+  // A block that rests on two nodes of a flexible foundation: S w = g + f - f_static, f = half its
   // weight.
   // Stopped after each step: contacts count as all other forces in the scheme of Shi only.
   scene::SceneParameters p = block_parameters(30.);
   p.time.newmark           = Newmark::preset("shi");
-  FixedBaseRun          run(square_blocks(1, 1), p, straight_base(0., 0., 1., 1));
+  FixedBaseRun          run(square_blocks(1, 1), p, straight_foundation(0., 0., 1., 1));
   const Eigen::MatrixXd stiffness = 1e7 * Eigen::MatrixXd::Identity(4, 4);
-  run.base.prescribed             = false;
-  run.base.stiffness              = &stiffness;
-  run.base.load                   = Eigen::VectorXd::Zero(4);
-  run.state.contacts              = {{0, 0, base_body, 0, 0.}, {0, 1, base_body, 0, 1.}};
+  run.foundation.prescribed       = false;
+  run.foundation.stiffness        = &stiffness;
+  run.foundation.load             = Eigen::VectorXd::Zero(4);
+  run.state.contacts = {{0, 0, foundation_body, 0, 0.}, {0, 1, foundation_body, 0, 1.}};
   for (int k = 0; k < 60; ++k)
     {
-      const StepResult result = run.solver.solve(run.state, run.base, 0.05);
+      const StepResult result = run.solver.solve(run.state, run.foundation, 0.05);
       ASSERT_TRUE(result.converged) << k;
       run.solver.accept(run.state);
       for (BlockState &block : run.state.blocks)
@@ -130,12 +130,12 @@ TEST(OpenCloseIteration, base_as_a_body_moves_by_its_stiffness_and_load)
           block.acceleration.setZero();
           block.contact_acceleration.setZero();
         }
-      run.base.displacement = run.solver.solved_step().base_displacement();
+      run.foundation.displacement = run.solver.solved_step().foundation_displacement();
     }
   const double half = 0.5 * 2220. * 9.81;
-  EXPECT_NEAR(run.state.base_displacement[1], -half / 1e7, 1e-6 * half / 1e7);
-  EXPECT_NEAR(run.state.base_displacement[3], -half / 1e7, 1e-6 * half / 1e7);
-  EXPECT_NEAR(run.state.base_force[1], -half, 1e-6 * half);
+  EXPECT_NEAR(run.state.foundation_displacement[1], -half / 1e7, 1e-6 * half / 1e7);
+  EXPECT_NEAR(run.state.foundation_displacement[3], -half / 1e7, 1e-6 * half / 1e7);
+  EXPECT_NEAR(run.state.foundation_force[1], -half, 1e-6 * half);
 }
 
 
@@ -149,7 +149,7 @@ TEST(OpenCloseIteration, whole_updates_save_cuts)
     {
       FixedBaseRun run(square_blocks(5, 4),
                        block_parameters(30., 5e9),
-                       straight_base(-0.1, 5., 10.));
+                       straight_foundation(-0.1, 5., 10.));
       run.model.iteration.whole_updates = whole ? 16 : 0;
       for (int b = 0; b < 20; ++b)
         run.state.blocks[b].velocity << 1. - b % 3, -1. - b % 2, 0.5 * (b % 5) - 1., 0., 0., 0.;
@@ -163,7 +163,7 @@ TEST(OpenCloseIteration, whole_updates_save_cuts)
 
 TEST(OpenCloseIteration, a_block_that_flies_too_far_is_seen_before_anything_is_solved)
 {
-  FixedBaseRun run(square_blocks(2, 1), block_parameters(30.), straight_base(0., 1., 3.));
+  FixedBaseRun run(square_blocks(2, 1), block_parameters(30.), straight_foundation(0., 1., 3.));
   for (Vec2 &x : run.state.geometry.vertices)
     x.y() += 5.;
   for (BlockState &block : run.state.blocks)
@@ -172,7 +172,7 @@ TEST(OpenCloseIteration, a_block_that_flies_too_far_is_seen_before_anything_is_s
     run.state.geometry.vertices[v].x() += 5.;
   run.state.blocks[1].centroid.x() += 5.;
   run.state.blocks[1].velocity[0] = 60.; // 0.06 of its size in a step; allowed 0.05
-  const StepResult result         = run.solver.solve(run.state, run.base, 1e-3);
+  const StepResult result         = run.solver.solve(run.state, run.foundation, 1e-3);
   EXPECT_FALSE(result.converged);
   EXPECT_EQ(result.iterations, 0);
   EXPECT_EQ(result.largest_block, 1);

@@ -8,12 +8,12 @@ namespace hybrid::dda
   /**
    * What the blocks stand on, as seen from one time step.
    *
-   * Either the motion of the base nodes is prescribed, or the base is one more
+   * Either the motion of the foundation nodes is prescribed, or the foundation is one more
    * body with dynamic stiffness S and load g: S w = g + (f - f_static), where
    * w is the displacement of the nodes at the end of the step and f the forces
    * of the blocks on them.
    */
-  struct BaseResponse
+  struct FoundationResponse
   {
     bool                   prescribed = true;
     Eigen::VectorXd        displacement;        ///< prescribed w, or the first guess of it [m]
