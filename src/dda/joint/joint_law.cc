@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/joint/joint_law.h>
+#include <hybrid/dda/joint/joint_slide.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +103,9 @@ namespace hybrid::dda
           at.cohesion_by_gap = residual_cohesion / (fade.end - fade.begin);
       }
     const PlasticSlip slip{history.softening, 0., kinematics.duration};
-    if (!sticks && std::abs(trial) > shear_strength(at, strength.after(slip)))
+    const double      limit = strength.rule == nullptr ? softened_strength(at, history.softening)
+                                                       : strength_by_rule(at, slip);
+    if (!sticks && std::abs(trial) > limit)
       {
         slide(trial, spring, at, slip, r);
         r.history.plastic_slip = kinematics.slip + r.shear / spring - shift;

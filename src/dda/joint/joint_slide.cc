@@ -6,29 +6,10 @@
 
 namespace hybrid::dda
 {
-  JointLaw::Sliding JointLaw::slide_linearly(const double  trial,
-                                             const double  spring,
-                                             const Strain &at,
-                                             Sliding       from) const
+  double JointLaw::strength_by_rule(const Strain &at, const PlasticSlip &slip) const
   {
-    const double kappa = from.slip.before;
-    const double now   = shear_strength(at, strength.after({kappa}));
-    const double end =
-      std::isfinite(strength.softening_slip)
-        ? shear_strength(at, strength.after({kappa + strength.softening_slip + 1.}))
-        : now;                                            // residual
-    double       x    = (std::abs(trial) - end) / spring; // residual strength reached
-    const double left = std::max(0., strength.softening_slip - kappa);
-    if (left > 0. && x < left)
-      {
-        from.fall = (now - end) / left;
-        if (from.fall < spring)
-          x = std::max(0., std::min((std::abs(trial) - now) / (spring - from.fall), left));
-        else
-          from.fall = 0.; // brittle: straight to the residual
-      }
-    from.slip.added = x;
-    return from;
+    const SoftenedStrength softened = strength.after(slip);
+    return shear_strength(at, softened.tan_phi, softened.cohesion);
   }
 
 
@@ -45,7 +26,7 @@ namespace hybrid::dda
       {
         const double           x     = from.slip.added;
         const SoftenedStrength there = strength.after(from.slip);
-        const double           now   = shear_strength(at, there);
+        const double           now   = shear_strength(at, there.tan_phi, there.cohesion);
         const double           above = std::abs(trial) - spring * x - now;
         (above > 0. ? low : high)    = x;
         from.fall =
@@ -62,28 +43,5 @@ namespace hybrid::dda
     if (from.fall >= spring)
       from.fall = 0.; // brittle
     return from;
-  }
-
-
-
-  void JointLaw::slide(const double       trial,
-                       const double       spring,
-                       const Strain      &at,
-                       const PlasticSlip &slip,
-                       JointResponse     &r) const
-  {
-    const Sliding sliding = strength.rule == nullptr ? slide_linearly(trial, spring, at, {slip})
-                                                     : slide_by_rule(trial, spring, at, {slip});
-    const double  x = sliding.slip.added, slope = sliding.fall;
-    r.shear             = std::copysign(std::abs(trial) - spring * x, trial);
-    r.history.softening = slip.before + x;
-    r.state             = ContactState::sliding;
-
-    r.shear_by_slip                 = -slope * spring / (spring - slope);
-    const SoftenedStrength softened = strength.after(sliding.slip);
-    const double           by_gap   = r.shear == 0. ? 0.
-                                                    : softened.tan_phi * r.k_nn + at.cohesion_by_gap +
-                                            softened.cohesion * at.damage_by_gap;
-    r.k_tn                          = std::copysign(spring / (spring - slope) * by_gap, trial);
   }
 } // namespace hybrid::dda
