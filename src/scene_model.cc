@@ -2,7 +2,6 @@
 #include <hybrid/coupling/block_foundation.h>
 #include <hybrid/coupling/condensed_foundation.h>
 #include <hybrid/coupling/rigid_foundation.h>
-#include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/model/model_builder.h>
 #include <hybrid/dda/step/initial_state.h>
 #include <hybrid/output/mesh_progress.h>
@@ -82,7 +81,7 @@ namespace hybrid
   void SceneModel::make_bedrock_blocks()
   {
     std::vector<Vec2> nodes;
-    for (const int node : dda::cut_bedrock(mesh, scene).foundation)
+    for (const int node : scene::cut_bedrock(mesh, scene).foundation)
       nodes.push_back(mesh.nodes[node]);
     blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, nodes));
     foundation =

@@ -21,7 +21,7 @@ ALLOWED = {
 }
 # module -> its folders from the bottom to the top; "" is the module's own. A folder may include those below it.
 FOLDERS = {
-    "scene": ("", "parameters", "mesh", "motion", "checks"),
+    "scene": ("", "boundary", "parameters", "mesh", "bedrock", "motion", "checks"),
     "dda": ("geometry", "block", "joint", "contact", "linear", "model", "springs", "failure", "step", "statics"),
 }
 MAXIMUM_LINES = {".h": 300, ".cc": 500}

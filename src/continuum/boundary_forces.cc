@@ -44,7 +44,7 @@ namespace hybrid::continuum
                                  scene::GroundMotion           m)
     : line(element_nodes.line)
     , elastic(element_nodes.line)
-    , motion(std::move(m))
+    , motion(scene.continuum.base.takes_motion ? std::move(m) : scene::GroundMotion())
     , support(2 * element_nodes.positions.size(), Support::none)
     , place(element_nodes.positions.size(), -1)
   {
@@ -54,8 +54,8 @@ namespace hybrid::continuum
       scene.continuum.half_space_material.empty()
         ? cell_material[base.front().cell]
         : scene.material(scene.continuum.half_space_material, "Continuum/Half space material");
-    compliant = scene.continuum.base == scene::BaseBoundary::compliant;
-    moves     = scene.continuum.base == scene::BaseBoundary::rigid;
+    compliant = scene.continuum.base.is_compliant;
+    moves     = scene.continuum.base.moves();
     for (const char *side : {"left", "right"})
       set_side(rock, element_nodes, cell_material, required_faces(rock, section, side), scene);
     set_base(rock, element_nodes, cell_material, base, scene);
@@ -67,15 +67,17 @@ namespace hybrid::continuum
   BoundaryForces::Face BoundaryForces::make_face(const RockMesh     &rock,
                                                  const ElementNodes &element_nodes,
                                                  const RockFace     &rock_face,
-                                                 const Material     &material)
+                                                 const Material     &material,
+                                                 const Dashpots     &dashpots)
   {
     const Vec2 along = rock.nodes[rock_face.b] - rock.nodes[rock_face.a];
     Face       face;
     face.length = along.norm();
     face.normal = Vec2(along.y(), -along.x()) / face.length;
     face.impedance =
-      p_impedance(material) * face.normal * face.normal.transpose() +
-      s_impedance(material) * (Eigen::Matrix2d::Identity() - face.normal * face.normal.transpose());
+      dashpots.normal * p_impedance(material) * face.normal * face.normal.transpose() +
+      dashpots.shear * s_impedance(material) *
+        (Eigen::Matrix2d::Identity() - face.normal * face.normal.transpose());
     face.is_base = false;
     face.shear   = material.shear_modulus();
     for (const int node : element_nodes.along(rock_face))
@@ -104,7 +106,8 @@ namespace hybrid::continuum
           Face       face  = make_face(rock,
                                 element_nodes,
                                 rock_face,
-                                named ? half_space : cell_material[rock_face.cell]);
+                                named ? half_space : cell_material[rock_face.cell],
+                                {1., 1.});
           face.is_base     = true;
           faces.push_back(face);
         }
@@ -125,20 +128,16 @@ namespace hybrid::continuum
                                 std::vector<RockFace>         side,
                                 const scene::SceneParameters &scene)
   {
-    const auto kind = scene.continuum.sides;
-    if (kind == scene::SideBoundary::roller || kind == scene::SideBoundary::fixed)
-      {
-        for (const auto &rock_face : side)
-          for (const int node : element_nodes.along(rock_face))
-            {
-              support[2 * node] = Support::zero;
-              if (kind == scene::SideBoundary::fixed)
-                support[2 * node + 1] = Support::zero;
-            }
-        return;
-      }
+    const scene::SideBoundary &kind = scene.continuum.sides;
+    for (const auto &rock_face : side)
+      for (const int node : element_nodes.along(rock_face))
+        for (int c = 0; c < 2; ++c)
+          if (c == 0 ? kind.holds_x : kind.holds_y)
+            support[2 * node + c] = Support::zero;
+    if (!kind.has_dashpots())
+      return;
 
-    const bool free_field = kind == scene::SideBoundary::free_field;
+    const bool free_field = kind.has_free_field;
     const auto middle     = [&](const RockFace &f) {
       return rock.nodes[f.a].y() + rock.nodes[f.b].y();
     };
@@ -151,8 +150,9 @@ namespace hybrid::continuum
         if (rock.nodes[rock_face.a].y() > rock.nodes[rock_face.b].y())
           std::swap(rock_face.a, rock_face.b);
         const Material &material = cell_material[rock_face.cell];
-        Face            face     = make_face(rock, element_nodes, rock_face, material);
-        const double    x        = element_nodes.map(rock_face.cell, Vec2(0.5, 0.5)).x();
+        Face            face     = make_face(
+          rock, element_nodes, rock_face, material, {kind.normal_dashpots, kind.shear_dashpots});
+        const double x = element_nodes.map(rock_face.cell, Vec2(0.5, 0.5)).x();
         if (face.normal.x() * (rock.nodes[rock_face.a].x() - x) < 0.)
           face.normal = -face.normal;
         if (free_field)
@@ -161,10 +161,10 @@ namespace hybrid::continuum
             const bool   gap = !column.elements.empty() &&
                              std::abs(bottom - column.elements.back().top) > 1e-9 * face.length;
             if (std::abs(face.normal.y()) > 1e-6 || gap)
-              throw InputError(
-                "Continuum/Sides = free field needs vertical sides in one piece; the side near (" +
-                std::to_string(rock.nodes[rock_face.a].x()) + ", " + std::to_string(bottom) +
-                ") is not.");
+              throw InputError("Continuum/Sides = " + kind.name +
+                               " needs vertical sides in one piece; the side near (" +
+                               std::to_string(rock.nodes[rock_face.a].x()) + ", " +
+                               std::to_string(bottom) + ") is not.");
             face.column      = static_cast<int>(columns.size());
             face.column_node = static_cast<int>(column.elements.size()) * line.degree();
             face.lambda      = material.lame_lambda();

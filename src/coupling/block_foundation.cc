@@ -16,10 +16,11 @@ namespace hybrid::coupling
 
     constexpr int forces_per_edge = 2 * BoundaryEdge::n_points;
 
-    /// Neither the lowest layer nor the nodes below triangles move.
-    bool is_fixed(const SceneParameters &scene)
+    /// Of the lowest layer, of the nodes below triangles, or of the wave that comes in.
+    scene::GroundMotion motion_of_base(const SceneParameters     &scene,
+                                       const scene::GroundMotion &motion)
     {
-      return scene.continuum.base == scene::BaseBoundary::fixed;
+      return scene.continuum.base.takes_motion ? motion : scene::GroundMotion();
     }
   } // namespace
 
@@ -30,14 +31,13 @@ namespace hybrid::coupling
                                    const SceneParameters           &scene,
                                    const std::vector<BoundaryEdge> &edges)
     : boundary(edges)
-    , below(std::move(nodes), is_fixed(scene) ? scene::GroundMotion() : ground_motion)
-    , motion(is_fixed(scene) ? scene::GroundMotion() : ground_motion)
-    , compliant(scene.bedrock == scene::BedrockModel::triangles &&
-                scene.continuum.base == scene::BaseBoundary::compliant)
+    , below(std::move(nodes), motion_of_base(scene, ground_motion))
+    , motion(motion_of_base(scene, ground_motion))
+    , compliant(scene.has_compliant_base())
     , line(scene.continuum.degree)
     , damping_time(scene.continuum.rayleigh_stiffness)
   {
-    if (scene.continuum.sides == scene::SideBoundary::free_field)
+    if (scene.continuum.sides.has_free_field)
       for (const BoundaryPart side : {BoundaryPart::left, BoundaryPart::right})
         add_column(side, scene);
   }
@@ -66,10 +66,10 @@ namespace hybrid::coupling
         const bool          gap = !column.elements.empty() &&
                          std::abs(low - column.elements.back().top) > 1e-9 * (top - low);
         if (gap || std::abs(edge.normal().y()) > 1e-6)
-          throw InputError(
-            "Continuum/Sides = free field needs vertical sides in one piece; the side "
-            "near (" +
-            std::to_string(edge.ends[0].x()) + ", " + std::to_string(low) + ") is not.");
+          throw InputError("Continuum/Sides = " + scene.continuum.sides.name +
+                           " needs vertical sides in one piece; the side near (" +
+                           std::to_string(edge.ends[0].x()) + ", " + std::to_string(low) +
+                           ") is not.");
         const int element = static_cast<int>(column.elements.size());
         sides.push_back({e, offset + 2 * element * line.degree()});
         column.elements.push_back({low, top, edge.density, edge.lambda, edge.shear});

@@ -23,7 +23,7 @@ namespace hybrid::output
 
     bool has_cells(const SceneParameters &scene)
     {
-      return scene.has_continuum() || scene.has_bedrock_blocks();
+      return scene.bedrock.has_cells();
     }
 
 
@@ -52,25 +52,14 @@ namespace hybrid::output
 
     std::string role_of_base(const SceneParameters &scene)
     {
-      if (scene.bedrock == scene::BedrockModel::layers &&
-          scene.continuum.base != scene::BaseBoundary::fixed)
-        return "below the lowest layer, which moves with the motion";
-      switch (scene.continuum.base)
-        {
-          case scene::BaseBoundary::compliant:
-            return "compliant base: the motion comes in, waves go out";
-          case scene::BaseBoundary::rigid:
-            return "rigid base that moves with the motion";
-          case scene::BaseBoundary::fixed:
-            break;
-        }
-      return "fixed base";
+      const scene::BaseBoundary &base        = scene.continuum.base;
+      const std::string         &if_it_moves = scene.bedrock.base_words;
+      return base.takes_motion && !if_it_moves.empty() ? if_it_moves : base.words;
     }
 
 
     std::string role_of(const std::string &name, const SceneParameters &scene)
     {
-      const char *sides[] = {"viscous", "free field", "rollers", "fixed"};
       if (name == "mass_surface")
         return "only drawn";
       if (name == "sliding_surface" && (scene.blocks.enabled || has_cells(scene)))
@@ -80,7 +69,7 @@ namespace hybrid::output
       if (name == "base")
         return role_of_base(scene);
       if (name == "left" || name == "right")
-        return std::string("side: ") + sides[static_cast<int>(scene.continuum.sides)];
+        return "side: " + scene.continuum.sides.words;
       if (name == "ground")
         return "free surface of the bedrock";
       return role_of_plane(name, scene);

@@ -50,25 +50,19 @@ namespace hybrid::output
 
     void describe_ground(const scene::SceneParameters &scene, std::string &text)
     {
-      const char *sides[]   = {"viscous", "free field", "rollers", "fixed"};
-      const char *bases[]   = {"compliant", "rigid", "fixed"};
       const bool  continuum = scene.has_continuum();
-      const bool  layers    = scene.bedrock == scene::BedrockModel::layers;
-      const bool  triangles = scene.bedrock == scene::BedrockModel::triangles;
-      const char *base      = bases[static_cast<int>(scene.continuum.base)];
-      if (layers && scene.continuum.base == scene::BaseBoundary::compliant)
+      const char *base      = scene.continuum.base.name.c_str();
+      if (scene.continuum.base.is_compliant && !scene.has_compliant_base())
         base = "rigid"; // layers let no wave out: the lowest moves as prescribed
       text += line("  continuum          %s%s%s",
                    state(continuum).c_str(),
                    continuum ? "  base " : "",
                    continuum ? base : "");
-      if (layers || triangles)
-        text +=
-          line("  bedrock blocks     on   %s, base %s", layers ? "layers" : "triangles", base);
-      const bool has_sides = continuum || layers || triangles;
+      if (scene.has_bedrock_blocks())
+        text += line("  bedrock blocks     on   %s, base %s", scene.bedrock.name.c_str(), base);
+      const bool has_sides = scene.bedrock.has_cells();
       if (has_sides)
-        text +=
-          line("  sides              on   %s", sides[static_cast<int>(scene.continuum.sides)]);
+        text += line("  sides              on   %s", scene.continuum.sides.words.c_str());
       if (continuum)
         text += line("  boundary springs   %s  alpha_n %g, alpha_t %g",
                      state(scene.continuum.boundary_springs).c_str(),
@@ -286,12 +280,11 @@ namespace hybrid::output
     {
       const int first                = model.n_mass();
       const auto [smallest, largest] = sizes(model, first, model.n_blocks());
-      if (scene.bedrock == scene::BedrockModel::layers)
+      const char *words              = scene.bedrock.words.c_str();
+      if (!scene.bedrock.carries_waves)
         {
-          card.text += line("Bedrock    %d layers on the one that moves, size %.3g to %.3g m",
-                            model.n_bedrock,
-                            smallest,
-                            largest);
+          card.text += line(
+            "Bedrock    %d %s, size %.3g to %.3g m", model.n_bedrock, words, smallest, largest);
           return;
         }
       double slowest = 1e300;
@@ -299,13 +292,14 @@ namespace hybrid::output
         slowest =
           std::min(slowest, scene.material(entry.second, "Continuum/Materials").s_wave_speed());
       const double resolved = slowest / (points_per_wavelength * largest);
-      card.text += line(
-        "Bedrock    %d triangles, size %.3g to %.3g m; slowest S wave %.4g m/s: resolves %.3g Hz",
-        model.n_bedrock,
-        smallest,
-        largest,
-        slowest,
-        resolved);
+      card.text +=
+        line("Bedrock    %d %s, size %.3g to %.3g m; slowest S wave %.4g m/s: resolves %.3g Hz",
+             model.n_bedrock,
+             words,
+             smallest,
+             largest,
+             slowest,
+             resolved);
       warn(
         mesh_warning(
           {"the bedrock", resolved, wanted, "blocks", slowest / (points_per_wavelength * wanted)}),

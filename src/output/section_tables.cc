@@ -147,7 +147,7 @@ namespace hybrid::output
     SectionTables tables(file, scene, mesh);
     tables.write_names();
     tables.write_bedding();
-    if (scene.bedrock == scene::BedrockModel::continuum)
+    if (scene.has_continuum())
       tables.write_cells();
     if (model == nullptr)
       return;

@@ -3,6 +3,8 @@
 
 #include "block_scenes.h"
 
+#include <hybrid/scene/option_registry.h>
+
 #include <string>
 #include <vector>
 
@@ -51,13 +53,32 @@ namespace hybrid::test
 
 
 
-  /// No sliding mass, a bedrock of @p kind ("layers", "triangles") of the material "rock", the
-  /// plane bedding_1.
+  /// The recipe of the developer guide: every cell is a block.
+  inline scene::BedrockModel cells_bedrock()
+  {
+    scene::BedrockModel bedrock{"cells", "cells"};
+    bedrock.carries_waves = true;
+    bedrock.cut           = [](const scene::SectionMesh &mesh, const scene::SceneParameters &) {
+      scene::BedrockBlocks blocks;
+      for (const auto &cell : mesh.bedrock_cells)
+        blocks.outlines.emplace_back(cell.begin(), cell.end());
+      blocks.region = mesh.bedrock_region;
+      return blocks;
+    };
+    return bedrock;
+  }
+
+
+
+  /// No sliding mass, a bedrock of @p kind ("cells", or one of the program's) of the material
+  /// "rock", the plane bedding_1.
   inline scene::SceneParameters bedrock_parameters(const std::string &kind)
   {
-    scene::SceneParameters s = block_parameters(30.);
-    s.blocks.enabled         = false;
-    s.bedrock = kind == "layers" ? scene::BedrockModel::layers : scene::BedrockModel::triangles;
+    scene::SceneParameters s                = block_parameters(30.);
+    s.blocks.enabled                        = false;
+    std::vector<scene::BedrockModel> models = scene::bedrock_models();
+    models.push_back(cells_bedrock());
+    s.bedrock                        = *scene::find_option(kind, models);
     s.continuum.region_material["*"] = "rock";
     s.bedding.names                  = {"bedding_1"};
     return s;

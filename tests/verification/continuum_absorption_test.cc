@@ -5,6 +5,8 @@
 #include "continuum_check.h"
 #include "rectangle_mesh.h"
 
+#include <hybrid/scene/boundary/free_field_side.h>
+
 namespace
 {
   using namespace hybrid;
@@ -36,7 +38,7 @@ TEST(Absorption, wave_leaves_through_the_base)
     {
       auto scene             = test::rock_scene();
       scene.motion.angle     = 90. * component;
-      scene.continuum.sides  = scene::SideBoundary::free_field;
+      scene.continuum.sides  = scene::free_field_side();
       scene.time.newmark     = Newmark::preset("trapezoidal");
       const double        dt = 5e-4;
       Continuum           continuum(test::rectangle_mesh(test::equal_spacing(0., 20., 2),

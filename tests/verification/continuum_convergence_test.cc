@@ -10,6 +10,9 @@
 #include "continuum_check.h"
 #include "rectangle_mesh.h"
 
+#include <hybrid/scene/boundary/fixed_base.h>
+#include <hybrid/scene/boundary/roller_side.h>
+
 namespace
 {
   using namespace hybrid;
@@ -108,8 +111,8 @@ namespace
   {
     auto scene             = test::rock_scene();
     scene.continuum.degree = degree;
-    scene.continuum.base   = scene::BaseBoundary::fixed;
-    scene.continuum.sides  = scene::SideBoundary::roller;
+    scene.continuum.base   = scene::fixed_base();
+    scene.continuum.sides  = scene::roller_side();
     scene.time.newmark     = Newmark::preset(scheme);
     const RayleighWave wave(test::rock_material());
     const double       dt = 2. * test::pi / (wave.omega * per_period);

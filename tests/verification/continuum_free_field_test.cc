@@ -6,6 +6,9 @@
 #include "continuum_check.h"
 #include "rectangle_mesh.h"
 
+#include <hybrid/scene/boundary/free_field_side.h>
+#include <hybrid/scene/boundary/roller_side.h>
+
 namespace
 {
   using namespace hybrid;
@@ -16,7 +19,7 @@ namespace
   /// Two layers over the half space: 500 m/s above 60 m, 1000 m/s below.
   struct Ground
   {
-    Ground(const scene::SideBoundary sides, const double angle)
+    Ground(const scene::SideBoundary &sides, const double angle)
       : section(test::rectangle_mesh(test::equal_spacing(0., width, 20),
                                      test::equal_spacing(0., height, 10)))
       , scene(test::rock_scene())
@@ -60,7 +63,7 @@ namespace
   /// test).
   std::vector<double> column_surface(const int component)
   {
-    Ground ground(scene::SideBoundary::roller, 90.);
+    Ground ground(scene::roller_side(), 90.);
     if (component == 1)
       return ground.run(1)[3];
 
@@ -93,7 +96,7 @@ namespace
 
   /// Largest difference over the peak, worst point.
   double
-  error(const scene::SideBoundary sides, const int component, const std::vector<double> &expected)
+  error(const scene::SideBoundary &sides, const int component, const std::vector<double> &expected)
   {
     double worst = 0.;
     for (const auto &history : Ground(sides, 90. * component).run(component))
@@ -108,7 +111,7 @@ TEST(FreeField, springs_follow_the_column)
 {
   for (const int component : {0, 1})
     {
-      Ground ground(scene::SideBoundary::free_field, 90. * component);
+      Ground ground(scene::free_field_side(), 90. * component);
       ground.scene.continuum.boundary_springs = true;
       const auto expected                     = column_surface(component);
       double     worst                        = 0.;
@@ -125,7 +128,7 @@ TEST(FreeField, surface_moves_like_the_column)
   for (const int component : {0, 1})
     {
       const auto expected = column_surface(component);
-      EXPECT_LT(error(scene::SideBoundary::free_field, component, expected), 1e-8);
-      EXPECT_GT(error(scene::SideBoundary::viscous, component, expected), 0.1);
+      EXPECT_LT(error(scene::free_field_side(), component, expected), 1e-8);
+      EXPECT_GT(error(scene::viscous_side(), component, expected), 0.1);
     }
 }

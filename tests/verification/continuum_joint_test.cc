@@ -6,6 +6,8 @@
 #include "continuum_check.h"
 #include "rectangle_mesh.h"
 
+#include <hybrid/scene/boundary/roller_side.h>
+
 namespace
 {
   using namespace hybrid;
@@ -42,7 +44,7 @@ namespace
   std::vector<double> transmitted(const bool jointed, const bool shear, const double dt)
   {
     auto scene                     = test::rock_scene();
-    scene.continuum.sides          = scene::SideBoundary::roller;
+    scene.continuum.sides          = scene::roller_side();
     scene.motion.angle             = 90.;
     scene.time.newmark             = Newmark::preset("trapezoidal");
     scene.bedding.normal_stiffness = shear ? 1e12 : 1.2e8;

@@ -7,6 +7,8 @@
 #include "continuum_check.h"
 #include "rectangle_mesh.h"
 
+#include <hybrid/scene/boundary/free_field_side.h>
+
 namespace
 {
   using namespace hybrid;
@@ -21,7 +23,7 @@ namespace
     test::add_block(section);
     auto scene                         = test::rock_scene();
     scene.continuum.degree             = degree;
-    scene.continuum.sides              = scene::SideBoundary::free_field;
+    scene.continuum.sides              = scene::free_field_side();
     scene.continuum.rayleigh_stiffness = 1e-4;
     scene.bedding.names                = {"bedding_1"};
     scene.motion.angle                 = 20.;

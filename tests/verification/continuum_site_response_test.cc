@@ -7,6 +7,9 @@
 #include "continuum_check.h"
 #include "rectangle_mesh.h"
 
+#include <hybrid/scene/boundary/free_field_side.h>
+#include <hybrid/scene/boundary/rigid_base.h>
+
 namespace
 {
   using namespace hybrid;
@@ -22,7 +25,7 @@ namespace
     scene.materials["soft"]              = soft;
     scene.continuum.region_material["*"] = "soft";
     scene.continuum.half_space_material  = "rock";
-    scene.continuum.sides                = scene::SideBoundary::free_field;
+    scene.continuum.sides                = scene::free_field_side();
     scene.motion.angle                   = angle;
     scene.time.newmark                   = Newmark::preset("trapezoidal");
     return scene;
@@ -76,7 +79,7 @@ TEST(SiteResponse, p_wave)
 TEST(SiteResponse, rigid_base_amplifies_by_one_over_cosine)
 {
   auto scene           = layer_scene(0.);
-  scene.continuum.base = scene::BaseBoundary::rigid;
+  scene.continuum.base = scene::rigid_base();
   // Well below resonance, ramped up: 1 / cos kH at half the first frequency is sqrt 2.
   const double        dt = 2e-3, f = 0.5 * 200. / (4. * thickness);
   std::vector<double> a;

@@ -4,6 +4,8 @@
 // transmitted velocity is 2 Z_rock / (Z_rock + Z_blocks) of the incident one.
 #include "coupled_scenes.h"
 
+#include <hybrid/scene/boundary/fixed_side.h>
+
 #include <gtest/gtest.h>
 
 namespace
@@ -26,7 +28,7 @@ namespace
   {
     scene::SceneParameters scene = coupled_parameters();
     scene.environment.gravity    = 0.;
-    scene.continuum.sides        = scene::SideBoundary::fixed; // of the separate cell only
+    scene.continuum.sides        = scene::fixed_side(); // of the separate cell only
     scene.materials["rock"].young_modulus *= ratio;
     const Material &rock = scene.materials.at("rock"), &mass = scene.materials.at("mass");
 

@@ -9,6 +9,8 @@
 // the rock alone would reflect at the interface.
 #include "coupled_scenes.h"
 
+#include <hybrid/scene/boundary/fixed_side.h>
+
 #include <gtest/gtest.h>
 
 namespace
@@ -60,7 +62,7 @@ namespace
     scene::SceneParameters scene = coupled_parameters();
     scene.time.newmark           = Newmark::preset(scheme);
     scene.environment.gravity    = 0.;
-    scene.continuum.sides        = scene::SideBoundary::fixed; // of the separate cell only
+    scene.continuum.sides        = scene::fixed_side(); // of the separate cell only
     scene.motion.angle           = wave == Wave::shear ? 0. : 90.;
     const Material &m            = scene.materials.at("mass");
     const double    c            = wave == Wave::shear ? m.s_wave_speed() : m.p_wave_speed();

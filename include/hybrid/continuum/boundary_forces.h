@@ -23,13 +23,14 @@ namespace hybrid::continuum
 
   /**
    * Base and sides of the model. The traction on a face with outward normal n is
-   *   t = t_in + Z (v_ff - v) + k (u_ff - u),  Z = rho (c_p n n^T + c_s (1 - n n^T)),
-   * with t_in = 2 Z v_up and v_ff = 0 on a compliant base (Z of the half space below), t_in = 0 and
-   * v_ff = 0 on a viscous side, and stress and velocity of the free-field column on a free-field
-   * side; k = 0 unless the scene asks for springs (boundary_springs.h). Their free field is the
-   * column's on a free-field side, at rest on a viscous one; on the base it is that of the columns'
-   * feet, linear between them, and without columns the upgoing wave. All integrals are consistent
-   * with the element's edge basis, so a corner takes each dashpot once.
+   *   t = t_in + Z (v_ff - v) + k (u_ff - u),  Z = rho (a c_p n n^T + b c_s (1 - n n^T)),
+   * a and b of scene::SideBoundary (1 on the base), with t_in = 2 Z v_up and v_ff = 0 on a
+   * compliant base (Z of the half space below), t_in = 0 and v_ff = 0 on a viscous side, and stress
+   * and velocity of the free-field column on a free-field side; k = 0 unless the scene asks for
+   * springs (boundary_springs.h). Their free field is the column's on a free-field side, at rest on
+   * a viscous one; on the base it is that of the columns' feet, linear between them, and without
+   * columns the upgoing wave. All integrals are consistent with the element's edge basis, so a
+   * corner takes each dashpot once.
    */
   class BoundaryForces
   {
@@ -125,6 +126,12 @@ namespace hybrid::continuum
       double lambda = 0., shear = 0.; ///< of the rock beside or below [Pa]
     };
 
+    /// Impedance over rho c_p and rho c_s [-].
+    struct Dashpots
+    {
+      double normal, shear;
+    };
+
     void set_base(const RockMesh &,
                   const ElementNodes &,
                   const std::vector<Material> &,
@@ -137,7 +144,11 @@ namespace hybrid::continuum
                   std::vector<RockFace>,
                   const scene::SceneParameters &);
 
-    Face make_face(const RockMesh &, const ElementNodes &, const RockFace &, const Material &);
+    Face make_face(const RockMesh &,
+                   const ElementNodes &,
+                   const RockFace &,
+                   const Material &,
+                   const Dashpots &);
 
     void set_springs(const RockMesh &, const ElementNodes &, const scene::ContinuumParameters &);
 

@@ -30,9 +30,9 @@ namespace hybrid::dda
                                      std::make_pair("base", BoundaryPart::base)})
       for (const auto &edge : mesh.lines.at(name))
         part_of[ordered(edge[0], edge[1])] = part;
-    const bool compliant = scene.bedrock == scene::BedrockModel::triangles &&
-                           scene.continuum.base == scene::BaseBoundary::compliant;
-    const std::string &half_space = scene.continuum.half_space_material;
+    const bool                 compliant  = scene.has_compliant_base();
+    const std::string         &half_space = scene.continuum.half_space_material;
+    const scene::SideBoundary &sides      = scene.continuum.sides;
 
     std::vector<BoundaryEdge> edges;
     for (std::size_t b = blocks.n_mass; b < blocks.outlines.size(); ++b)
@@ -43,10 +43,13 @@ namespace hybrid::dda
           const auto  found = part_of.find(ordered(from, to));
           if (found == part_of.end() || (found->second == BoundaryPart::base && !compliant))
             continue;
-          const Material &m      = blocks.materials[b];
-          const Material &beyond = found->second == BoundaryPart::base && !half_space.empty()
-                                     ? scene.material(half_space, "Continuum/Half space material")
-                                     : m;
+          const bool      is_base = found->second == BoundaryPart::base;
+          const Material &m       = blocks.materials[b];
+          const Material &beyond  = is_base && !half_space.empty()
+                                      ? scene.material(half_space, "Continuum/Half space material")
+                                      : m;
+          const double    normal  = is_base ? 1. : sides.normal_dashpots;
+          const double    shear   = is_base ? 1. : sides.shear_dashpots;
           edges.push_back({found->second,
                            static_cast<int>(b),
                            geometry.offset[b] + static_cast<int>(k),
@@ -54,8 +57,8 @@ namespace hybrid::dda
                            m.density,
                            m.lame_lambda(),
                            m.shear_modulus(),
-                           beyond.density * beyond.p_wave_speed(),
-                           beyond.density * beyond.s_wave_speed()});
+                           normal * beyond.density * beyond.p_wave_speed(),
+                           shear * beyond.density * beyond.s_wave_speed()});
         }
     return edges;
   }

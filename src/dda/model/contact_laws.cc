@@ -27,10 +27,12 @@ namespace hybrid::dda
     public:
       ContactLawBuilder(const SectionMesh           &section,
                         const SceneParameters       &parameters,
+                        const BondLaws              &chosen_laws,
                         const std::vector<Material> &block_materials,
                         Model                       &block_model)
         : mesh(section)
         , scene(parameters)
+        , bonds(chosen_laws)
         , material(parameters)
         , materials(block_materials)
         , model(block_model)
@@ -73,6 +75,7 @@ namespace hybrid::dda
 
       const SectionMesh           &mesh;
       const SceneParameters       &scene;
+      const BondLaws              &bonds;
       const BlockMaterials         material;
       const std::vector<Material> &materials;
       Model                       &model;
@@ -195,11 +198,11 @@ namespace hybrid::dda
       const bool             bedrock = model.is_bedrock(block);
       const Material        &own     = bedrock ? materials[block] : material(false, p.saturated);
       const double k_n = scene.blocks.penalty_ratio * own.young_modulus * p.modulus_factor / p.size;
-      JointStrength strength = JointStrength::residual(own);
+      JointStrength strength = bonds.body.contact(own);
       if (surface.kind == Kind::belt)
-        strength = JointStrength::broken_belt(*surface.made_of);
+        strength = bonds.belt.contact(*surface.made_of);
       else if (surface.made_of != nullptr)
-        strength = strength.weaker_of(JointStrength::residual(*surface.made_of));
+        strength = strength.weaker_of(bonds.body.contact(*surface.made_of));
       if (surface.kind == Kind::bedrock)
         strength.cohesion = strength.residual_cohesion = 0.;
       return {JointLaw(strength, k_n, scene.blocks.shear_ratio * k_n), 0.5 * p.size};
@@ -243,9 +246,10 @@ namespace hybrid::dda
 
   void set_contact_laws(const SectionMesh           &mesh,
                         const SceneParameters       &scene,
+                        const BondLaws              &laws,
                         const std::vector<Material> &materials,
                         Model                       &model)
   {
-    ContactLawBuilder(mesh, scene, materials, model).build();
+    ContactLawBuilder(mesh, scene, laws, materials, model).build();
   }
 } // namespace hybrid::dda

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/joint/bedding_strength.h>
 #include <hybrid/dda/model/joint_builder.h>
 #include <hybrid/scene/input_error.h>
 
@@ -10,10 +11,12 @@ namespace hybrid::dda
 {
   JointBuilder::JointBuilder(const scene::SectionMesh     &section,
                              const scene::SceneParameters &parameters,
+                             const BondLaws               &chosen_laws,
                              const JointedBlocks          &jointed_blocks,
                              Model                        &block_model)
     : mesh(section)
     , scene(parameters)
+    , laws(chosen_laws)
     , blocks(jointed_blocks)
     , material(parameters)
     , model(block_model)
@@ -109,8 +112,7 @@ namespace hybrid::dda
     const double fracture_energy = scene.blocks.fracture_energy;
     const double softening_slip  = scene.blocks.softening_slip;
     joint.law =
-      JointLaw(belt ? JointStrength::belt(m, fracture_energy, softening_slip)
-                    : JointStrength::bond(m, fracture_energy, softening_slip),
+      JointLaw((belt ? laws.belt : laws.body).bond(m, fracture_energy, softening_slip),
                k_n,
                scene.blocks.shear_ratio * k_n)
         .letting_go_in(crossing_time(joint.block, belt ? foundation_body : joint.other, height));
@@ -141,9 +143,8 @@ namespace hybrid::dda
               shared.at(bodies) / area;
         k_s = scene.blocks.shear_ratio * k_n;
       }
-    const bool slips = joint.kind == JointKind::bedding && scene.bedding.slips;
-    joint.law        = JointLaw(slips ? JointStrength::bedding_plane(scene.bedding)
-                               : JointStrength::unlimited_bond(),
+    joint.law = JointLaw(joint.kind == JointKind::bedding ? bedding_strength(scene.bedding)
+                                                          : JointStrength::unlimited_bond(),
                          k_n,
                          k_s);
     model.joints.push_back(joint);

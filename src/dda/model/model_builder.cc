@@ -2,7 +2,6 @@
 #include <hybrid/dda/contact/held_neighbours.h>
 #include <hybrid/dda/geometry/polygon.h>
 #include <hybrid/dda/linear/sweep_order.h>
-#include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/model/bedrock_boundary.h>
 #include <hybrid/dda/model/block_damping.h>
 #include <hybrid/dda/model/contact_laws.h>
@@ -26,9 +25,11 @@ namespace hybrid::dda
     public:
       Builder(const SectionMesh       &section,
               const SceneParameters   &parameters,
-              const std::vector<Vec2> &foundation_nodes)
+              const std::vector<Vec2> &foundation_nodes,
+              const BondLaws          &chosen_laws)
         : mesh(section)
         , scene(parameters)
+        , laws(chosen_laws)
         , material(parameters)
         , damping_time(parameters.blocks.damping_ratio /
                        (M_PI * parameters.blocks.damping_frequency))
@@ -45,7 +46,7 @@ namespace hybrid::dda
         add_joints();
         correct_stiffness();
         set_loose_damping();
-        set_contact_laws(mesh, scene, materials, model);
+        set_contact_laws(mesh, scene, laws, materials, model);
         model.neighbours =
           held_neighbours({outlines.begin(), outlines.begin() + n_mass}, model.contacts.bonded);
         model.neighbours.resize(outlines.size());
@@ -71,6 +72,7 @@ namespace hybrid::dda
     private:
       const SectionMesh            &mesh;
       const SceneParameters        &scene;
+      const BondLaws               &laws;
       const BlockMaterials          material;
       const double                  damping_time;
       std::vector<std::vector<int>> outlines; ///< nodes of all blocks; mass, then bedrock
@@ -104,7 +106,7 @@ namespace hybrid::dda
         }
       n_mass = static_cast<int>(outlines.size());
       regions.resize(n_mass, 0);
-      const BedrockBlocks bedrock = cut_bedrock(mesh, scene);
+      const scene::BedrockBlocks bedrock = scene::cut_bedrock(mesh, scene);
       outlines.insert(outlines.end(), bedrock.outlines.begin(), bedrock.outlines.end());
       for (const int region : bedrock.region)
         regions.push_back(static_cast<int>(mesh.block_region_names.size()) + region);
@@ -217,7 +219,7 @@ namespace hybrid::dda
     void Builder::add_joints()
     {
       const JointedBlocks blocks{outlines, materials, n_mass};
-      JointBuilder        joints(mesh, scene, blocks, model);
+      JointBuilder        joints(mesh, scene, laws, blocks, model);
       if (scene.blocks.bonded || model.n_bedrock > 0)
         joints.add_block_joints();
       joints.add_belt_joints();
@@ -264,7 +266,7 @@ namespace hybrid::dda
         {
           // Bedding planes are soft by themselves; welds between layers are no jointed mass.
           if (joint.kind == JointKind::bedding ||
-              (joint.kind == JointKind::weld && scene.bedrock == scene::BedrockModel::layers))
+              (joint.kind == JointKind::weld && !scene.bedrock.carries_waves))
             continue;
           const double kn = joint.law.normal_stiffness(), ks = joint.law.shear_stiffness();
           const auto   add = [&](const int block, const double share) {
@@ -314,8 +316,9 @@ namespace hybrid::dda
 
   Model build_model(const SectionMesh       &mesh,
                     const SceneParameters   &scene,
-                    const std::vector<Vec2> &foundation_nodes)
+                    const std::vector<Vec2> &foundation_nodes,
+                    const BondLaws          &laws)
   {
-    return Builder(mesh, scene, foundation_nodes).build();
+    return Builder(mesh, scene, foundation_nodes, laws).build();
   }
 } // namespace hybrid::dda

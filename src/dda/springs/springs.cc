@@ -324,7 +324,8 @@ namespace hybrid::dda
     const JointHistory   &history = spring.old.history;
     const JointKinematics kinematics{frame.gap - contact.stress_free_gap,
                                      frame.slip,
-                                     spring.cohesion_length_ratio};
+                                     spring.cohesion_length_ratio,
+                                     trial.dt};
     response.now.gap  = kinematics.gap;
     response.now.slip = kinematics.slip;
     set_response(spring.law->respond(kinematics, history), response);

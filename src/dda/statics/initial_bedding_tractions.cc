@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/model/model_builder.h>
 #include <hybrid/dda/statics/begin_motion.h>
 #include <hybrid/dda/statics/initial_bedding_tractions.h>
@@ -8,6 +7,8 @@
 #include <hybrid/dda/step/initial_state.h>
 #include <hybrid/dda/step/rest_forces.h>
 #include <hybrid/dda/step/start_accelerations.h>
+#include <hybrid/scene/bedrock/triangles_bedrock.h>
+#include <hybrid/scene/boundary/fixed_base.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,8 +71,8 @@ namespace hybrid::dda
     /// The bedrock alone, in triangles on a fixed base, with a part of its strengths.
     SceneParameters scene_at_rest(SceneParameters scene)
     {
-      scene.bedrock        = scene::BedrockModel::triangles;
-      scene.continuum.base = scene::BaseBoundary::fixed;
+      scene.bedrock        = scene::triangles_bedrock();
+      scene.continuum.base = scene::fixed_base();
       scene.blocks.enabled = false;
       scene.edge_loads.tractions.clear();
       scene.bedding.cohesion *= load_fraction;
@@ -128,11 +129,11 @@ namespace hybrid::dda
       std::map<EndKey, Traction> tractions(BeddingRest &result) const;
 
     private:
-      const SectionMesh    &mesh;
-      const SceneParameters scene;
-      const BedrockBlocks   blocks;
-      Model                 model;
-      DdaState              state;
+      const SectionMesh         &mesh;
+      const SceneParameters      scene;
+      const scene::BedrockBlocks blocks;
+      Model                      model;
+      DdaState                   state;
 
       /// Edge of a triangle on the surface, counter-clockwise [m].
       struct SurfaceEdge

@@ -139,8 +139,7 @@ namespace hybrid::scene
                                                const SceneParameters &scene)
   {
     std::vector<std::string> warnings;
-    const bool has_columns = scene.has_continuum() || scene.bedrock == BedrockModel::triangles;
-    if (!has_columns || scene.continuum.sides != SideBoundary::free_field)
+    if (!scene.bedrock.carries_waves || !scene.continuum.sides.has_free_field)
       return warnings;
     for (const char *const side : {"left", "right"})
       {

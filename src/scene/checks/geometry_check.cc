@@ -322,7 +322,7 @@ namespace hybrid::scene
   void check_geometry(const SectionMesh &mesh, const SceneParameters &scene)
   {
     check_unit(mesh, scene);
-    const bool has_cells = scene.has_continuum() || scene.has_bedrock_blocks();
+    const bool has_cells = scene.bedrock.has_cells();
     if (has_cells)
       {
         check_connected(mesh);

@@ -48,7 +48,7 @@ namespace hybrid::scene
     /// The bedrock is made of the mesh's cells.
     bool needs_bedrock_cells(const SceneParameters &scene)
     {
-      return scene.has_continuum() || scene.has_bedrock_blocks();
+      return scene.bedrock.has_cells();
     }
 
 

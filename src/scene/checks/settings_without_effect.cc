@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/checks/settings_without_effect.h>
 #include <hybrid/scene/motion/motion_source.h>
+#include <hybrid/scene/option_registry.h>
 
 #include <sstream>
 
@@ -12,11 +13,13 @@ namespace hybrid::scene
     void look_at_motion(const SceneParameters &scene, std::vector<std::string> &warnings)
     {
       const MotionParameters &motion   = scene.motion;
-      const bool              can_stop = scene.has_continuum() || scene.has_bedrock_blocks();
-      if (motion.type != "none" && can_stop && scene.continuum.base == BaseBoundary::fixed)
-        warnings.push_back("Motion/Type = " + motion.type +
-                           " has no effect, as Continuum/Base = fixed does not move; set it to "
-                           "compliant or rigid");
+      const bool              can_stop = scene.bedrock.has_cells();
+      if (motion.type != "none" && can_stop && !scene.continuum.base.takes_motion)
+        warnings.push_back("Motion/Type = " + motion.type + " has no effect, as Continuum/Base = " +
+                           scene.continuum.base.name + " does not move; set it to " +
+                           names_in_words(base_boundaries(), [](const BaseBoundary &base) {
+                             return base.takes_motion;
+                           }));
       const MotionSource *source = find_motion_source(motion.type, motion_sources());
       if (!motion.file.empty() && motion.type != "none" && source != nullptr &&
           !source->reads_record)
@@ -68,7 +71,7 @@ namespace hybrid::scene
 
     void look_at_planes(const SceneParameters &scene, std::vector<std::string> &warnings)
     {
-      if (scene.bedding.names.empty() || scene.bedrock != BedrockModel::rigid)
+      if (scene.bedding.names.empty() || scene.bedrock.has_cells())
         return;
       warnings.push_back("Bedding planes/Names = " + scene.bedding.names.front() +
                          (scene.bedding.names.size() > 1 ? ", ..." : "") +

@@ -76,7 +76,7 @@ namespace hybrid::scene
 
     bool has_waves(const SceneParameters &scene)
     {
-      return scene.has_continuum() || scene.has_bedrock_blocks();
+      return scene.bedrock.has_cells();
     }
 
 

@@ -7,21 +7,21 @@ namespace hybrid::scene
   {
     if (!scene.has_bedrock_blocks())
       return;
-    const bool         layers = scene.bedrock == BedrockModel::layers;
-    const SideBoundary sides  = scene.continuum.sides;
-    if (layers && sides != SideBoundary::viscous)
-      throw table.error("Continuum/Sides", "must be viscous with Model/Bedrock = layers");
-    if (!layers && sides != SideBoundary::viscous && sides != SideBoundary::free_field)
+    const BedrockModel &bedrock = scene.bedrock;
+    const auto can_have = [&](const SideBoundary &sides) { return bedrock.can_have(sides); };
+    if (!can_have(scene.continuum.sides))
       throw table.error("Continuum/Sides",
-                        "must be viscous or free field with Model/Bedrock = triangles");
+                        "must be " + names_in_words(side_boundaries(), can_have) +
+                          " with Model/Bedrock = " + bedrock.name);
     if (scene.continuum.boundary_springs)
       throw table.error("Continuum/Boundary springs", "must be false with a bedrock of blocks");
     if (scene.continuum.rayleigh_mass > 0.)
       throw table.error("Continuum/Rayleigh mass",
                         "must be 0 with a bedrock of blocks, which have stiffness-proportional "
                         "damping only");
-    if (layers && scene.bedding.names.empty())
+    if (bedrock.needs_planes && scene.bedding.names.empty())
       throw table.error("Bedding planes/Names",
-                        "must name the planes that cut the bedrock with Model/Bedrock = layers");
+                        "must name the planes that cut the bedrock with Model/Bedrock = " +
+                          bedrock.name);
   }
 } // namespace hybrid::scene

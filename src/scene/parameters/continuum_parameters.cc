@@ -33,23 +33,16 @@ namespace hybrid::scene
       },
       "Material of the bedrock: one name for all regions, or one per region of the mesh (bedrock, "
       "bedrock_<suffix>).");
-    section.choice<BaseBoundary>(
-      "Base",
-      continuum.base,
-      {{"compliant", BaseBoundary::compliant},
-       {"rigid", BaseBoundary::rigid},
-       {"fixed", BaseBoundary::fixed}},
-      "Base of the bedrock: compliant absorbs what leaves and lets the motion in, "
-      "rigid moves with the motion, fixed does not move.");
-    section.choice<SideBoundary>(
-      "Sides",
-      continuum.sides,
-      {{"viscous", SideBoundary::viscous},
-       {"free field", SideBoundary::free_field},
-       {"roller", SideBoundary::roller},
-       {"fixed", SideBoundary::fixed}},
-      "Left and right side: viscous dashpots; dashpots relative to the free field of "
-      "a column beside the model; rollers; or fixed.");
+    section.option("Base",
+                   continuum.base,
+                   base_boundaries(),
+                   "Base of the bedrock: compliant absorbs what leaves and lets the motion in, "
+                   "rigid moves with the motion, fixed does not move.");
+    section.option("Sides",
+                   continuum.sides,
+                   side_boundaries(),
+                   "Left and right side: viscous dashpots; dashpots relative to the free field of "
+                   "a column beside the model; rollers; or fixed.");
     section.text("Half space material",
                  continuum.half_space_material,
                  "a material's name, or empty",
@@ -135,19 +128,19 @@ namespace hybrid::scene
 
   void check_continuum(const SceneParameters &scene, const ParameterTable &table)
   {
-    if (scene.bedding.slips && !scene.has_continuum() && !scene.has_bedrock_blocks())
+    const auto has_cells = [](const BedrockModel &bedrock) { return bedrock.has_cells(); };
+    if (scene.bedding.slips && !scene.bedrock.has_cells())
       throw table.error("Bedding planes/Strength",
-                        "Mohr-Coulomb needs a bedrock that deforms (Model/Bedrock = continuum, "
-                        "layers or triangles)");
-    if (!scene.has_continuum() && !scene.has_bedrock_blocks())
+                        "Mohr-Coulomb needs a bedrock that deforms (Model/Bedrock = " +
+                          names_in_words(bedrock_models(), has_cells) + ")");
+    if (!scene.bedrock.has_cells())
       return;
     if (scene.continuum.region_material.empty())
       throw table.error("Continuum/Materials",
-                        scene.has_bedrock_blocks() ? "a bedrock of blocks needs a material"
-                                                   : "Model/Bedrock = continuum needs a material");
-    const bool dashpots = scene.continuum.base == BaseBoundary::compliant ||
-                          scene.continuum.sides == SideBoundary::viscous ||
-                          scene.continuum.sides == SideBoundary::free_field;
+                        scene.has_bedrock_blocks()
+                          ? "a bedrock of blocks needs a material"
+                          : "Model/Bedrock = " + scene.bedrock.name + " needs a material");
+    const bool dashpots = scene.continuum.base.is_compliant || scene.continuum.sides.has_dashpots();
     if (scene.continuum.boundary_springs && (!dashpots || !scene.has_continuum()))
       throw table.error("Continuum/Boundary springs",
                         "true needs a bedrock of finite elements with a compliant base, viscous or "

@@ -32,13 +32,10 @@ namespace hybrid::scene
     void declare_model(ParameterTable &table, SceneParameters &scene)
     {
       ParameterSection model(table, {"Model"});
-      model.choice<BedrockModel>(
+      model.option(
         "Bedrock",
         scene.bedrock,
-        {{"continuum", BedrockModel::continuum},
-         {"layers", BedrockModel::layers},
-         {"triangles", BedrockModel::triangles},
-         {"rigid", BedrockModel::rigid}},
+        bedrock_models(),
         "The bedrock: elastic finite elements; one block per layer between bedding planes, the lowest "
         "with the prescribed motion; bonded triangular blocks that carry the waves; or a rigid base "
         "with the prescribed motion. All but the first are pure DDA.");
@@ -137,7 +134,8 @@ namespace hybrid::scene
   {
     if (!scene.has_continuum() && !scene.has_blocks())
       throw table.error("Model/Blocks",
-                        "together with Model/Bedrock = rigid there is nothing to simulate");
+                        "together with Model/Bedrock = " + scene.bedrock.name +
+                          " there is nothing to simulate");
     check(scene.time, table);
     for (const auto &entry : scene.materials)
       check(entry.second, table);

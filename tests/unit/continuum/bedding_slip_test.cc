@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <hybrid/continuum/continuum.h>
+#include <hybrid/scene/boundary/roller_side.h>
 
 #include "rectangle_mesh.h"
 
@@ -107,7 +108,7 @@ TEST(BeddingSlip, strong_planes_are_elastic_joints)
 TEST(BeddingSlip, a_plane_that_opens_loses_the_energy_of_its_cut_off_only)
 {
   auto scene                          = parameters(2e4);
-  scene.continuum.sides               = scene::SideBoundary::roller;
+  scene.continuum.sides               = scene::roller_side();
   scene.bedding.normal_stiffness      = 1e9;
   scene.bedding.initial_normal_stress = 1e5;
   scene.motion.angle                  = 90.;

@@ -4,6 +4,7 @@
 #include <hybrid/continuum/boundary_forces.h>
 #include <hybrid/continuum/continuum.h>
 #include <hybrid/continuum/elastic_assembly.h>
+#include <hybrid/scene/boundary/roller_side.h>
 
 #include <Eigen/Cholesky>
 
@@ -137,7 +138,7 @@ TEST(Condensation, a_supported_end_of_the_surface_does_not_move)
     test::rectangle_mesh(test::equal_spacing(0., 40., 4), test::equal_spacing(-20., 20., 2));
   test::add_block(section);
   auto scene            = test::rock_scene();
-  scene.continuum.sides = scene::SideBoundary::roller;
+  scene.continuum.sides = scene::roller_side();
   Continuum       continuum(section, scene, {}, MPI_COMM_WORLD);
   auto            state  = continuum.initial_state();
   Eigen::VectorXd lambda = Eigen::VectorXd::Constant(2 * continuum.surface_nodes().size(), 1e6);

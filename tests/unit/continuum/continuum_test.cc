@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <hybrid/continuum/continuum.h>
+#include <hybrid/scene/boundary/free_field_side.h>
+#include <hybrid/scene/boundary/rigid_base.h>
 #include <hybrid/scene/input_error.h>
 
 #include "rectangle_mesh.h"
@@ -123,7 +125,7 @@ TEST(Continuum, mistakes_are_refused)
   auto inclined = box();
   inclined.nodes[4].x() += 1.;
   auto free_field            = test::rock_scene();
-  free_field.continuum.sides = scene::SideBoundary::free_field;
+  free_field.continuum.sides = scene::free_field_side();
   EXPECT_THROW(make(inclined, free_field), InputError);
 }
 
@@ -137,7 +139,7 @@ TEST(Continuum, rigid_base_moves_as_prescribed)
   for (const char *scheme : {"dissipative", "trapezoidal", "shi"})
     {
       auto scene           = test::rock_scene();
-      scene.continuum.base = scene::BaseBoundary::rigid;
+      scene.continuum.base = scene::rigid_base();
       scene.motion.angle   = 90.;
       scene.time.newmark   = Newmark::preset(scheme);
       Continuum  continuum(box(), scene, {motion, scene.motion}, MPI_COMM_WORLD);

@@ -2,6 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <hybrid/continuum/continuum.h>
+#include <hybrid/scene/boundary/fixed_base.h>
+#include <hybrid/scene/boundary/fixed_side.h>
+#include <hybrid/scene/boundary/free_field_side.h>
+#include <hybrid/scene/boundary/rigid_base.h>
+#include <hybrid/scene/boundary/roller_side.h>
 
 #include "rectangle_mesh.h"
 
@@ -14,8 +19,13 @@ namespace
 {
   using namespace hybrid;
   using namespace hybrid::continuum;
-  using scene::BaseBoundary;
-  using scene::SideBoundary;
+  using scene::compliant_base;
+  using scene::fixed_base;
+  using scene::fixed_side;
+  using scene::free_field_side;
+  using scene::rigid_base;
+  using scene::roller_side;
+  using scene::viscous_side;
 
   scene::Motion shaking()
   {
@@ -88,11 +98,8 @@ namespace
 
 TEST(ContinuumEnergy, closes_with_every_boundary_and_scheme)
 {
-  for (const auto base : {BaseBoundary::compliant, BaseBoundary::rigid, BaseBoundary::fixed})
-    for (const auto sides : {SideBoundary::viscous,
-                             SideBoundary::free_field,
-                             SideBoundary::roller,
-                             SideBoundary::fixed})
+  for (const auto &base : {compliant_base(), rigid_base(), fixed_base()})
+    for (const auto &sides : {viscous_side(), free_field_side(), roller_side(), fixed_side()})
       for (const char *scheme : {"dissipative", "trapezoidal", "fourth order", "shi"})
         {
           auto scene                         = test::rock_scene();
@@ -103,16 +110,50 @@ TEST(ContinuumEnergy, closes_with_every_boundary_and_scheme)
           scene.continuum.rayleigh_stiffness = 1e-4;
           scene.bedding.names                = {"bedding_1"};
           scene.motion.angle                 = 30.;
-          EXPECT_LT(residual(scene), 1e-9)
-            << scheme << ' ' << static_cast<int>(base) << ' ' << static_cast<int>(sides);
+          EXPECT_LT(residual(scene), 1e-9) << scheme << ' ' << base.name << ' ' << sides.name;
         }
+}
+
+
+// The recipe of the developer guide: sides that absorb what arrives along their normal and hold
+// the rest, a base that absorbs and brings nothing.
+TEST(ContinuumEnergy, closes_with_another_side_and_base)
+{
+  scene::SideBoundary sides{"normal dashpots", "normal dashpots"};
+  sides.holds_y         = true;
+  sides.normal_dashpots = 0.8;
+  scene::BaseBoundary base{"quiet", "base that waves leave through"};
+  base.is_compliant = true;
+  for (const char *scheme : {"dissipative", "trapezoidal", "fourth order", "shi"})
+    {
+      auto scene            = test::rock_scene();
+      scene.time.newmark    = preset(scheme);
+      scene.continuum.base  = base;
+      scene.continuum.sides = sides;
+      EXPECT_LT(residual(scene), 1e-9) << scheme;
+    }
+}
+
+
+TEST(ContinuumEnergy, a_base_that_takes_no_motion_lets_none_in)
+{
+  auto scene                        = test::rock_scene();
+  scene.continuum.base.takes_motion = false; // compliant
+  const auto section =
+    test::rectangle_mesh(test::equal_spacing(0., 60., 5), test::equal_spacing(-30., 30., 4));
+  Continuum continuum(section, scene, {shaking(), scene.motion}, MPI_COMM_WORLD);
+  auto      state = continuum.initial_state();
+  for (int k = 0; k < 20; ++k)
+    continuum.step(state, 2e-3);
+  for (const double v : state.velocity)
+    EXPECT_EQ(v, 0.);
 }
 
 
 TEST(ContinuumEnergy, closes_with_springs_on_the_boundary)
 {
-  for (const auto base : {BaseBoundary::compliant, BaseBoundary::rigid, BaseBoundary::fixed})
-    for (const auto sides : {SideBoundary::viscous, SideBoundary::free_field})
+  for (const auto &base : {compliant_base(), rigid_base(), fixed_base()})
+    for (const auto &sides : {viscous_side(), free_field_side()})
       for (const char *scheme : {"dissipative", "trapezoidal", "fourth order", "shi"})
         {
           auto scene                         = test::rock_scene();
@@ -122,16 +163,15 @@ TEST(ContinuumEnergy, closes_with_springs_on_the_boundary)
           scene.continuum.rayleigh_stiffness = 1e-4;
           scene.continuum.boundary_springs   = true;
           scene.motion.angle                 = 30.;
-          EXPECT_LT(residual(scene), 1e-9)
-            << scheme << ' ' << static_cast<int>(base) << ' ' << static_cast<int>(sides);
+          EXPECT_LT(residual(scene), 1e-9) << scheme << ' ' << base.name << ' ' << sides.name;
         }
 }
 
 
 TEST(ContinuumEnergy, closes_while_planes_slip_and_open)
 {
-  for (const auto base : {BaseBoundary::compliant, BaseBoundary::rigid})
-    for (const auto sides : {SideBoundary::viscous, SideBoundary::roller})
+  for (const auto &base : {compliant_base(), rigid_base()})
+    for (const auto &sides : {viscous_side(), roller_side()})
       for (const double damping : {0., 1e-4})
         for (const char *scheme : {"dissipative", "trapezoidal", "shi"})
           {
@@ -146,8 +186,7 @@ TEST(ContinuumEnergy, closes_while_planes_slip_and_open)
             scene.bedding.cohesion              = 5e3;
             scene.bedding.tensile_strength      = 5e3;
             scene.bedding.initial_normal_stress = 1e4;
-            EXPECT_LT(residual(scene), 1e-9)
-              << scheme << ' ' << static_cast<int>(base) << ' ' << static_cast<int>(sides);
+            EXPECT_LT(residual(scene), 1e-9) << scheme << ' ' << base.name << ' ' << sides.name;
           }
 }
 
@@ -156,8 +195,8 @@ TEST(ContinuumEnergy, trapezoidal_rule_keeps_energy_exactly)
 {
   auto scene            = test::rock_scene();
   scene.time.newmark    = Newmark::preset("trapezoidal");
-  scene.continuum.base  = BaseBoundary::fixed;
-  scene.continuum.sides = SideBoundary::fixed;
+  scene.continuum.base  = fixed_base();
+  scene.continuum.sides = fixed_side();
   const auto section =
     test::rectangle_mesh(test::equal_spacing(0., 60., 5), test::equal_spacing(-30., 30., 4));
   Continuum continuum(section, scene, {}, MPI_COMM_WORLD);

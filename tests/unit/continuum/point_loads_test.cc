@@ -3,6 +3,7 @@
 
 #include <hybrid/continuum/continuum.h>
 #include <hybrid/continuum/point_loads.h>
+#include <hybrid/scene/boundary/rigid_base.h>
 #include <hybrid/scene/input_error.h>
 
 #include "rectangle_mesh.h"
@@ -100,6 +101,6 @@ TEST(PointLoads, outside_or_on_a_moving_base_is_refused)
   scene.point_loads = loads_at({Vec2(25., 60.)});
   EXPECT_THROW(rock_with(scene), InputError);
   scene.point_loads    = loads_at({Vec2(25., 0.)});
-  scene.continuum.base = scene::BaseBoundary::rigid;
+  scene.continuum.base = scene::rigid_base();
   EXPECT_THROW(rock_with(scene), InputError);
 }

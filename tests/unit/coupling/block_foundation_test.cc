@@ -3,9 +3,9 @@
 
 #include <hybrid/coupling/block_foundation.h>
 #include <hybrid/coupling/coupled_step.h>
-#include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/statics/static_stage.h>
 #include <hybrid/dda/step/initial_state.h>
+#include <hybrid/scene/boundary/free_field_side.h>
 #include <hybrid/scene/input_error.h>
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(BlockFoundation, sends_twice_the_upgoing_wave_through_the_base)
 TEST(BlockFoundation, columns_change_no_state_before_the_step_is_accepted)
 {
   scene::SceneParameters p = bedrock_parameters("triangles");
-  p.continuum.sides        = scene::SideBoundary::free_field;
+  p.continuum.sides        = scene::free_field_side();
   const dda::Model model   = dda::build_model(layered_section(2, {2, 1}), p, {});
   BlockFoundation  base({}, constant_acceleration(), p, model.boundary);
   CoupledState     state;
@@ -66,7 +66,7 @@ TEST(BlockFoundation, columns_change_no_state_before_the_step_is_accepted)
 TEST(BlockFoundation, free_field_sides_must_be_vertical)
 {
   scene::SceneParameters p = bedrock_parameters("triangles");
-  p.continuum.sides        = scene::SideBoundary::free_field;
+  p.continuum.sides        = scene::free_field_side();
   scene::SectionMesh mesh  = layered_section(2, {2, 1});
   mesh.nodes[3].x() -= 0.2; // the left side, one up
   const dda::Model model = dda::build_model(mesh, p, {});
@@ -78,7 +78,7 @@ TEST(BlockFoundation, free_field_sides_must_be_vertical)
 /// A square of the mass on a layer: the bedrock bears its weight without moving.
 TEST(BlockFoundation, a_mass_at_rest_stays_at_rest)
 {
-  for (const std::string kind : {"layers", "triangles"})
+  for (const std::string kind : {"layers", "triangles", "cells"})
     {
       scene::SceneParameters p     = bedrock_parameters(kind);
       p.blocks.enabled             = true;
@@ -93,7 +93,7 @@ TEST(BlockFoundation, a_mass_at_rest_stays_at_rest)
       mesh.block_region_names = {"sliding_mass"};
       mesh.lines["sliding_surface"].push_back({a, a + 1});
       std::vector<Vec2> nodes;
-      for (const int node : dda::cut_bedrock(mesh, p).foundation)
+      for (const int node : scene::cut_bedrock(mesh, p).foundation)
         nodes.push_back(mesh.nodes[node]);
       const dda::Model model = dda::build_model(mesh, p, nodes);
       BlockFoundation  base(nodes, {}, p, model.boundary);

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/line_card.h>
+#include <hybrid/scene/bedrock/layers_bedrock.h>
+#include <hybrid/scene/bedrock/rigid_bedrock.h>
+#include <hybrid/scene/boundary/fixed_base.h>
+#include <hybrid/scene/boundary/free_field_side.h>
+#include <hybrid/scene/boundary/rigid_base.h>
 
 #include <gtest/gtest.h>
 
@@ -64,13 +69,13 @@ namespace hybrid::output
     {
       const auto             mesh = mesh_with({"base"});
       scene::SceneParameters scene;
-      scene.bedrock = scene::BedrockModel::layers;
-      for (const auto base : {scene::BaseBoundary::compliant, scene::BaseBoundary::rigid})
+      scene.bedrock = scene::layers_bedrock();
+      for (const auto &base : {scene::compliant_base(), scene::rigid_base()})
         {
           scene.continuum.base = base;
           expect_row(describe_lines(mesh, scene), "base", "lowest layer, which moves");
         }
-      scene.continuum.base = scene::BaseBoundary::fixed;
+      scene.continuum.base = scene::fixed_base();
       expect_row(describe_lines(mesh, scene), "base", "fixed base");
     }
 
@@ -79,13 +84,13 @@ namespace hybrid::output
     {
       const auto             mesh = mesh_with({"base", "left", "right", "ground", "mass_surface"});
       scene::SceneParameters scene;
-      scene.continuum.sides = scene::SideBoundary::free_field;
+      scene.continuum.sides = scene::free_field_side();
       std::string text      = describe_lines(mesh, scene);
       expect_row(text, "base", "compliant base");
       expect_row(text, "left, right", "4 m  side: free field");
       expect_row(text, "ground", "free surface of the bedrock");
       expect_row(text, "mass_surface", "only drawn");
-      scene.bedrock = scene::BedrockModel::rigid;
+      scene.bedrock = scene::rigid_bedrock();
       text          = describe_lines(mesh, scene);
       expect_row(text, "ground", "surface of the rigid base");
       expect_row(text, "base, left, right", "not used, as the bedrock is rigid");

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/scene_card.h>
+#include <hybrid/scene/bedrock/layers_bedrock.h>
+#include <hybrid/scene/bedrock/rigid_bedrock.h>
+#include <hybrid/scene/boundary/fixed_base.h>
 
 #include <gtest/gtest.h>
 
@@ -35,10 +38,10 @@ namespace hybrid::output
     TEST(SceneCard, SaysWhatTheBaseOfLayersDoes)
     {
       scene::SceneParameters scene;
-      scene.bedrock   = scene::BedrockModel::layers;
+      scene.bedrock   = scene::layers_bedrock();
       const auto card = [&scene] { return make_scene_card(scene, {}, nullptr, nullptr).text; };
       EXPECT_NE(card().find("layers, base rigid"), std::string::npos) << card();
-      scene.continuum.base = scene::BaseBoundary::fixed;
+      scene.continuum.base = scene::fixed_base();
       EXPECT_NE(card().find("layers, base fixed"), std::string::npos) << card();
     }
 
@@ -51,7 +54,7 @@ namespace hybrid::output
       belt.friction_angle   = 14.72;
       belt.cohesion         = 19.76e3;
       scene.materials       = {{"clay", belt}};
-      scene.bedrock         = scene::BedrockModel::rigid;
+      scene.bedrock         = scene::rigid_bedrock();
       scene.blocks.material = scene.blocks.belt_material = "clay";
       const auto card = [&scene] { return make_scene_card(scene, {}, nullptr, nullptr).text; };
       EXPECT_NE(card().find("clay: phi 14.72 deg, c 19760 Pa, residual = peak"), std::string::npos);

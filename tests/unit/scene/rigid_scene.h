@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/scene/bedrock/rigid_bedrock.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
 namespace hybrid::scene::test
@@ -9,7 +10,7 @@ namespace hybrid::scene::test
   inline SceneParameters rigid_scene()
   {
     SceneParameters scene;
-    scene.bedrock = BedrockModel::rigid;
+    scene.bedrock = rigid_bedrock();
     return scene;
   }
 } // namespace hybrid::scene::test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/joint/bond_law.h>
 #include <hybrid/dda/model/model.h>
 #include <hybrid/scene/mesh/section_mesh.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
@@ -21,6 +22,7 @@ namespace hybrid::dda
    */
   void set_contact_laws(const scene::SectionMesh     &mesh,
                         const scene::SceneParameters &scene,
+                        const BondLaws               &laws,
                         const std::vector<Material>  &materials,
                         Model                        &model);
 } // namespace hybrid::dda

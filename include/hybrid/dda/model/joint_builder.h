@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/joint/bond_law.h>
 #include <hybrid/dda/model/block_materials.h>
 #include <hybrid/dda/model/model.h>
 #include <hybrid/scene/mesh/section_mesh.h>
@@ -37,6 +38,7 @@ namespace hybrid::dda
     /// All must outlive the builder; joints go to @p model, which has its blocks already.
     JointBuilder(const scene::SectionMesh     &mesh,
                  const scene::SceneParameters &scene,
+                 const BondLaws               &laws,
                  const JointedBlocks          &blocks,
                  Model                        &model);
 
@@ -60,6 +62,7 @@ namespace hybrid::dda
 
     const scene::SectionMesh     &mesh;
     const scene::SceneParameters &scene;
+    const BondLaws               &laws;
     const JointedBlocks          &blocks;
     const BlockMaterials          material;
     Model                        &model;

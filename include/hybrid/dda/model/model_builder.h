@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/joint/bond_law.h>
 #include <hybrid/dda/model/model.h>
 #include <hybrid/scene/mesh/section_mesh.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
@@ -20,5 +21,6 @@ namespace hybrid::dda
    */
   Model build_model(const scene::SectionMesh     &mesh,
                     const scene::SceneParameters &scene,
-                    const std::vector<Vec2>      &foundation_nodes);
+                    const std::vector<Vec2>      &foundation_nodes,
+                    const BondLaws               &laws = choose_bonds());
 } // namespace hybrid::dda

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/scene/option_registry.h>
 #include <hybrid/scene/parameters/parameter_range.h>
 #include <hybrid/scene/parameters/parameter_table.h>
 
@@ -90,6 +91,13 @@ namespace hybrid::scene
                 const std::vector<std::pair<std::string, Value>> &options,
                 const std::string                                &help);
 
+    /// One of the options of a registry, each of which has a name.
+    template <typename Option>
+    void option(const std::string         &name,
+                Option                    &member,
+                const std::vector<Option> &registry,
+                const std::string         &help);
+
     /// Anything else: @p assign stores the text or throws InputError with the reason.
     void value(const std::string                       &name,
                const std::string                       &allowed,
@@ -122,5 +130,22 @@ namespace hybrid::scene
                })->second;
     };
     choice(name, words, default_word, pick, help);
+  }
+
+
+
+  template <typename Option>
+  void ParameterSection::option(const std::string         &name,
+                                Option                    &member,
+                                const std::vector<Option> &registry,
+                                const std::string         &help)
+  {
+    std::vector<std::string> names;
+    for (const Option &each : registry)
+      names.push_back(each.name);
+    const auto pick = [&member, registry](const std::string &word) {
+      member = *find_option(word, registry);
+    };
+    choice(name, names, member.name, pick, help);
   }
 } // namespace hybrid::scene

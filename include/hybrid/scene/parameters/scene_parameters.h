@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/scene/boundary/compliant_base.h>
+#include <hybrid/scene/boundary/viscous_side.h>
 #include <hybrid/scene/material.h>
 #include <hybrid/scene/newmark.h>
+#include <hybrid/scene/parameters/bedrock_model.h>
 #include <hybrid/scene/parameters/checkpoint_parameters.h>
 #include <hybrid/scene/parameters/load_parameters.h>
 #include <hybrid/scene/parameters/start_parameters.h>
@@ -48,41 +51,14 @@ namespace hybrid::scene
       surface_file; ///< CSV x,y: polyline of a rigid base instead of the mesh's; resolved path
   };
 
-  /// What the bedrock is made of: section "Model", parameter "Bedrock".
-  enum class BedrockModel
-  {
-    continuum, ///< deal.II finite elements
-    layers,    ///< one block per layer between bedding planes; the lowest moves as prescribed
-    triangles, ///< bonded triangular blocks that carry the waves
-    rigid      ///< a rigid base with the prescribed motion (pure DDA), or nothing where there is no
-               ///< surface
-  };
-
-  /// Sides of the bedrock.
-  enum class SideBoundary
-  {
-    viscous,    ///< Lysmer dashpots
-    free_field, ///< dashpots and tractions relative to a 1D column solved beside the model
-    roller,     ///< normal displacement zero
-    fixed       ///< displacement zero
-  };
-
-  /// Base of the bedrock.
-  enum class BaseBoundary
-  {
-    compliant, ///< dashpots over a half space through which the motion arrives
-    rigid,     ///< displacement prescribed: the motion itself
-    fixed      ///< displacement zero
-  };
-
   /// Section "Continuum".
   struct ContinuumParameters
   {
     int                                degree = 2;      ///< polynomial degree of FE_Q, 1..8
     std::map<std::string, std::string> region_material; ///< region name ("bedrock") -> material
                                                         ///< name; "*": every region without its own
-    BaseBoundary base  = BaseBoundary::compliant;
-    SideBoundary sides = SideBoundary::viscous;
+    BaseBoundary base  = compliant_base();
+    SideBoundary sides = viscous_side();
     std::string
            half_space_material; ///< rock below the base; empty: that of the cells along the base
     double rayleigh_mass      = 0.;    ///< alpha_M [1/s], C = alpha_M M + beta_K K
@@ -246,7 +222,7 @@ namespace hybrid::scene
     std::string                     title;
     TimeParameters                  time;
     MeshParameters                  mesh;
-    BedrockModel                    bedrock = BedrockModel::continuum;
+    BedrockModel                    bedrock = continuum_bedrock();
     ContinuumParameters             continuum;
     BeddingParameters               bedding;
     BlockParameters                 blocks;
@@ -266,13 +242,19 @@ namespace hybrid::scene
     /// The bedrock is finite elements.
     bool has_continuum() const
     {
-      return bedrock == BedrockModel::continuum;
+      return bedrock.is_elements;
     }
 
     /// The bedrock is blocks.
     bool has_bedrock_blocks() const
     {
-      return bedrock == BedrockModel::layers || bedrock == BedrockModel::triangles;
+      return bedrock.cut != nullptr;
+    }
+
+    /// Waves leave through the base.
+    bool has_compliant_base() const
+    {
+      return bedrock.carries_waves && continuum.base.is_compliant;
     }
 
     /// Any block at all: the sliding mass or the bedrock.

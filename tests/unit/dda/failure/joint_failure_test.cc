@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/failure/joint_failure.h>
+#include <hybrid/dda/joint/rock_bond.h>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace
     material.tensile_strength = 1e5;
     material.cohesion         = 1e5;
     material.friction_angle   = 30.;
-    return {0, 0, 1, length, {}, JointLaw(JointStrength::bond(material, 0., 0.1), 1e9, 1e9)};
+    return {0, 0, 1, length, {}, JointLaw(bond_strength(material, 0., 0.1), 1e9, 1e9)};
   }
 
 

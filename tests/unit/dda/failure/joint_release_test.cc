@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/failure/joint_release.h>
+#include <hybrid/dda/joint/rock_bond.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ namespace
 
     Pair()
     {
-      const JointStrength strength = JointStrength::bond(Material(), 0., 0.1);
+      const JointStrength strength = bond_strength(Material(), 0., 0.1);
       model.joints.push_back({1, 4, 0, 1., {}, JointLaw(strength, 1e9, 1e9)});
       state.geometry.vertices = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}};
       state.geometry.offset   = {0, 4, 8};

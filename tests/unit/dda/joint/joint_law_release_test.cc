@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/joint/joint_law.h>
+#include <hybrid/dda/joint/rock_bond.h>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ namespace
     m.cohesion          = cohesion;
     m.tensile_strength  = tension;
     m.residual_cohesion = 0.;
-    return {JointStrength::bond(m, 0., std::numeric_limits<double>::infinity()), k_n, k_s};
+    return {bond_strength(m, 0., std::numeric_limits<double>::infinity()), k_n, k_s};
   }
 } // namespace
 

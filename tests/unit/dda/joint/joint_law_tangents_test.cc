@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/joint/joint_law.h>
+#include <hybrid/dda/joint/rock_bond.h>
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ TEST(JointLawTangents, are_the_derivatives_of_the_tractions)
   m.residual_cohesion       = 5e3;
   m.friction_angle          = 20.; // in tension the strength stays above zero
   m.residual_friction_angle = 15.;
-  const JointLaw law(JointStrength::bond(m, 10., 1e-3), k_n, k_s);
+  const JointLaw law(bond_strength(m, 10., 1e-3), k_n, k_s);
   const double   elastic = 1e4 / k_n, h = 1e-5 * elastic;
   JointHistory   softened;
   softened.softening          = 2e-4;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/joint/bedding_strength.h>
+#include <hybrid/dda/joint/belt_bond.h>
 #include <hybrid/dda/joint/joint_law.h>
+#include <hybrid/dda/joint/rock_bond.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <gtest/gtest.h>
@@ -28,12 +31,12 @@ namespace
   /// G_f = 10 N/m, softening slip 1 mm.
   JointLaw softening()
   {
-    return {JointStrength::bond(rock(), 10., 1e-3), k_n, k_s};
+    return {bond_strength(rock(), 10., 1e-3), k_n, k_s};
   }
 
   JointLaw brittle()
   {
-    return {JointStrength::bond(rock(), 0., 0.), k_n, k_s};
+    return {bond_strength(rock(), 0., 0.), k_n, k_s};
   }
 
   /// A belt whose residual strength nobody has set.
@@ -79,7 +82,7 @@ TEST(JointLaw, light_shear_sticks_for_both_signs)
 
 TEST(JointLaw, shear_above_the_peak_slides_for_both_signs_and_opposes_the_slip)
 {
-  const JointLaw law(JointStrength::belt(old_belt(), 10., 1e-3), k_n, k_s); // no softening
+  const JointLaw law(belt_strength(old_belt(), 10., 1e-3), k_n, k_s); // no softening
   for (const double sign : {1., -1.})
     {
       const JointResponse r      = law.respond({-1e-5, sign * 1e-3}, {});
@@ -347,7 +350,7 @@ TEST(JointLaw, tensile_damage_takes_its_part_of_the_cohesion)
 
 TEST(JointLaw, broken_contact_carries_neither_tension_nor_cohesion_above_residual)
 {
-  const JointLaw law(JointStrength::residual(rock()), k_n, k_s);
+  const JointLaw law(contact_strength(rock()), k_n, k_s);
   EXPECT_EQ(law.respond({1e-5, 1e-3}, {}).state, ContactState::open);
   const JointResponse r = law.respond({-1e-5, 1e-2}, {});
   EXPECT_NEAR(-r.shear, 5e3 + 2e4 * tan_deg(20.), 1e-6);
@@ -357,7 +360,7 @@ TEST(JointLaw, broken_contact_carries_neither_tension_nor_cohesion_above_residua
 
 TEST(JointLaw, residual_cohesion_fades_while_a_broken_contact_opens)
 {
-  const JointLaw law(JointStrength::residual(rock()), k_n, k_s);
+  const JointLaw law(contact_strength(rock()), k_n, k_s);
   const double   reach = 5e3 / k_n, h = 1e-4 * reach;
   EXPECT_NEAR(-law.respond({-1e-9 * reach, 1e-2}, {}).shear, 5e3, 1e-3);
   EXPECT_NEAR(-law.respond({1e-9 * reach, 1e-2}, {}).shear, 5e3, 1e-3);
@@ -373,7 +376,7 @@ TEST(JointLaw, residual_cohesion_fades_while_a_broken_contact_opens)
 
 TEST(JointLaw, open_joint_starts_its_friction_spring_anew)
 {
-  const JointLaw      law(JointStrength::residual(rock()), k_n, k_s);
+  const JointLaw      law(contact_strength(rock()), k_n, k_s);
   const JointResponse open   = law.respond({1e-3, 0.4}, {});
   const JointResponse closed = law.respond({-1e-6, 0.4 + 1e-7}, open.history);
   EXPECT_EQ(closed.state, ContactState::locked);
@@ -384,7 +387,7 @@ TEST(JointLaw, open_joint_starts_its_friction_spring_anew)
 
 TEST(JointLaw, residual_cohesion_acts_on_the_length_of_the_edges)
 {
-  const JointLaw law(JointStrength::residual(rock()), k_n, k_s);
+  const JointLaw law(contact_strength(rock()), k_n, k_s);
   EXPECT_TRUE(law.has_residual_cohesion());
   EXPECT_FALSE(law.with(JointStrength::unlimited_friction()).has_residual_cohesion());
   const double friction = 2e4 * tan_deg(20.);
@@ -416,7 +419,7 @@ TEST(JointLaw, unlimited_strengths_neither_break_nor_slip)
 
 TEST(JointLaw, cyclic_shear_dissipates_the_area_of_the_loop)
 {
-  const JointLaw law(JointStrength::residual(rock()), k_n, k_s);
+  const JointLaw law(contact_strength(rock()), k_n, k_s);
   const double   strength = 5e3 + 2e4 * tan_deg(20.), amplitude = 1e-3;
   JointHistory   history;
   double         work = 0., slip = 0., force = 0.;
@@ -441,10 +444,11 @@ TEST(JointLaw, cyclic_shear_dissipates_the_area_of_the_loop)
 TEST(JointLaw, a_bedding_plane_keeps_its_strength_while_it_slips)
 {
   scene::BeddingParameters bedding;
+  bedding.slips            = true;
   bedding.friction_angle   = 30.;
   bedding.cohesion         = 2e4;
   bedding.tensile_strength = 1e4;
-  const JointLaw law(JointStrength::bedding_plane(bedding), k_n, k_s);
+  const JointLaw law(bedding_strength(bedding), k_n, k_s);
   const double   strength = 2e4 + k_n * 1e-5 * tan_deg(30.);
   JointHistory   history;
   for (const double slip : {1e-3, 1., 100., -100.})
@@ -464,11 +468,12 @@ TEST(JointLaw, a_bedding_plane_keeps_its_strength_while_it_slips)
 TEST(JointLaw, a_bedding_plane_that_opened_beyond_the_cut_off_has_friction_only)
 {
   scene::BeddingParameters bedding;
+  bedding.slips            = true;
   bedding.friction_angle   = 30.;
   bedding.cohesion         = 2e4;
   bedding.tensile_strength = 1e6; // c / tan phi counts
   const double   cut_off   = 2e4 / tan_deg(30.);
-  const JointLaw law(JointStrength::bedding_plane(bedding), k_n, k_s);
+  const JointLaw law(bedding_strength(bedding), k_n, k_s);
   const auto     closed = law.respond({0.999 * cut_off / k_n, 0.}, {});
   EXPECT_NEAR(closed.normal, -0.999 * cut_off, 1e-9 * cut_off);
   EXPECT_EQ(closed.history.damage, 0.);

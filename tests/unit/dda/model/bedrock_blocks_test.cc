@@ -3,7 +3,6 @@
 
 #include <hybrid/dda/failure/joint_failure.h>
 #include <hybrid/dda/geometry/polygon.h>
-#include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/scene/input_error.h>
 
 #include <gtest/gtest.h>
@@ -30,8 +29,8 @@ namespace
 
 TEST(BedrockBlocks, layers_are_the_boundary_loops_of_their_surfaces_on_the_lowest)
 {
-  const scene::SectionMesh mesh   = layered_section(4, {2, 1, 3});
-  const BedrockBlocks      layers = cut_bedrock(mesh, bedrock_parameters("layers"));
+  const scene::SectionMesh   mesh   = layered_section(4, {2, 1, 3});
+  const scene::BedrockBlocks layers = cut_bedrock(mesh, bedrock_parameters("layers"));
   ASSERT_EQ(layers.outlines.size(), 2u);
   EXPECT_NEAR(area_of(mesh, layers.outlines[0]), 4. * 1., 1e-14);
   EXPECT_NEAR(area_of(mesh, layers.outlines[1]), 4. * 3., 1e-14);
@@ -79,8 +78,8 @@ TEST(BedrockBlocks, a_plane_that_cuts_no_layer_off_is_refused)
 
 TEST(BedrockBlocks, triangles_fill_the_cells_with_alternating_diagonals)
 {
-  const scene::SectionMesh mesh      = layered_section(4, {4});
-  const BedrockBlocks      triangles = cut_bedrock(mesh, bedrock_parameters("triangles"));
+  const scene::SectionMesh   mesh      = layered_section(4, {4});
+  const scene::BedrockBlocks triangles = cut_bedrock(mesh, bedrock_parameters("triangles"));
   ASSERT_EQ(triangles.outlines.size(), 2u * 16u);
   EXPECT_TRUE(triangles.foundation.empty());
   std::vector<int> meeting(mesh.nodes.size(), 0);
@@ -102,9 +101,9 @@ TEST(BedrockBlocks, triangles_fill_the_cells_with_alternating_diagonals)
 
 TEST(BedrockBlocks, oblique_cells_are_cut_along_the_shorter_diagonal)
 {
-  scene::SectionMesh mesh = layered_section(1, {1});
-  mesh.nodes[3]           = Vec2(1.5, 1.);
-  const BedrockBlocks b   = cut_bedrock(mesh, bedrock_parameters("triangles"));
+  scene::SectionMesh mesh      = layered_section(1, {1});
+  mesh.nodes[3]                = Vec2(1.5, 1.);
+  const scene::BedrockBlocks b = cut_bedrock(mesh, bedrock_parameters("triangles"));
   for (const auto &outline : b.outlines)
     EXPECT_EQ(std::count(outline.begin(), outline.end(), 1) +
                 std::count(outline.begin(), outline.end(), 2),
@@ -153,4 +152,19 @@ TEST(BedrockBlocks, planes_with_strength_are_no_failed_joints)
       EXPECT_EQ(state.failure == FailureKind::none, joint.kind == JointKind::bedding);
       EXPECT_FALSE(state.released);
     }
+}
+
+
+
+TEST(BedrockBlocks, another_model_is_a_cut_and_a_line)
+{
+  const scene::SectionMesh mesh  = layered_section(4, {2, 1});
+  const Model              model = build_model(mesh, bedrock_parameters("cells"), {});
+  EXPECT_EQ(model.n_bedrock, 12);
+  int welds = 0, planes = 0;
+  for (const Joint &joint : model.joints)
+    (joint.kind == JointKind::bedding ? planes : welds) += 1;
+  EXPECT_EQ(planes, 4);
+  EXPECT_EQ(welds, 3 * 3 + 4); // upright ones in three rows, level ones within the lower layer
+  EXPECT_EQ(model.boundary.size(), 2u * 3u + 4u) << "sides and a compliant base";
 }

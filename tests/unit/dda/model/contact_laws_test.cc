@@ -3,9 +3,11 @@
 #include "coupled_section.h"
 
 #include <hybrid/dda/failure/belt_parting.h>
-#include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/springs/bonded_area.h>
 #include <hybrid/dda/step/initial_state.h>
+#include <hybrid/scene/bedrock/layers_bedrock.h>
+#include <hybrid/scene/bedrock/rigid_bedrock.h>
+#include <hybrid/scene/bedrock/triangles_bedrock.h>
 
 #include <gtest/gtest.h>
 
@@ -26,9 +28,9 @@ namespace
   scene::SceneParameters parameters(const char *bedrock, const bool rock_has_friction)
   {
     scene::SceneParameters p = coupled_parameters();
-    p.bedrock                = std::string(bedrock) == "triangles" ? scene::BedrockModel::triangles
-                               : std::string(bedrock) == "layers"  ? scene::BedrockModel::layers
-                                                                   : scene::BedrockModel::rigid;
+    p.bedrock                = std::string(bedrock) == "triangles" ? scene::triangles_bedrock()
+                               : std::string(bedrock) == "layers"  ? scene::layers_bedrock()
+                                                                   : scene::rigid_bedrock();
     p.materials["mass"].friction_angle    = 25.;
     p.materials["mass"].cohesion          = 1e4;
     p.materials["mass"].residual_cohesion = 5e3;
@@ -41,7 +43,7 @@ namespace
     p.materials["belt"].cohesion          = 2e4;
     p.materials["belt"].tensile_strength  = 1e4;
     p.materials["belt"].residual_cohesion = -1.;
-    p.bedrock                             = scene::BedrockModel::rigid;
+    p.bedrock                             = scene::rigid_bedrock();
     p.bedding.names                       = {"bedding_1"};
     p.blocks.belt_material                = "belt";
     return p;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spring_scene.h"
 
+#include <hybrid/dda/joint/rock_bond.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -210,7 +212,7 @@ TEST(Springs, equal_trials_have_equal_forces)
   slippery.friction_angle = 5.;
   for (std::vector<ContactLaw> &of_surface : scene.model.contacts.of)
     for (ContactLaw &contact : of_surface)
-      contact.law = JointLaw(JointStrength::residual(slippery), 1e9, 1e9);
+      contact.law = JointLaw(contact_strength(slippery), 1e9, 1e9);
   scene.springs.collect(scene.model, scene.state);
   Eigen::VectorXd there = pressing(1e-6), back = there;
   there[0] = 1e-4;

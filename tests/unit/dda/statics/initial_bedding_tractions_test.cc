@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bedrock_section.h"
 
-#include <hybrid/dda/model/bedrock_blocks.h>
 #include <hybrid/dda/model/model_builder.h>
 #include <hybrid/dda/statics/initial_bedding_tractions.h>
 #include <hybrid/dda/statics/static_stage.h>
 #include <hybrid/dda/step/initial_state.h>
+#include <hybrid/scene/boundary/fixed_base.h>
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ namespace
     {
       for (Vec2 &node : mesh.nodes)
         node.y() += slope * node.x();
-      scene.continuum.base                = scene::BaseBoundary::fixed;
+      scene.continuum.base                = scene::fixed_base();
       scene.environment.gravity           = 10.;
       scene.bedding.names                 = {"bedding_1", "bedding_2"};
       scene.bedding.slips                 = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_warning.h"
 
+#include <hybrid/scene/boundary/free_field_side.h>
 #include <hybrid/scene/checks/free_field_check.h>
 
 namespace hybrid::scene
@@ -32,7 +33,7 @@ namespace hybrid::scene
     SceneParameters free_field()
     {
       SceneParameters scene;
-      scene.continuum.sides = SideBoundary::free_field;
+      scene.continuum.sides = free_field_side();
       return scene;
     }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/bedrock/rigid_bedrock.h>
 #include <hybrid/scene/checks/mesh_check.h>
 
 #include "temporary_files.h"
@@ -71,7 +72,7 @@ namespace hybrid::scene::test
     SceneParameters scene;
     mesh.bedrock_cells.clear();
     mesh.lines.clear();
-    scene.bedrock = BedrockModel::rigid;
+    scene.bedrock = rigid_bedrock();
     EXPECT_NO_THROW(check_section_mesh(mesh, scene));
 
     mesh = small_section();

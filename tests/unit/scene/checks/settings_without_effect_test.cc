@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/bedrock/layers_bedrock.h>
+#include <hybrid/scene/bedrock/rigid_bedrock.h>
+#include <hybrid/scene/bedrock/triangles_bedrock.h>
+#include <hybrid/scene/boundary/fixed_base.h>
 #include <hybrid/scene/checks/settings_without_effect.h>
 
 #include <gtest/gtest.h>
@@ -19,7 +23,7 @@ namespace hybrid::scene
       {
         mesh.nodes    = {{0., 5.}, {1., 5.}, {1., 6.}};
         mesh.blocks   = {{0, 1, 2}};
-        scene.bedrock = BedrockModel::continuum;
+        scene.bedrock = continuum_bedrock();
       }
 
       void expect(const std::vector<std::string> &words) const
@@ -34,15 +38,15 @@ namespace hybrid::scene
   {
     scene.motion.type = "ricker";
     expect({});
-    scene.continuum.base = BaseBoundary::fixed;
+    scene.continuum.base = fixed_base();
     expect({"Motion/Type = ricker has no effect", "Continuum/Base = fixed"});
-    scene.bedrock = BedrockModel::rigid;
-    for (const BedrockModel blocks : {BedrockModel::layers, BedrockModel::triangles})
+    scene.bedrock = rigid_bedrock();
+    for (const BedrockModel &blocks : {layers_bedrock(), triangles_bedrock()})
       {
         scene.bedrock = blocks;
         expect({"Motion/Type = ricker has no effect", "Continuum/Base = fixed"});
       }
-    scene.bedrock = BedrockModel::rigid; // it moves by itself
+    scene.bedrock = rigid_bedrock(); // it moves by itself
     expect({});
   }
 
@@ -80,7 +84,7 @@ namespace hybrid::scene
   {
     scene.bedding.names = {"bedding_1", "bedding_2"};
     expect({});
-    scene.bedrock = BedrockModel::rigid;
+    scene.bedrock = rigid_bedrock();
     expect({"Bedding planes/Names = bedding_1, ... has no effect", "rigid"});
   }
 } // namespace hybrid::scene

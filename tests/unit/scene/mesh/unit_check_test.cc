@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/bedrock/rigid_bedrock.h>
 #include <hybrid/scene/mesh/unit_check.h>
 
 #include "rigid_scene.h"
@@ -90,7 +91,7 @@ namespace hybrid::scene::test
     expect_part(warnings[0], "Materials/belt/Tensile strength = 999 Pa");
     SceneParameters small = scene;
     EXPECT_TRUE(unit_warnings(section(0.9), rigid_scene()).empty());
-    small.bedrock = BedrockModel::rigid;
+    small.bedrock = rigid_bedrock();
     EXPECT_TRUE(unit_warnings(section(0.9), small).empty()); // a model in the laboratory
   }
 } // namespace hybrid::scene::test

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene_files.h"
 
+#include <hybrid/scene/boundary/free_field_side.h>
+#include <hybrid/scene/boundary/rigid_base.h>
+
 #include <regex>
 #include <sstream>
 
@@ -175,8 +178,8 @@ end
     const std::map<std::string, std::string> regions = {{"bedrock", "rock"},
                                                         {"bedrock_soil", "clay"}};
     EXPECT_EQ(scene.continuum.region_material, regions);
-    EXPECT_EQ(scene.continuum.base, BaseBoundary::rigid);
-    EXPECT_EQ(scene.continuum.sides, SideBoundary::free_field);
+    EXPECT_EQ(scene.continuum.base.name, rigid_base().name);
+    EXPECT_EQ(scene.continuum.sides.name, free_field_side().name);
     EXPECT_EQ(scene.continuum.half_space_material, "rock");
     EXPECT_EQ(scene.continuum.rayleigh_mass, 0.1);
     EXPECT_EQ(scene.continuum.rayleigh_stiffness, 1e-4);
@@ -394,15 +397,15 @@ TEST_F(SceneReader, BedrockOfEveryKind)
   const auto        bedrock = [&](const std::vector<std::string> &overrides) {
     return read_scene(file, overrides).bedrock;
   };
-  EXPECT_EQ(bedrock({}), BedrockModel::continuum);
-  EXPECT_EQ(bedrock({"Model/Bedrock=rigid"}), BedrockModel::rigid);
+  EXPECT_EQ(bedrock({}).name, "continuum");
+  EXPECT_EQ(bedrock({"Model/Bedrock=rigid"}).name, "rigid");
   const SceneParameters triangles = read_scene(file, {"Model/Bedrock=triangles"});
   EXPECT_FALSE(triangles.has_continuum());
   EXPECT_TRUE(triangles.has_bedrock_blocks());
   EXPECT_EQ(triangles.bedrock_material("bedrock_soft").name, "clay");
   EXPECT_TRUE(read_scene(file, {"Model/Bedrock=triangles", "Model/Blocks=none"}).has_blocks());
   write("used.prm", triangles.used_prm); // what a run writes is a scene by itself
-  EXPECT_EQ(read_scene(path("used.prm")).bedrock, BedrockModel::triangles);
+  EXPECT_EQ(read_scene(path("used.prm")).bedrock.name, "triangles");
 }
 
 TEST_F(SceneReader, AutomaticSchemeDampsWhereSomethingSlides)

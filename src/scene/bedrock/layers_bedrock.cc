@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/model/bedrock_blocks.h>
+#include <hybrid/scene/bedrock/layers_bedrock.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/mesh/section_mesh.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 #include <string>
 
-namespace hybrid::dda
+namespace hybrid::scene
 {
   namespace
   {
-    using scene::SectionMesh;
     using Edge = std::pair<int, int>;
 
     Edge sorted(const int a, const int b)
@@ -115,9 +116,9 @@ namespace hybrid::dda
 
 
 
-    BedrockBlocks layers(const SectionMesh &mesh, const std::vector<std::string> &planes)
+    BedrockBlocks layers(const SectionMesh &mesh, const SceneParameters &scene)
     {
-      check_planes(mesh, planes);
+      check_planes(mesh, scene.bedding.names);
       std::map<int, std::vector<int>> cells_of;
       for (std::size_t c = 0; c < mesh.bedrock_cells.size(); ++c)
         cells_of[mesh.bedrock_surface[c]].push_back(static_cast<int>(c));
@@ -156,50 +157,16 @@ namespace hybrid::dda
         }
       return blocks;
     }
-
-
-
-    BedrockBlocks triangles(const SectionMesh &mesh, const bool standing)
-    {
-      BedrockBlocks    blocks;
-      std::vector<int> diagonals(mesh.nodes.size(), 0); // that end at each node
-      for (std::size_t c = 0; c < mesh.bedrock_cells.size(); ++c)
-        {
-          const auto  &n        = mesh.bedrock_cells[c];
-          const double first    = (mesh.nodes[n[2]] - mesh.nodes[n[0]]).norm();
-          const double second   = (mesh.nodes[n[3]] - mesh.nodes[n[1]]).norm();
-          const bool   is_equal = std::abs(first - second) <= 1e-6 * (first + second);
-          const bool   take_first =
-            is_equal ? diagonals[n[0]] + diagonals[n[2]] >= diagonals[n[1]] + diagonals[n[3]]
-                       : first < second;
-          const int k = take_first ? 0 : 1; // the diagonal from corner k to corner k + 2
-          ++diagonals[n[k]];
-          ++diagonals[n[k + 2]];
-          blocks.outlines.push_back({n[k], n[k + 1], n[k + 2]});
-          blocks.outlines.push_back({n[k + 2], n[(k + 3) % 4], n[k]});
-          blocks.region.insert(blocks.region.end(), 2, mesh.bedrock_region[c]);
-        }
-      if (standing)
-        {
-          for (const auto &edge : mesh.lines.at("base"))
-            {
-              if (blocks.foundation.empty())
-                blocks.foundation.push_back(edge[0]);
-              blocks.foundation.push_back(edge[1]);
-            }
-        }
-      return blocks;
-    }
   } // namespace
 
 
 
-  BedrockBlocks cut_bedrock(const SectionMesh &mesh, const scene::SceneParameters &scene)
+  BedrockModel layers_bedrock()
   {
-    if (scene.bedrock == scene::BedrockModel::layers)
-      return layers(mesh, scene.bedding.names);
-    if (scene.bedrock == scene::BedrockModel::triangles)
-      return triangles(mesh, scene.continuum.base != scene::BaseBoundary::compliant);
-    return {};
+    BedrockModel bedrock{"layers", "layers on the one that moves"};
+    bedrock.cut          = layers;
+    bedrock.needs_planes = true;
+    bedrock.base_words   = "below the lowest layer, which moves with the motion";
+    return bedrock;
   }
-} // namespace hybrid::dda
+} // namespace hybrid::scene
