@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/input_tables.h>
-#include <hybrid/output/monitor_summary.h>
 #include <hybrid/output/run_recorder.h>
 #include <hybrid/output/section_tables.h>
 #include <hybrid/scene/input_error.h>
@@ -81,29 +80,6 @@ namespace hybrid::output
                                     "N/m",
                                     2,
                                     "of the blocks on all nodes, end of each step");
-  }
-
-
-
-  void RunRecorder::add_monitors()
-  {
-    const char *names[3] = {"displacement", "velocity", "acceleration"};
-    const char *units[3] = {"m", "m/s", "m/s2"};
-    for (const scene::Monitor &m : parts.scene.monitors.monitors)
-      {
-        MonitorSeries series;
-        series.name  = m.name;
-        series.probe = probes.add(m.position, m.name);
-        for (int k = 0; k < 3; ++k)
-          series.series[k] =
-            file.add_series("monitors/" + m.name + "/" + names[k], units[k], 2, "absolute, raw");
-        file.set_attribute("monitors/" + m.name,
-                           "position",
-                           std::vector<double>{m.position.x(), m.position.y()});
-        if (m.name == parts.scene.monitors.base_monitor)
-          base_monitor = static_cast<int>(monitors.size());
-        monitors.push_back(std::move(series));
-      }
   }
 
 
@@ -434,27 +410,13 @@ namespace hybrid::output
                   : std::min(summary.first_failure_time, joint.failure_time);
           }
       }
+    if (!times.empty())
+      summarize_monitors(summary);
     file.flush();
 
     summary.energy_residual = ledger.largest_residual();
     const auto names        = ledger.names();
     for (std::size_t k = 0; k < names.size(); ++k)
       summary.energy[names[k]] = ledger.values()[k];
-    if (times.empty())
-      return;
-    MonitorReference reference;
-    reference.time = times;
-    reference.outcrop_acceleration =
-      parts.motion.empty() ? std::vector<double>{} : input_acceleration;
-    if (base_monitor >= 0)
-      reference.base_displacement = monitors[base_monitor].histories[0];
-    reference.filter_frequency   = parts.scene.monitors.filter_frequency;
-    reference.first_failure_time = summary.first_failure_time;
-    const MonitorSummarizer summarizer(reference);
-    summary.filter_frequency          = reference.filter_frequency;
-    summary.outcrop_peak_acceleration = summarizer.outcrop_peak();
-    for (const MonitorSeries &m : monitors)
-      summary.monitors[m.name] =
-        summarizer.summarize(m.histories[0], m.histories[1], m.histories[2]);
   }
 } // namespace hybrid::output

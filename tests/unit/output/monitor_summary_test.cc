@@ -93,6 +93,33 @@ namespace hybrid::output
     }
 
 
+    TEST(MonitorSummary, FilteredHistoriesHaveEqualStepsAndThePeaks)
+    {
+      MonitorReference reference;
+      reference.time                = equal_times(1e-3, 3000);
+      const auto              equal = sine(reference.time, 4., 1.);
+      const MonitorSummarizer as_given(reference);
+      EXPECT_EQ(as_given.filtered_time(), reference.time);
+      EXPECT_EQ(as_given.filtered(equal).size(), equal.size());
+
+      reference.time.insert(reference.time.begin() + 1000, 1.0005); // a step that was cut
+      const auto                pairs = sine(reference.time, 4., 1.);
+      const MonitorSummarizer   summarizer(reference);
+      const std::vector<double> time     = summarizer.filtered_time(),
+                                filtered = summarizer.filtered(pairs);
+      ASSERT_EQ(filtered.size(), 2 * time.size());
+      EXPECT_NEAR(time.back(), reference.time.back(), 1e-3);
+      double largest = 0.;
+      for (std::size_t i = 0; i < time.size(); ++i)
+        {
+          EXPECT_NEAR(time[i] - time[0], i * (time[1] - time[0]), 1e-9);
+          EXPECT_NEAR(filtered[2 * i], 4. * std::sin(omega * time[i]), 1e-3);
+          largest = std::max(largest, std::abs(filtered[2 * i]));
+        }
+      EXPECT_EQ(largest, std::abs(summarizer.summarize(pairs, pairs, pairs).peak_velocity[0]));
+    }
+
+
     TEST(MonitorSummary, AmplificationUntilFailureIgnoresWhatComesLater)
     {
       MonitorReference reference;
