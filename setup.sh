@@ -11,7 +11,7 @@ root="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 
 packages=(build-essential cmake ninja-build git libdeal.ii-dev libgmsh-dev libeigen3-dev
           libsuitesparse-dev libopenblas-dev libgtest-dev zlib1g-dev libhdf5-openmpi-dev
-          nlohmann-json3-dev
+          nlohmann-json3-dev libcli11-dev
           python3 python3-h5py python3-matplotlib python3-scipy
           python3-allpairspy python3-hypothesis)
 
@@ -59,7 +59,7 @@ name_missing_parts() {
   done
   if command -v c++ >/dev/null; then
     for header in deal.II/base/config.h gmsh.h eigen3/Eigen/Core suitesparse/cholmod.h gtest/gtest.h \
-      nlohmann/json.hpp zlib.h; do
+      nlohmann/json.hpp CLI/CLI.hpp zlib.h; do
       printf '#if !__has_include(<%s>)\n#error\n#endif\n' "$header" | c++ -E -x c++ - >/dev/null 2>&1 ||
         missing+=("<$header>")
     done

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/checkpoint.h>
 #include <hybrid/command_line.h>
-#include <hybrid/output/plot_command.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/version.h>
 #include <hybrid/restart/checkpoint_file.h>
@@ -215,7 +214,7 @@ main(int argc, char **argv)
       switch (command.action)
         {
           case Action::help:
-            std::cout << usage();
+            std::cout << command.help;
             return 0;
           case Action::version:
             std::cout << output::version_text();
@@ -223,8 +222,8 @@ main(int argc, char **argv)
           case Action::print_parameters:
             scene::print_all_parameters(std::cout);
             return 0;
-          case Action::plot:
-            return output::plot(command.target);
+          case Action::subcommand:
+            return command.subcommand();
           case Action::resume:
             return resume_run(command, argc, argv);
           case Action::check:

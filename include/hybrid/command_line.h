@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,25 +14,24 @@ namespace hybrid
     check,
     resume,
     print_parameters,
-    plot,
     version,
-    help
+    help,
+    subcommand
   };
 
 
   /// A parsed command line.
   struct CommandLine
   {
-    Action                   action = Action::help;
+    Action                   action = Action::run;
     std::string              target;        ///< parameter file or run directory
     std::vector<std::string> overrides;     ///< of -s, "Section/Name=value"
     bool                     force = false; ///< replace an earlier run
+    std::string              help;          ///< the text, for Action::help
+    std::function<int()>     subcommand;    ///< does its work, returns the exit code
   };
 
 
-  /// @throws InputError for anything that is not in usage().
+  /// @throws InputError for anything that is not in the help.
   CommandLine parse_command_line(int argc, const char *const *argv);
-
-  /// Text of --help.
-  std::string usage();
 } // namespace hybrid

@@ -15,9 +15,9 @@ namespace hybrid::continuum
     , n(nodes.line.degree() + 1)
   {
     const auto &rule = line.quadrature();
-    for (const double x : rule.points)
+    for (const auto &point : rule.get_points())
       for (int i = 0; i < n; ++i)
-        shape.push_back(line.value(i, x));
+        shape.push_back(line.value(i, point[0]));
 
     std::map<std::array<int, 2>, int> number;
     for (const auto &joint : rock.joints)
@@ -47,10 +47,10 @@ namespace hybrid::continuum
           }
         const Vec2 tangent = along / along.norm(), normal(-tangent.y(), tangent.x());
         for (int q = 0; q < n; ++q)
-          gauss.push_back({rock.nodes[left.a] + rule.points[q] * along,
+          gauss.push_back({rock.nodes[left.a] + rule.point(q)[0] * along,
                            tangent,
                            normal,
-                           rule.weights[q] * along.norm(),
+                           rule.weight(q) * along.norm(),
                            joint.plane,
                            q,
                            first});

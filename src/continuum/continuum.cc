@@ -100,9 +100,9 @@ namespace hybrid::continuum
     }
     m.boundary =
       std::make_unique<BoundaryForces>(m.rock, *m.nodes, m.cell_material, mesh, scene, motion);
-    m.left_nodes       = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"left"}));
-    m.right_nodes      = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"right"}));
-    m.foundation_nodes = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"base"}));
+    m.left_nodes  = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"left"}));
+    m.right_nodes = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"right"}));
+    m.base_nodes  = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"base"}));
     const bool blocks =
       scene.blocks.enabled && (!mesh.blocks.empty() || !scene.mesh.polygons_file.empty());
     if (blocks)

@@ -157,7 +157,7 @@ namespace hybrid::continuum
   }
 
 
-  double Continuum::Implementation::add_foundation_energy(ContinuumState &state)
+  double Continuum::Implementation::add_base_energy(ContinuumState &state)
   {
     if (boundary->moving_nodes().empty())
       return 0.;
@@ -224,7 +224,7 @@ namespace hybrid::continuum
     // Du . K Du, from the equilibrium of both ends: what pushes from outside, then inertia and
     // damping.
     double strain_change = add_boundary_energy(state);
-    strain_change += add_foundation_energy(state);
+    strain_change += add_base_energy(state);
     strain_change += add_surface_energy(state, force);
     if (!point_loads.empty())
       strain_change += add_point_load_energy(state, dt);

@@ -55,7 +55,7 @@ namespace hybrid::continuum
     for (const auto *side : {&m.left_nodes, &m.right_nodes})
       for (const int node : *side)
         supported[2 * node] = 1;
-    for (const int node : m.foundation_nodes)
+    for (const int node : m.base_nodes)
       supported[2 * node] = supported[2 * node + 1] = 1;
     std::vector<int> number(m.n_dofs(), -1), dofs;
     for (std::size_t i = 0; i < m.n_dofs(); ++i)

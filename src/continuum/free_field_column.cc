@@ -3,58 +3,110 @@
 #include <hybrid/continuum/inertia_correction.h>
 
 #include <algorithm>
+#include <stdexcept>
+
+extern "C"
+{
+  // BLAS and LAPACK on a symmetric band matrix: y = alpha A x + beta y; Cholesky factorisation and
+  // solve.
+  void dsbmv_(const char   *uplo,
+              const int    *n,
+              const int    *k,
+              const double *alpha,
+              const double *a,
+              const int    *lda,
+              const double *x,
+              const int    *incx,
+              const double *beta,
+              double       *y,
+              const int    *incy);
+  void
+  dpbtrf_(const char *uplo, const int *n, const int *kd, double *ab, const int *ldab, int *info);
+  void dpbtrs_(const char   *uplo,
+               const int    *n,
+               const int    *kd,
+               const int    *nrhs,
+               const double *ab,
+               const int    *ldab,
+               double       *b,
+               const int    *ldb,
+               int          *info);
+}
 
 namespace hybrid::continuum
 {
+  namespace
+  {
+    /// y += factor A x
+    void add_product(const double           factor,
+                     const Eigen::MatrixXd &a,
+                     const Eigen::VectorXd &x,
+                     Eigen::VectorXd       &y)
+    {
+      const int    n = static_cast<int>(a.cols()), leading = static_cast<int>(a.rows());
+      const int    width = leading - 1, one = 1;
+      const double kept = 1.;
+      dsbmv_("L", &n, &width, &factor, a.data(), &leading, x.data(), &one, &kept, y.data(), &one);
+    }
+
+
+
+    void factorize(Eigen::MatrixXd &a)
+    {
+      const int n = static_cast<int>(a.cols()), leading = static_cast<int>(a.rows());
+      const int width = leading - 1;
+      int       info  = 0;
+      dpbtrf_("L", &n, &width, a.data(), &leading, &info);
+      if (info != 0)
+        throw std::runtime_error("FreeFieldColumn: the matrix is not positive definite");
+    }
+
+
+
+    /// x := A^-1 x
+    void solve(const Eigen::MatrixXd &factor, Eigen::VectorXd &x)
+    {
+      const int n = static_cast<int>(factor.cols()), leading = static_cast<int>(factor.rows());
+      const int width = leading - 1, one = 1;
+      int       info = 0;
+      dpbtrs_("L", &n, &width, &one, factor.data(), &leading, x.data(), &n, &info);
+    }
+  } // namespace
+
+
+
   FreeFieldColumn::FreeFieldColumn(const LagrangeLine &line, Model m)
     : model(std::move(m))
     , n(static_cast<int>(model.elements.size()) * line.degree() + 1)
     , width(line.degree())
-    , mass(n, width)
-    , stiffness{BandedCholesky(n, width), BandedCholesky(n, width)}
-    , inertia_correction{BandedCholesky(n, width), BandedCholesky(n, width)}
+    , mass(Eigen::MatrixXd::Zero(width + 1, n))
+    , stiffness{mass, mass}
+    , inertia_correction{mass, mass}
     , predicted(n)
     , rate(n)
     , rhs(n)
-    , product(n)
   {
     for (std::size_t e = 0; e < model.elements.size(); ++e)
       {
-        const Element &element = model.elements[e];
-        const int      first   = static_cast<int>(e) * width;
-        const double   h       = element.top - element.bottom;
-        for (int i = 0; i <= width; ++i)
-          for (int j = 0; j <= i; ++j)
-            {
-              mass(first + i, first + j) += element.density * h * line.mass()(i, j);
-              const double k = line.stiffness()(i, j) / h;
-              stiffness[0](first + i, first + j) += element.shear * k;
-              stiffness[1](first + i, first + j) += (element.lambda + 2. * element.shear) * k;
-            }
-        if (model.newmark.corrected_step != 0.)
-          for (const int c : {0, 1})
-            {
-              const double modulus = c == 0 ? element.shear : element.lambda + 2. * element.shear;
-              const Eigen::MatrixXd added =
-                continuum::inertia_correction(element.density * h * line.mass(),
-                                              modulus / h * line.stiffness(),
-                                              model.newmark.corrected_step);
-              for (int i = 0; i <= width; ++i)
-                for (int j = 0; j <= i; ++j)
-                  inertia_correction[c](first + i, first + j) += added(i, j);
-            }
+        const Element        &element   = model.elements[e];
+        const int             first     = static_cast<int>(e) * width;
+        const double          h         = element.top - element.bottom;
+        const Eigen::MatrixXd inertia   = element.density * h * line.mass();
+        const double          moduli[2] = {element.shear, element.lambda + 2. * element.shear};
+        const auto            add = [&](Eigen::MatrixXd &band, const Eigen::MatrixXd &of_element) {
+          for (int j = 0; j <= width; ++j)
+            band.col(first + j).head(width + 1 - j) += of_element.col(j).tail(width + 1 - j);
+        };
+        add(mass, inertia);
+        for (const int c : {0, 1})
+          {
+            const Eigen::MatrixXd elastic = moduli[c] / h * line.stiffness();
+            add(stiffness[c], elastic);
+            if (model.newmark.corrected_step != 0.)
+              add(inertia_correction[c],
+                  continuum::inertia_correction(inertia, elastic, model.newmark.corrected_step));
+          }
       }
-  }
-
-
-  double
-  FreeFieldColumn::dynamic(const int component, const int i, const int j, const double dt) const
-  {
-    const double rate_factor = model.newmark.gamma / (model.newmark.beta * dt);
-    const double to_inertia  = 1. / (model.newmark.beta * dt * dt);
-    return (1. + rate_factor * model.rayleigh_stiffness) * stiffness[component](i, j) +
-           (to_inertia + rate_factor * model.rayleigh_mass) * mass(i, j) +
-           to_inertia * inertia_correction[component](i, j);
   }
 
 
@@ -66,41 +118,25 @@ namespace hybrid::continuum
     if (factors.size() >= 3)
       factors.erase(factors.begin());
 
-    Factor factor;
+    const double to_rate    = model.newmark.gamma / (model.newmark.beta * dt);
+    const double to_inertia = 1. / (model.newmark.beta * dt * dt);
+    Factor       factor;
     factor.dt = dt;
     for (int c = 0; c < 2; ++c)
       {
-        BandedCholesky a(n, width);
-        for (int i = 0; i < n; ++i)
-          for (int j = std::max(0, i - width); j <= i; ++j)
-            a(i, j) = dynamic(c, i, j, dt);
+        Eigen::MatrixXd &a = factor.matrix[c];
+        a                  = (1. + to_rate * model.rayleigh_stiffness) * stiffness[c] +
+            (to_inertia + to_rate * model.rayleigh_mass) * mass +
+            to_inertia * inertia_correction[c];
+        factor.foot[c] = a.col(0);
         if (model.foot == Foot::impedance)
-          a(0, 0) += model.newmark.gamma / (model.newmark.beta * dt) * model.foot_impedance[c];
+          a(0, 0) += to_rate * model.foot_impedance[c];
         else
-          for (int i = 1; i <= width; ++i)
-            a(i, 0) = 0.;
-        a.factor();
-        factor.matrix[c] = std::move(a);
+          a.col(0).tail(width).setZero();
+        factorize(a);
       }
     factors.push_back(std::move(factor));
     return factors.back();
-  }
-
-
-  void FreeFieldColumn::multiply(const BandedCholesky      &a,
-                                 const std::vector<double> &x,
-                                 std::vector<double>       &y) const
-  {
-    std::fill(y.begin(), y.end(), 0.);
-    for (int i = 0; i < n; ++i)
-      {
-        for (int j = std::max(0, i - width); j < i; ++j)
-          {
-            y[i] += a(i, j) * x[j];
-            y[j] += a(i, j) * x[i];
-          }
-        y[i] += a(i, i) * x[i];
-      }
   }
 
 
@@ -119,32 +155,24 @@ namespace hybrid::continuum
             const int k  = 2 * i + c;
             predicted[i] = old.u[k] + dt * old.v[k] + dt * dt * (0.5 - beta) * old.a[k];
             rate[i]      = to_rate * predicted[i] - old.v[k] - (1. - gamma) * dt * old.a[k];
-            rhs[i]       = to_acceleration * predicted[i] + model.rayleigh_mass * rate[i];
           }
-        multiply(mass, rhs, product);
-        std::swap(rhs, product);
+        rhs.setZero();
+        add_product(to_acceleration, mass, predicted, rhs);
         if (model.newmark.corrected_step != 0.)
-          {
-            multiply(inertia_correction[c], predicted, product);
-            for (int i = 0; i < n; ++i)
-              rhs[i] += to_acceleration * product[i];
-          }
+          add_product(to_acceleration, inertia_correction[c], predicted, rhs);
+        if (model.rayleigh_mass != 0.)
+          add_product(model.rayleigh_mass, mass, rate, rhs);
         if (model.rayleigh_stiffness != 0.)
-          {
-            multiply(stiffness[c], rate, product);
-            for (int i = 0; i < n; ++i)
-              rhs[i] += model.rayleigh_stiffness * product[i];
-          }
+          add_product(model.rayleigh_stiffness, stiffness[c], rate, rhs);
         const double foot = predicted[0] + beta * dt * dt * in.acceleration[c];
         if (model.foot == Foot::impedance)
           rhs[0] += model.foot_impedance[c] * (rate[0] + 2. * in.wave_velocity[c]);
         else
           {
-            for (int i = 1; i <= width; ++i)
-              rhs[i] -= dynamic(c, i, 0, dt) * foot;
+            rhs.head(width + 1) -= foot * factor.foot[c];
             rhs[0] = 0.;
           }
-        factor.matrix[c].solve(rhs);
+        solve(factor.matrix[c], rhs);
         if (model.foot == Foot::prescribed)
           rhs[0] = foot;
         for (int i = 0; i < n; ++i)

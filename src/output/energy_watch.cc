@@ -30,17 +30,25 @@ namespace hybrid::output
 
 
 
+    /// What is wrong, in a few words.
+    const char *fault(const EnergyLedger &ledger)
+    {
+      return ledger.given_by_scheme() > ledger.residual() ? "the time integration gives energy"
+                                                          : "the energy audit does not close";
+    }
+
+
+
     std::string finding(const EnergyLedger &ledger)
     {
+      const std::string in_play = " % of the " + number(ledger.exchanged()) + " J/m in play";
       if (ledger.given_by_scheme() > ledger.residual())
-        return "the time integration gave energy: " + number(100. * ledger.given_by_scheme()) +
-               " % of the " + number(ledger.exchanged()) + " J/m in play (" +
-               list(ledger.scheme_terms()) + ")";
-      return "the energy audit does not close: " + number(std::abs(ledger.sum())) + " J/m were " +
+        return number(100. * ledger.given_by_scheme()) + in_play + ", " +
+               list(ledger.scheme_terms());
+      return number(std::abs(ledger.sum())) + " J/m were " +
              (ledger.sum() > 0. ? "created" : "lost") + ", " + number(100. * ledger.residual()) +
-             " % of the " + number(ledger.exchanged()) +
-             " J/m in play; largest changes since the audit before: " +
-             list(ledger.largest_changes(3));
+             in_play +
+             "; largest changes since the audit before: " + list(ledger.largest_changes(3));
     }
   } // namespace
 
@@ -56,14 +64,14 @@ namespace hybrid::output
   std::string EnergyWatch::look(const EnergyLedger &ledger, const double time)
   {
     if (is_over(ledger))
-      return "stopped at t = " + number(time) + " s, because " + finding(ledger) +
-             "; the results are wrong from about here on, allowed are " + number(100. * limit) +
-             " % (Output/Energy limit), a smaller Time/Time step may do";
+      return "stopped at t = " + number(time) + " s, because " + fault(ledger) + ": " +
+             finding(ledger) + "; the results are wrong from about here on, allowed are " +
+             number(100. * limit) + " % (Output/Energy limit), a smaller Time/Time step may do";
     if (has_warned || !passes(ledger, warning))
       return "";
     has_warned = true;
-    return "at t = " + number(time) + " s " + finding(ledger) + "; warned from " +
-           number(100. * warning) +
+    return fault(ledger) + (" at t = " + number(time)) + " s: " + finding(ledger) +
+           "; warned from " + number(100. * warning) +
            " % on (Output/Energy warning), a smaller Time/Time step may do";
   }
 

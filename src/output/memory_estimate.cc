@@ -34,8 +34,9 @@ namespace hybrid::output
       for (const scene::Borehole &hole : scene.monitors.boreholes)
         profiles += 2. * hole.samples;
       constexpr double time = 1., motion = 6., step = 4., input = 2.;
-      return steps *
-             (2. * (time + motion + step + monitors + profiles) + 2. * (time + input + monitors));
+      const double filtered = scene.monitors.filter_frequency > 0. ? time + 2. / 3. * monitors : 0.;
+      return steps * (2. * (time + motion + step + monitors + filtered + profiles) +
+                      2. * (time + input + monitors));
     }
   } // namespace
 

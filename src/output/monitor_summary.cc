@@ -70,6 +70,40 @@ namespace hybrid::output
 
 
 
+  std::size_t MonitorSummarizer::n_equal_rows(const std::size_t n_rows) const
+  {
+    if (has_equal_steps || n_rows < 2)
+      return n_rows;
+    const double duration = reference.time[n_rows - 1] - reference.time[0];
+    return static_cast<std::size_t>(duration / spacing + 1e-9) + 1;
+  }
+
+
+
+  std::vector<double> MonitorSummarizer::filtered_time() const
+  {
+    if (has_equal_steps)
+      return reference.time;
+    std::vector<double> time(n_equal_rows(reference.time.size()));
+    for (std::size_t i = 0; i < time.size(); ++i)
+      time[i] = reference.time[0] + i * spacing;
+    return time;
+  }
+
+
+
+  std::vector<double> MonitorSummarizer::filtered(const std::vector<double> &pairs) const
+  {
+    const std::vector<double> x = filtered(pairs, 0, reference.time.size()),
+                              y = filtered(pairs, 1, reference.time.size());
+    std::vector<double> result;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      result.insert(result.end(), {x[i], y[i]});
+    return result;
+  }
+
+
+
   std::vector<double> MonitorSummarizer::filtered(const std::vector<double> &pairs,
                                                   const int                  component,
                                                   const std::size_t          n_rows) const
@@ -82,9 +116,8 @@ namespace hybrid::output
         series.push_back(pairs[2 * i + component]);
     else
       {
-        const double      duration = time[n_rows - 1] - time[0];
-        const std::size_t n        = static_cast<std::size_t>(duration / spacing + 1e-9) + 1;
-        std::size_t       row      = 0;
+        const std::size_t n   = n_equal_rows(n_rows);
+        std::size_t       row = 0;
         for (std::size_t i = 0; i < n; ++i)
           {
             const double t = time[0] + i * spacing;
@@ -127,9 +160,9 @@ namespace hybrid::output
       return summary;
 
     std::vector<double> relative = displacement;
-    if (!reference.foundation_displacement.empty())
+    if (!reference.base_displacement.empty())
       for (std::size_t i = 0; i < relative.size(); ++i)
-        relative[i] -= reference.foundation_displacement[i];
+        relative[i] -= reference.base_displacement[i];
 
     summary.peak_displacement  = filtered_peak(relative, n);
     summary.peak_velocity      = filtered_peak(velocity, n);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/input_tables.h>
-#include <hybrid/output/monitor_summary.h>
 #include <hybrid/output/run_recorder.h>
 #include <hybrid/output/section_tables.h>
 #include <hybrid/scene/input_error.h>
@@ -85,29 +84,6 @@ namespace hybrid::output
 
 
 
-  void RunRecorder::add_monitors()
-  {
-    const char *names[3] = {"displacement", "velocity", "acceleration"};
-    const char *units[3] = {"m", "m/s", "m/s2"};
-    for (const scene::Monitor &m : parts.scene.monitors.monitors)
-      {
-        MonitorSeries series;
-        series.name  = m.name;
-        series.probe = probes.add(m.position, m.name);
-        for (int k = 0; k < 3; ++k)
-          series.series[k] =
-            file.add_series("monitors/" + m.name + "/" + names[k], units[k], 2, "absolute, raw");
-        file.set_attribute("monitors/" + m.name,
-                           "position",
-                           std::vector<double>{m.position.x(), m.position.y()});
-        if (m.name == parts.scene.monitors.base_monitor)
-          base_monitor = static_cast<int>(monitors.size());
-        monitors.push_back(std::move(series));
-      }
-  }
-
-
-
   void RunRecorder::add_boreholes()
   {
     for (const scene::Borehole &hole : parts.scene.monitors.boreholes)
@@ -167,7 +143,7 @@ namespace hybrid::output
 
 
 
-  Vec2 RunRecorder::foundation_displacement() const
+  Vec2 RunRecorder::base_displacement() const
   {
     if (base_monitor < 0 || monitors[base_monitor].histories[0].empty())
       return Vec2::Zero();
@@ -196,7 +172,7 @@ namespace hybrid::output
             monitor.histories[k].insert(monitor.histories[k].end(), {pair[k].x(), pair[k].y()});
           }
       }
-    const Vec2 base = foundation_displacement();
+    const Vec2 base = base_displacement();
     for (Profile &profile : profiles)
       {
         for (std::size_t k = 0; k < profile.probes.size(); ++k)
@@ -256,7 +232,7 @@ namespace hybrid::output
 
   void RunRecorder::update_peaks(const coupling::CoupledState &state)
   {
-    const Vec2 base = foundation_displacement();
+    const Vec2 base = base_displacement();
     for (std::size_t b = 0; b < peak_displacement.size(); ++b)
       peak_displacement[b] =
         std::max(peak_displacement[b],
@@ -346,7 +322,7 @@ namespace hybrid::output
       }
     if (parts.blocks == nullptr)
       return;
-    const Vec2           base = foundation_displacement();
+    const Vec2           base = base_displacement();
     const dda::Geometry &g    = parts.blocks->initial;
     std::vector<double>  offsets(g.offset.begin(), g.offset.end()), points, final_points,
       displacement;
@@ -435,27 +411,13 @@ namespace hybrid::output
                   : std::min(summary.first_failure_time, joint.failure_time);
           }
       }
+    if (!times.empty())
+      summarize_monitors(summary);
     file.flush();
 
     summary.energy_residual = ledger.largest_residual();
     const auto names        = ledger.names();
     for (std::size_t k = 0; k < names.size(); ++k)
       summary.energy[names[k]] = ledger.values()[k];
-    if (times.empty())
-      return;
-    MonitorReference reference;
-    reference.time = times;
-    reference.outcrop_acceleration =
-      parts.motion.empty() ? std::vector<double>{} : input_acceleration;
-    if (base_monitor >= 0)
-      reference.foundation_displacement = monitors[base_monitor].histories[0];
-    reference.filter_frequency   = parts.scene.monitors.filter_frequency;
-    reference.first_failure_time = summary.first_failure_time;
-    const MonitorSummarizer summarizer(reference);
-    summary.filter_frequency          = reference.filter_frequency;
-    summary.outcrop_peak_acceleration = summarizer.outcrop_peak();
-    for (const MonitorSeries &m : monitors)
-      summary.monitors[m.name] =
-        summarizer.summarize(m.histories[0], m.histories[1], m.histories[2]);
   }
 } // namespace hybrid::output

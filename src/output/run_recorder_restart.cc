@@ -13,6 +13,7 @@ namespace hybrid::output
     read_histories();
     // What was written at an earlier end is no result of the run that goes on.
     for (const char *table : {"joints",
+                              "filtered",
                               "section/blocks_points_final",
                               "section/blocks_displacement",
                               "section/blocks_peak_displacement"})

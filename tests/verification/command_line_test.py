@@ -130,6 +130,11 @@ def check_mistakes():
     expect_mistake("misspelt option", [good, "--forse"], "did you mean '--force'?")
     result = run("--chek", good)
     require(result.returncode == 2 and "did you mean '--check'?" in result.stderr, "--chek", result)
+    for words, part in ((["plott", "run"], "did you mean 'plot'?"), (["plot"], "DIRECTORY is required"),
+                        ([good, "plot"], "'plot' stands first"), (["plot", "run", "--hlep"], "did you mean '--help'?"),
+                        (["-"], "unknown option '-'"), (["--check=yes", good], "takes no value")):
+        result = run(*words)
+        require(result.returncode == 2 and part in result.stderr and len(result.stderr.splitlines()) == 1, f"{words}", result)
     expect_mistake("quoted record", [good, "-s", "Motion/Type=text", "-s", "Motion/File='record.txt'"], "leave the quotation marks away")
     expect_mistake("~ in the output directory", [good, "-s", "Output/Directory=~/output"], "write the whole path")
 
@@ -155,6 +160,9 @@ def check_good_ways():
     result = run("--check", good, "-s", fine, "-s", "Model/Blocks=none", "-s", "Monitors/Points=base: 5, 0")
     require(result.returncode == 0 and "Meshing: up to 0.02" in result.stdout, "a fine mesh is announced", result)
 
+    for words in (["plot", "--help"], ["help", "plot"]):
+        result = run(*words)
+        require(result.returncode == 0 and "Usage: hybrid plot" in result.stdout, " ".join(words), result)
     result = run("help")
     require(result.returncode == 0 and "--version" in result.stdout, "help", result)
     result = run("--version")

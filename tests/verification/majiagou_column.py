@@ -20,7 +20,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "../../src/output/plot"), os.path.join(HERE, "cases")]
 
 import scene_numbers  # noqa: E402
-from run_data import RunData, low_pass  # noqa: E402
+from run_data import RunData  # noqa: E402
+from zero_phase import low_pass  # noqa: E402
 
 SECTION = os.path.join(HERE, "../../meshes/majiagou_section.csv")
 

@@ -40,7 +40,7 @@ namespace hybrid::continuum
     std::vector<int>  surface; ///< nodes of the contact surface from left to right
     std::vector<double>
       surface_shares; ///< per two of them: what the first bears of a uniform load between them [-]
-    std::vector<int> left_nodes, right_nodes, foundation_nodes;
+    std::vector<int> left_nodes, right_nodes, base_nodes;
     std::vector<double>
       static_displacement; ///< of the restrained model [m], empty before solve_static_state()
 
@@ -137,7 +137,7 @@ namespace hybrid::continuum
     double add_boundary_energy(ContinuumState &state);
     void   add_spring_forces(const ContinuumState &state);
     void   add_spring_energy(ContinuumState &state);
-    double add_foundation_energy(ContinuumState &state);
+    double add_base_energy(ContinuumState &state);
     double add_surface_energy(ContinuumState &state, const SurfaceForce &force);
     double add_point_load_energy(ContinuumState &state, double dt);
 

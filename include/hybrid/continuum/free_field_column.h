@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/continuum/banded_cholesky.h>
 #include <hybrid/continuum/lagrange_line.h>
 #include <hybrid/scene/newmark.h>
 #include <hybrid/scene/types.h>
@@ -80,26 +79,23 @@ namespace hybrid::continuum
     void step(const ConstMotion &old, const Motion &next, double dt, const Input &input);
 
   private:
+    /// The matrix A = K + M/(beta dt^2) + gamma/(beta dt) C of a step; shear, P.
     struct Factor
     {
-      double                        dt = 0.;
-      std::array<BandedCholesky, 2> matrix; ///< shear, P
+      double                         dt = 0.;
+      std::array<Eigen::MatrixXd, 2> matrix; ///< its Cholesky factor
+      std::array<Eigen::VectorXd, 2> foot;   ///< its first column, of the foot
     };
-
-    void
-    multiply(const BandedCholesky &a, const std::vector<double> &x, std::vector<double> &y) const;
 
     const Factor &factor_for(double dt);
 
-    /// Entry of A = K + M/(beta dt^2) + gamma/(beta dt) C without boundary terms.
-    double dynamic(int component, int i, int j, double dt) const;
-
-    Model                         model;
-    int                           n, width;
-    BandedCholesky                mass;               ///< used as band storage only
-    std::array<BandedCholesky, 2> stiffness;          ///< shear, P
-    std::array<BandedCholesky, 2> inertia_correction; ///< shear, P; see inertia_correction.h
-    std::vector<Factor>           factors;            ///< the last few step sizes
-    std::vector<double>           predicted, rate, rhs, product;
+    // Matrices are in LAPACK's lower band storage: band(r, j) = A(j + r, j).
+    Model                          model;
+    int                            n, width;
+    Eigen::MatrixXd                mass;
+    std::array<Eigen::MatrixXd, 2> stiffness;          ///< shear, P
+    std::array<Eigen::MatrixXd, 2> inertia_correction; ///< shear, P; see inertia_correction.h
+    std::vector<Factor>            factors;            ///< the last few step sizes
+    Eigen::VectorXd                predicted, rate, rhs;
   };
 } // namespace hybrid::continuum

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <deal.II/base/polynomial.h>
+#include <deal.II/base/quadrature_lib.h>
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -26,17 +29,20 @@ namespace hybrid::continuum
       return points;
     }
 
-    double value(int i, double x) const;
+    double value(int i, double x) const
+    {
+      return basis[i].value(x);
+    }
 
-    double derivative(int i, double x) const;
+    double derivative(int i, double x) const
+    {
+      double value_and_derivative[2];
+      basis[i].value(x, 1, value_and_derivative);
+      return value_and_derivative[1];
+    }
 
     /// Gauss points of [0, 1], one more than the degree: what the integrals below are made with.
-    struct Quadrature
-    {
-      std::vector<double> points, weights;
-    };
-
-    const Quadrature &quadrature() const
+    const dealii::QGauss<1> &quadrature() const
     {
       return gauss;
     }
@@ -67,8 +73,9 @@ namespace hybrid::continuum
     std::vector<double> load_shares() const;
 
   private:
-    std::vector<double> points;
-    Eigen::MatrixXd     m, k, b;
-    Quadrature          gauss;
+    dealii::QGauss<1>                                    gauss;
+    std::vector<dealii::Polynomials::Polynomial<double>> basis;
+    std::vector<double>                                  points;
+    Eigen::MatrixXd                                      m, k, b;
   };
 } // namespace hybrid::continuum

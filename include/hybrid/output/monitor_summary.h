@@ -14,7 +14,7 @@ namespace hybrid::output
     std::vector<double> time;                 ///< increasing, steps may differ [s]
     std::vector<double> outcrop_acceleration; ///< pairs [m/s2]; empty: no amplification
     std::vector<double>
-      foundation_displacement; ///< pairs, of the base monitor [m]; empty: absolute displacements
+           base_displacement; ///< pairs, of the base monitor [m]; empty: absolute displacements
     double filter_frequency   = 25.; ///< corner of the zero-phase low-pass [Hz]; 0: none
     double first_failure_time = MonitorSummary::unknown; ///< NaN: nothing failed [s]
   };
@@ -51,7 +51,16 @@ namespace hybrid::output
     /// Signed value of largest magnitude after the low-pass, of the rows [0, n_rows) of @p pairs.
     Pair filtered_peak(const std::vector<double> &pairs, std::size_t n_rows) const;
 
+    /// Times of filtered(): the given ones, or as many at equal spacing as they reach [s].
+    std::vector<double> filtered_time() const;
+
+    /// All of @p pairs after the low-pass: pairs, one per filtered_time().
+    std::vector<double> filtered(const std::vector<double> &pairs) const;
+
   private:
+    /// Rows at equal spacing that n_rows of the given times reach.
+    std::size_t n_equal_rows(std::size_t n_rows) const;
+
     /// One component of the first n_rows rows at equal spacing, filtered.
     std::vector<double>
     filtered(const std::vector<double> &pairs, int component, std::size_t n_rows) const;

@@ -21,6 +21,8 @@
 
 namespace hybrid::output
 {
+  class MonitorSummarizer;
+
   /// The parts of a run that output reads; what a scene does not have is nullptr.
   struct RunParts
   {
@@ -127,6 +129,8 @@ namespace hybrid::output
     void flush_if_due();
     void write_section(const coupling::CoupledState &state);
     void write_joints(const coupling::CoupledState &state);
-    Vec2 foundation_displacement() const;
+    void summarize_monitors(Summary &summary);
+    void write_filtered(const MonitorSummarizer &summarizer);
+    Vec2 base_displacement() const;
   };
 } // namespace hybrid::output

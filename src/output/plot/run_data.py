@@ -16,30 +16,6 @@ class NotInScene(MissingData):
     """A figure shows an effect that the scene does not have: nothing is missing."""
 
 
-def low_pass(series, dt, corner):
-    """Zero-phase low-pass along axis 0, gain 1 / (1 + w^4) as in the program's filter.
-
-    w = tan(pi f dt) / tan(pi corner dt); both ends are continued by point reflection.
-    """
-    n = len(series)
-    if corner <= 0 or n < 4 or corner >= 0.5 / dt:
-        return series
-    pad = min(n - 1, int(np.ceil(3.0 / (corner * dt))))
-    before = 2 * series[0] - series[pad:0:-1]
-    after = 2 * series[-1] - series[-2 : -2 - pad : -1]
-    padded = np.concatenate([before, series, after])
-    f = np.fft.rfftfreq(len(padded), dt)
-    with np.errstate(over="ignore"):
-        gain = 1.0 / (1.0 + (np.tan(np.pi * np.minimum(f * dt, 0.5 - 1e-9)) / np.tan(np.pi * corner * dt)) ** 4)
-    # the trend is taken off first: a transform sees a jump where the two ends meet
-    trend = np.linspace(0.0, 1.0, len(padded))
-    if padded.ndim > 1:
-        trend, gain = trend[:, None], gain[:, None]
-    line = padded[0] + trend * (padded[-1] - padded[0])
-    smooth = np.fft.irfft(np.fft.rfft(padded - line, axis=0) * gain, len(padded), axis=0) + line
-    return smooth[pad : pad + n]
-
-
 class RunData:
     def __init__(self, directory):
         self.directory = directory
@@ -53,7 +29,7 @@ class RunData:
         self.file = h5py.File(os.path.join(directory, "run.h5"), "r")
         self.time = self.file["time"][:] if "time" in self.file else np.zeros(0)
         self.summary = self._read_summary()
-        self.corner = self.summary.get("filter_frequency_hz", 25.0)
+        self.corner = float(np.ravel(self.attribute("filtered", "corner", 0.0))[0])
         # The run may be going on: its series can differ by the rows of the last flush.
         histories = [d for g in ("monitors", "input") if g in self.file for d in self._data_sets(self.file[g])]
         self.n = min([len(self.time)] + [len(d) for d in histories])
@@ -126,10 +102,10 @@ class RunData:
         return time, np.column_stack(columns)
 
     def filtered(self, path):
-        time, values = self.equal_steps(self.history(path))
-        if len(time) < 4:
-            return time, values
-        return time, low_pass(values, time[1] - time[0], self.corner)
+        """Time and values below self.corner [Hz], as the program writes them at the end of a run; 0: raw."""
+        if not self.has("filtered/" + path):
+            return self.time, self.history(path)
+        return self.get("filtered/time"), self.get("filtered/" + path)
 
     def relative_displacement(self, name):
         displacement = self.history("monitors/" + name + "/displacement")

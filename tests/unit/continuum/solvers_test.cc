@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include <hybrid/continuum/banded_cholesky.h>
 #include <hybrid/continuum/condensed_factor.h>
 #include <hybrid/continuum/lagrange_line.h>
 
@@ -46,29 +45,6 @@ TEST(LagrangeLine, integrals)
       EXPECT_NEAR((line.gradient() * x).sum(), 1., 1e-12); // int 1
       EXPECT_NEAR(x.dot(line.mass() * x), 1. / 3., 1e-13); // int x^2
     }
-}
-
-
-TEST(BandedCholesky, solves_a_band_matrix)
-{
-  const int       n = 30, width = 3;
-  BandedCholesky  band(n, width);
-  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(n, n);
-  for (int i = 0; i < n; ++i)
-    for (int j = std::max(0, i - width); j <= i; ++j)
-      full(i, j) = full(j, i) = band(i, j) = i == j ? 10. + i : std::sin(3. * i + j);
-  std::vector<double> x(n);
-  for (int i = 0; i < n; ++i)
-    x[i] = std::cos(i);
-  const Eigen::VectorXd expected = full.ldlt().solve(Eigen::Map<Eigen::VectorXd>(x.data(), n));
-  band.factor();
-  band.solve(x);
-  EXPECT_LT((Eigen::Map<Eigen::VectorXd>(x.data(), n) - expected).norm(), 1e-13);
-
-  BandedCholesky indefinite(2, 1);
-  indefinite(0, 0) = indefinite(1, 1) = 1.;
-  indefinite(1, 0)                    = 2.;
-  EXPECT_THROW(indefinite.factor(), std::runtime_error);
 }
 
 

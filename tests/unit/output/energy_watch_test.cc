@@ -31,7 +31,7 @@ TEST(EnergyWatch, warns_once_and_says_what_changed)
   const std::string text = watch.look(fallen(104.), 0.2);
   EXPECT_NE(
     text.find(
-      "at t = 0.2 s the energy audit does not close: 4 J/m were created, 1.96 % of the 204 J/m in play"),
+      "the energy audit does not close at t = 0.2 s: 4 J/m were created, 1.96 % of the 204 J/m in play"),
     std::string::npos)
     << text;
   EXPECT_NE(text.find("blocks_kinetic 104, blocks_gravity -100"), std::string::npos) << text;
@@ -89,5 +89,5 @@ TEST(EnergyWatch, stops_where_the_scheme_gives)
   EnergyWatch watch(0.01, 0.05);
   EXPECT_TRUE(watch.is_over(ledger));
   const std::string text = watch.look(ledger, 0.4);
-  EXPECT_NE(text.find("gave energy: 9.09 % of the 220 J/m in play"), std::string::npos) << text;
+  EXPECT_NE(text.find("gives energy: 9.09 % of the 220 J/m in play"), std::string::npos) << text;
 }

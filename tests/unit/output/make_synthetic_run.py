@@ -86,7 +86,11 @@ def write_monitors(file, time, monitors, a, v, u, slip):
             if quantity == "displacement":
                 x, y = x + late, y + 0.3 * late
             put(file, "monitors/%s/%s" % (name, quantity), unit, np.column_stack([x, y]))
+            if quantity != "displacement":
+                put(file, "filtered/monitors/%s/%s" % (name, quantity), unit, np.column_stack([x, y]))
         file["monitors/" + name].attrs["position"] = position
+    put(file, "filtered/time", "s", time)
+    file["filtered"].attrs["corner"] = [25.0]
 
 
 def write_profiles(file, time, scale):

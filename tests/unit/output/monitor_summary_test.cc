@@ -35,10 +35,10 @@ namespace hybrid::output
     TEST(MonitorSummary, PeaksAndAmplificationOfASine)
     {
       MonitorReference reference;
-      reference.time                    = equal_times(1e-3, 5000);
-      const std::vector<double> time    = reference.time;
-      reference.outcrop_acceleration    = sine(time, 2., 1e-16);
-      reference.foundation_displacement = sine(time, 0.1, 0.);
+      reference.time                 = equal_times(1e-3, 5000);
+      const std::vector<double> time = reference.time;
+      reference.outcrop_acceleration = sine(time, 2., 1e-16);
+      reference.base_displacement    = sine(time, 0.1, 0.);
       const MonitorSummarizer summarizer(reference);
       const MonitorSummary    summary =
         summarizer.summarize(sine(time, 0.4, 0.2), sine(time, 3., 1.), sine(time, -5., 1.));
@@ -90,6 +90,33 @@ namespace hybrid::output
       EXPECT_NEAR(std::abs(summary.peak_acceleration[0]), 4., 1e-3);
       EXPECT_NEAR(summary.amplification[0], 2., 1e-6);
       EXPECT_EQ(summary.final_displacement[0], pairs[pairs.size() - 2]);
+    }
+
+
+    TEST(MonitorSummary, FilteredHistoriesHaveEqualStepsAndThePeaks)
+    {
+      MonitorReference reference;
+      reference.time                = equal_times(1e-3, 3000);
+      const auto              equal = sine(reference.time, 4., 1.);
+      const MonitorSummarizer as_given(reference);
+      EXPECT_EQ(as_given.filtered_time(), reference.time);
+      EXPECT_EQ(as_given.filtered(equal).size(), equal.size());
+
+      reference.time.insert(reference.time.begin() + 1000, 1.0005); // a step that was cut
+      const auto                pairs = sine(reference.time, 4., 1.);
+      const MonitorSummarizer   summarizer(reference);
+      const std::vector<double> time     = summarizer.filtered_time(),
+                                filtered = summarizer.filtered(pairs);
+      ASSERT_EQ(filtered.size(), 2 * time.size());
+      EXPECT_NEAR(time.back(), reference.time.back(), 1e-3);
+      double largest = 0.;
+      for (std::size_t i = 0; i < time.size(); ++i)
+        {
+          EXPECT_NEAR(time[i] - time[0], i * (time[1] - time[0]), 1e-9);
+          EXPECT_NEAR(filtered[2 * i], 4. * std::sin(omega * time[i]), 1e-3);
+          largest = std::max(largest, std::abs(filtered[2 * i]));
+        }
+      EXPECT_EQ(largest, std::abs(summarizer.summarize(pairs, pairs, pairs).peak_velocity[0]));
     }
 
 

@@ -65,9 +65,6 @@ TEST(CommandLine, other_actions)
   EXPECT_EQ(parse({"--version"}).action, Action::version);
   EXPECT_EQ(parse({"version"}).action, Action::version);
   EXPECT_EQ(parse({"--print-parameters"}).action, Action::print_parameters);
-  const CommandLine plot = parse({"plot", "output/run"});
-  EXPECT_EQ(plot.action, Action::plot);
-  EXPECT_EQ(plot.target, "output/run");
   const CommandLine resume = parse({"--resume", "output/run", "-s", "Time/End time=3"});
   EXPECT_EQ(resume.action, Action::resume);
   EXPECT_EQ(resume.target, "output/run");
@@ -78,26 +75,67 @@ TEST(CommandLine, other_actions)
 
 
 
+TEST(CommandLine, a_subcommand_does_its_work_with_its_words)
+{
+  const CommandLine plot = parse({"plot", "no/such/directory"});
+  ASSERT_EQ(plot.action, Action::subcommand);
+  EXPECT_THROW(plot.subcommand(), InputError); // names the directory
+  EXPECT_EQ(parse({"plot", "plot"}).action, Action::subcommand);
+  EXPECT_EQ(parse({"./plot"}).action, Action::run);
+
+  for (const CommandLine &help : {parse({"plot", "--help"}), parse({"help", "plot"})})
+    {
+      EXPECT_EQ(help.action, Action::help);
+      EXPECT_NE(help.help.find("hybrid plot output/"), std::string::npos) << help.help;
+    }
+}
+
+
+
 TEST(CommandLine, mistakes_are_named)
 {
   expect_refused({"--fast", "scene.prm"}, "--fast");
   expect_refused({"-s"}, "-s needs");
   expect_refused({"scene.prm", "-s", "Time/Time step"}, "Time/Time step");
+  expect_refused({"scene.prm", "-s", "--check"}, "not '--check'");
+  expect_refused({"scene.prm", "-s=Time/Time step=1"}, "not '=Time/Time step=1'");
   expect_refused({"--check"}, "no parameter file");
-  expect_refused({"plot"}, "no parameter file or directory");
+  expect_refused({"--check=yes", "scene.prm"}, "'--check' takes no value");
   expect_refused({"one.prm", "two.prm"}, "two.prm");
   expect_refused({"check", "scene.prm"}, "did you mean '--check'?");
+  expect_refused({"check"}, "did you mean '--check'?");
   expect_refused({"--chek", "scene.prm"}, "unknown option '--chek' (did you mean '--check'?)");
+  expect_refused({"-check", "scene.prm"}, "unknown option '-check' (did you mean '--check'?)");
   expect_refused({"--versoin"}, "did you mean '--version'?");
   expect_refused({"chek", "scene.prm"}, "'chek' is no action; did you mean '--check'?");
-  expect_refused({"plott", "output"}, "did you mean 'plot'?");
   expect_refused({"--check", "--resume", "output"}, "'--resume' cannot be combined");
+  for (const char *word : {"-", "--", "-5"})
+    {
+      expect_refused({word}, std::string("unknown option '") + word + "'");
+      expect_refused({"scene.prm", word}, std::string("unknown option '") + word + "'");
+    }
 }
 
 
 
-TEST(CommandLine, usage_lists_every_action)
+TEST(CommandLine, mistakes_with_subcommands_are_named)
 {
+  expect_refused({"plot"}, "hybrid plot: DIRECTORY is required; see hybrid plot --help");
+  expect_refused({"plott", "output"}, "did you mean 'plot'?");
+  expect_refused({"plot", "output", "more"}, "'more' is one word too many");
+  expect_refused({"plot", "output", "--hlep"},
+                 "unknown option '--hlep' of hybrid plot (did you mean '--help'?)");
+  expect_refused({"plot", "output", "--check"}, "unknown option '--check' of hybrid plot");
+  expect_refused({"scene.prm", "plot"}, "'plot' stands first");
+  expect_refused({"--force", "plot", "output"}, "not after '--force'");
+  expect_refused({"compare", "a", "b"}, "not finished");
+}
+
+
+
+TEST(CommandLine, the_help_lists_every_action)
+{
+  const std::string help = parse({"--help"}).help;
   for (const char *word : {"PARAMS.prm",
                            "--check",
                            "--resume",
@@ -106,6 +144,7 @@ TEST(CommandLine, usage_lists_every_action)
                            "--version",
                            "plot",
                            "-s",
+                           "Examples:",
                            "Exit code"})
-    EXPECT_NE(usage().find(word), std::string::npos) << word;
+    EXPECT_NE(help.find(word), std::string::npos) << word;
 }

@@ -4,6 +4,7 @@
 import numpy as np
 from layered_column import Layer, fourier, surface_over_outcrop
 from scene_numbers import Numbers
+from zero_phase import low_pass
 
 RATIOS = (0.5, 1.0, 2.0, 3.0, 4.0, 5.0)  # frequency over the layer's first, c / (4 H)
 # A tenth of the height and a greater contrast: its resonances want the scheme that damps nothing of its own.
@@ -50,9 +51,20 @@ def compare(case, what, run, wave):
     return shown
 
 
+def check_filter(case, run):
+    """The filtered histories of a run are what scipy makes of the raw ones."""
+    for quantity in ("velocity", "acceleration"):
+        time, filtered = run.filtered("monitors/surface/" + quantity)
+        raw = run.history("monitors/surface/" + quantity)
+        case.true(quantity + " is filtered below 25 Hz at equal steps", run.corner == 25 and np.array_equal(time, run.time))
+        case.below(quantity + ": filtered against scipy's filter, relative difference",
+                   np.abs(filtered - low_pass(raw, time[1] - time[0], run.corner)).max() / np.abs(filtered).max(), 1e-6)
+
+
 def check(case):
     case.curves = []
     damped = case.run()
+    check_filter(case, damped)
     numbers = Numbers(damped)
     soil = numbers.material("soil")
     faster = soil.speed("P") / soil.speed("S")
