@@ -170,18 +170,23 @@ namespace hybrid::dda
   /// At a valley the edge goes on below its neighbour: a vertex beside the edge that is near the
   /// neighbour's line touches the line of the edge as well. Pressed into a valley it would else
   /// pass the end of one edge while it is inside the other, and nothing would hold it. In a gentle
-  /// valley one edge acts at a time, so that the vertex has to be behind both lines.
+  /// valley one edge acts at a time: that holds below the corner only, where the vertex is beside
+  /// both.
   bool ContactSelection::is_below_valley(const Contact &contact, const double along) const
   {
-    const int body = contact.edge_body, edge = contact.edge;
-    const int other = along < 0. ? edge_before(*geometry, body, edge) : edge_following(body, edge);
+    const int  body = contact.edge_body, edge = contact.edge;
+    const bool is_first = along < 0.; // at the first end of the edge
+    const int  other = is_first ? edge_before(*geometry, body, edge) : edge_following(body, edge);
     if (other < 0)
       return false;
     const EdgeFrame &mine = frames->edge(body, edge), &beside = frames->edge(body, other);
-    const double     rises     = (along < 0. ? -1. : 1.) * mine.normal.dot(beside.direction);
-    const double     gap       = beside.normal.dot(point - position(*geometry, body, other));
-    const bool       is_gentle = mine.normal.dot(beside.normal) >= tolerances.continuing_cosine;
-    return rises > 0. && gap <= (is_gentle ? 0. : tolerances.reach) && gap >= -tolerances.max_depth;
+    const Vec2       r   = point - position(*geometry, body, other);
+    const double     gap = beside.normal.dot(r), on_beside = beside.direction.dot(r);
+    const double     rises = (is_first ? -1. : 1.) * mine.normal.dot(beside.direction);
+    if (!(rises > 0. && gap <= tolerances.reach && gap >= -tolerances.max_depth))
+      return false;
+    return mine.normal.dot(beside.normal) < tolerances.continuing_cosine ||
+           (gap <= 0. && (is_first ? on_beside > beside.length : on_beside < 0.));
   }
 
 

@@ -26,18 +26,19 @@ namespace hybrid::scene
                    "s",
                    ParameterRange::above(0.),
                    "Simulated time between energy audits.");
-    section.number("Energy warning",
-                   output.energy_warning,
-                   "",
-                   not_negative,
-                   "Warn when the energy audit misses this part of the energy in play, and at the "
-                   "end if the time integration took it; 0: never.");
+    section.number(
+      "Energy warning",
+      output.energy_warning,
+      "",
+      not_negative,
+      "Warn when the energy audit misses this part of the energy in play or the time "
+      "integration gives it, and at the end if the time integration took it; 0: never.");
     section.number(
       "Energy limit",
       output.energy_limit,
       "",
       not_negative,
       "Stop, with a checkpoint, when the energy audit misses this part of the energy in "
-      "play; 0: never. To go on: hybrid --resume with a larger one.");
+      "play or the time integration gives it; 0: never. To go on: hybrid --resume with a larger one.");
   }
 } // namespace hybrid::scene
