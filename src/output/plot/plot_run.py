@@ -4,6 +4,7 @@
 A figure whose data the run did not record is left out, with a word on why. Exit code 1 if a figure failed.
 """
 
+import importlib
 import importlib.util
 import os
 import sys
@@ -16,19 +17,11 @@ if missing:
         "module" if len(missing) == 1 else "modules", ", ".join(missing), sys.executable, " ".join(MODULES[m] for m in missing)))
 
 import style  # isort: skip
-
-import boreholes  # isort: skip
-import energy_balance  # isort: skip
-import heterogeneity  # isort: skip
-import input_motion  # isort: skip
-import monitor_histories  # isort: skip
-import overview  # isort: skip
-import section_view  # isort: skip
-import slip  # isort: skip
-import step_costs  # isort: skip
 from run_data import MissingData, NotInScene, RunData  # isort: skip
 
-FIGURES = (input_motion, monitor_histories, boreholes, section_view, slip, heterogeneity, energy_balance, step_costs, overview)
+# Modules of this folder with draw(run, directory), in the order of drawing.
+FIGURES = ("input_motion", "monitor_histories", "boreholes", "section_view", "slip", "heterogeneity",
+           "energy_balance", "step_costs", "overview")
 
 
 def draw_growing(figure, run, figures, attempts=3):
@@ -53,16 +46,16 @@ def main(directory):
     figures = os.path.join(directory, "figures")
     os.makedirs(figures, exist_ok=True)
     failed = 0
-    for figure in FIGURES:
+    for name in FIGURES:
         try:
-            draw_growing(figure, run, figures)
+            draw_growing(importlib.import_module(name), run, figures)
         except NotInScene:
             pass
         except MissingData as reason:
-            print("%s: left out, %s" % (figure.__name__, reason))
+            print("%s: left out, %s" % (name, reason))
         except Exception:
             failed += 1
-            print("error: %s could not be drawn:" % figure.__name__, file=sys.stderr)
+            print("error: %s could not be drawn:" % name, file=sys.stderr)
             traceback.print_exc()
     print("figures: " + figures)
     return 1 if failed else 0

@@ -127,5 +127,35 @@ assert ['envelope of the run', 'at peak of surface', 'left: mean of the last 2 s
       EXPECT_THROW(plot("/no/such/directory"), InputError);
       EXPECT_THROW(plot(make_directory("plot_empty")), InputError);
     }
+
+
+    // Follows "Adding a picture" of doc/developer_guide.md: a module and a word in FIGURES.
+    TEST(PlotCommand, ANewPictureIsAModuleAndAWord)
+    {
+      const std::string directory = make_directory("plot_new");
+      ASSERT_TRUE(make_run(directory, "complete"));
+      EXPECT_TRUE(python_passes(directory, R"(
+import os, re, shutil, subprocess, sys
+shutil.copytree(')" OUTPUT_TEST_DIR R"(/../../../src/output/plot', 'plot')
+with open('plot/how_long.py', 'w') as module:
+    module.write("""
+import os
+
+import matplotlib.pyplot as plt
+
+
+def draw(run, directory):
+    figure, axes = plt.subplots()
+    axes.plot(run.file['time'][:])
+    figure.savefig(os.path.join(directory, 'how_long.png'))
+""")
+with open('plot/plot_run.py') as file:
+    text = file.read()
+with open('plot/plot_run.py', 'w') as file:
+    file.write(text.replace('FIGURES = (', 'FIGURES = ("how_long", '))
+subprocess.run([sys.executable, 'plot/plot_run.py', '.'], check=True)
+assert {'how_long.png', 'overview.png'} <= set(os.listdir('figures')), os.listdir('figures')
+)"));
+    }
   } // namespace
 } // namespace hybrid::output
