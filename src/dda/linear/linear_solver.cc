@@ -20,7 +20,7 @@ namespace hybrid::dda
 
     /// Iterations with sweeps before a factor is made: its work grows as n^(3/2) (George 1973),
     /// that of a sweep as n.
-    int swept_limit(const int n_blocks)
+    int sweep_limit(const int n_blocks)
     {
       return std::max(40, static_cast<int>(0.8 * std::sqrt(n_blocks)));
     }
@@ -32,7 +32,7 @@ namespace hybrid::dda
   {
     factor_is_current = false;
     foundation.matrix_changed(matrix);
-    swept.set(matrix, foundation, blocks);
+    ssor.set(matrix, foundation, blocks);
   }
 
 
@@ -40,7 +40,7 @@ namespace hybrid::dda
   void LinearSolver::matrix_restored(const BlockMatrix &matrix)
   {
     foundation.matrix_changed(matrix);
-    swept.set(matrix, foundation, {});
+    ssor.set(matrix, foundation, {});
   }
 
 
@@ -75,7 +75,7 @@ namespace hybrid::dda
 
 
 
-  struct LinearSolver::Swept
+  struct LinearSolver::Preconditioned
   {
     LinearSolver &solver;
     const Target &target;
@@ -83,24 +83,24 @@ namespace hybrid::dda
 
     void multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y)
     {
-      solver.swept.multiply(x, y);
+      solver.ssor.multiply(x, y);
     }
 
     void dual(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
     {
-      solver.swept.multiply_diagonal(x, y);
+      solver.ssor.multiply_diagonal(x, y);
     }
 
     void weigh(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
     {
-      y = solver.swept.weights().cwiseProduct(x);
+      y = solver.ssor.weights().cwiseProduct(x);
     }
 
     bool solved(const Eigen::VectorXd &residual, const Eigen::VectorXd &dual_residual)
     {
       if (dual_residual.cwiseQuotient(target.scale).norm() > bound)
         return false;
-      solver.swept.undo_forward(residual, solver.z);
+      solver.ssor.undo_forward(residual, solver.z);
       const bool done = target.met_by(solver.z);
       if (!done)
         bound *= 0.3;
@@ -135,7 +135,7 @@ namespace hybrid::dda
 
 
 
-  LinearSolver::Result LinearSolver::conjugate_gradients(Swept &system, const int limit)
+  LinearSolver::Result LinearSolver::conjugate_gradients(Preconditioned &system, const int limit)
   {
     Result result;
     system.dual(r, dual_r);
@@ -210,13 +210,13 @@ namespace hybrid::dda
 
 
   LinearSolver::Result
-  LinearSolver::solve_swept(const bool symmetric, const Target &target, Eigen::VectorXd &x)
+  LinearSolver::solve_by_sweeps(const bool symmetric, const Target &target, Eigen::VectorXd &x)
   {
-    Swept system{*this, target};
-    swept.sweep_forward(r, r);
+    Preconditioned system{*this, target};
+    ssor.sweep_forward(r, r);
     const Result result =
       symmetric ? conjugate_gradients(system, target.limit) : bicgstab(system, target.limit);
-    swept.sweep_backward(unknown, x);
+    ssor.sweep_backward(unknown, x);
     return result;
   }
 
@@ -284,12 +284,12 @@ namespace hybrid::dda
       unknown.setZero();
       r = b;
       return use_factor ? solve_with_factor(matrix, target, x)
-                        : solve_swept(matrix.symmetric, target, x);
+                        : solve_by_sweeps(matrix.symmetric, target, x);
     };
     use_factor = use_factor && factor.ready(matrix.n_blocks()) && !are_sweeps_due();
     if (!use_factor || is_worth_trying())
       {
-        result = attempt(use_factor ? factor_limit : swept_limit(matrix.n_blocks()));
+        result = attempt(use_factor ? factor_limit : sweep_limit(matrix.n_blocks()));
         if (use_factor && !factor_is_current)
           failures = result.converged ? 0 : failures + 1;
         if (!use_factor)

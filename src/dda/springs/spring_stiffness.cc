@@ -45,14 +45,15 @@ namespace hybrid::dda
                                                               const Springs::Response &response,
                                                               const Choice            &choice)
   {
-    const double none       = -std::numeric_limits<double>::infinity();
-    const double floor      = choice.follow_softening ? none : 0.;
-    const double fraction   = spring.contact_fraction;
-    const double weight     = 1. + fraction * (choice.contact_weight - 1.);
-    const double length     = weight * spring.length;
-    const bool   coupled    = choice.follow_softening || response.k_nn >= 0.;
-    const bool   slides     = fraction == 1. && response.now.state == ContactState::sliding;
-    const double kept_shear = slides ? choice.sliding_share * spring.law->shear_stiffness() : 0.;
+    const double none     = -std::numeric_limits<double>::infinity();
+    const double floor    = choice.follow_softening ? none : 0.;
+    const double fraction = spring.contact_fraction;
+    const double weight   = 1. + fraction * (choice.contact_weight - 1.);
+    const double length   = weight * spring.length;
+    const bool   coupled  = choice.follow_softening || response.k_nn >= 0.;
+    const bool   slides   = fraction == 1. && response.now.state == ContactState::sliding;
+    const double kept_shear =
+      slides ? choice.sliding_regularisation * spring.law->shear_stiffness() : 0.;
     // Open, only the bond of a joint acts; closed, its contact has the part of k_n.
     const double pressing = response.now.gap > 0. ? 0. : fraction * spring.law->normal_stiffness();
     return {spring.length * std::max(floor, response.k_nn - pressing) +

@@ -86,8 +86,8 @@ namespace hybrid::dda
     copy.newmark             = Newmark::preset("shi");
     copy.dynamic_coefficient = 1.;
     copy.iteration.tolerance = 0.1 * target_residual;
-    // Without inertia whole updates go anywhere: a column of 50 took 1,629 iterations, not 114.
-    copy.iteration.whole_updates = 0;
+    // Without inertia full steps go anywhere: a column of 50 took 1,629 iterations, not 114.
+    copy.iteration.max_full_steps = 0;
     return copy;
   }
 

@@ -173,7 +173,7 @@ namespace hybrid::dda
   {
     SpringStiffness::Choice choice{tangent.follow_softening,
                                    contact_weight(model.newmark),
-                                   sliding_share.value(),
+                                   sliding_regularisation.value(),
                                    tangent.all || model.n_bedrock > 0};
     stiffness.update(springs, trial, choice);
     if (!stiffness.changed_blocks().empty() || choice.all)
@@ -222,9 +222,9 @@ namespace hybrid::dda
                   Eigen::Matrix2d::Zero());
       }
     solver.matrix_changed(matrix, rows);
-    tangent_dt      = dt;
-    tangent_share   = sliding_share.value();
-    tangent_pattern = matrix.pattern_version();
+    tangent_dt             = dt;
+    tangent_regularisation = sliding_regularisation.value();
+    tangent_pattern        = matrix.pattern_version();
   }
 
 
@@ -301,12 +301,12 @@ namespace hybrid::dda
     double previous = expects_many ? result.residual : std::numeric_limits<double>::infinity();
     expects_many    = true;
     springs.connect(model, matrix);
-    bool stale =
-      tangent_dt != dt || tangent_pattern != matrix.pattern_version() || tangent_share > 0.;
-    full_steps = whole_updates.begin(model.iteration.whole_updates, result.residual);
+    bool stale = tangent_dt != dt || tangent_pattern != matrix.pattern_version() ||
+                 tangent_regularisation > 0.;
+    full_steps = full_step_phase.begin(model.iteration.max_full_steps, result.residual);
     for (; result.iterations < model.iteration.maximum_iterations; ++result.iterations)
       {
-        if (full_steps && !whole_updates.go_on())
+        if (full_steps && !full_step_phase.go_on())
           {
             search_start    = result.iterations;
             result.residual = begin_line_search(model, state, foundation);
@@ -347,9 +347,9 @@ namespace hybrid::dda
         const LineSearch searched = search_line(model, state, foundation);
         result.residual           = searched.residual;
         if (full_steps)
-          whole_updates.judge(result.residual);
+          full_step_phase.judge(result.residual);
         if (model.iteration.regularises_sliding)
-          stale = sliding_share.adapt(searched.fraction);
+          stale = sliding_regularisation.adapt(searched.fraction);
       }
     if (!result.converged)
       return result;

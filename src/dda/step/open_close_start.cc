@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a step begins: prediction, guesses, and the change from whole updates to the line search.
+// How a step begins: prediction, guesses, and the change from full steps to the line search.
 #include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/model/block_damping.h>
 #include <hybrid/dda/step/open_close_iteration.h>
@@ -71,7 +71,7 @@ namespace hybrid::dda
                                           const FoundationResponse &foundation)
   {
     const double with_acceleration = evaluate(model, state, foundation);
-    if (!whole_updates.begin(model.iteration.whole_updates, with_acceleration))
+    if (!full_step_phase.begin(model.iteration.max_full_steps, with_acceleration))
       return with_acceleration;
     guesses_acceleration = false;
     start_trial(model, state, foundation);
@@ -102,8 +102,8 @@ namespace hybrid::dda
     predict(model, state, foundation, dt);
     if (guess != nullptr)
       trial.increment = *guess;
-    full_steps    = false;
-    sliding_share = {};
+    full_steps             = false;
+    sliding_regularisation = {};
   }
 
 
@@ -114,7 +114,7 @@ namespace hybrid::dda
   {
     full_steps        = false;
     const double norm = evaluate(model, state, foundation);
-    if (norm <= whole_updates.first_residual())
+    if (norm <= full_step_phase.first_residual())
       return norm;
     start_trial(model, state, foundation);
     return evaluate(model, state, foundation);

@@ -30,7 +30,7 @@ namespace hybrid::dda
     ContactState state = ContactState::open; ///< when last accepted
     double       stress_free_gap =
       0.; ///< gap above which it carries nothing, <= 0 [m]: the overlap that neighbours of the mesh
-          ///< had when they first looked at each other, and a little more, or that with which it
+          ///< had when they were first active, and a little more, or that with which it
           ///< was found (contact_load.h), less that of a released joint; 0 once they part
   };
 } // namespace hybrid::dda

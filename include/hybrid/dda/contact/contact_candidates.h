@@ -68,7 +68,7 @@ namespace hybrid::dda
    *   - a block that is held off (bonded to the surface, or touching it with corners
    *     only while its neighbours hold it) with the whole surface, until it is awake to all.
    *     A belt slides for centimetres over the bends of a foundation of straight segments,
-   *     where corners would catch: a joint that has given way does not wake a block
+   *     where corners would catch: a joint that has yielded does not wake a block
    *     on the belt to the surface. A block that touches it with a corner only is
    *     woken: it may be squeezed into it.
    * Surfaces are the foundation and the outline of bedrock made of blocks (BedrockSurface); they

@@ -68,7 +68,7 @@ namespace hybrid::dda
    *    position. When a vertex leaves an edge and another one continues it
    *    (normals within 10 degrees, same height), slip, plastic slip and state
    *    go with it; edge_position is that on the new edge. Others are dropped.
-   * 9. *First look*: neighbours of the mesh that have slept may overlap a little when
+   * 9. *First activation*: neighbours of the mesh that have slept may overlap a little when
    *    one of them wakes (joints give way before they fail). They carry nothing
    *    (stress_free_gap) until they overlap more, by extension(): a spring that is loaded
    *    when it is made would throw them apart, and one at its limit would

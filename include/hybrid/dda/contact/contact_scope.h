@@ -7,8 +7,8 @@ namespace hybrid::dda
   enum class ContactScope : char
   {
     no,        ///< nothing: all its joints hold
-    to_blocks, ///< neighbours of the mesh: a joint of its has given way
+    to_blocks, ///< neighbours of the mesh: a joint of its has yielded
     to_all ///< the foundation too: a joint of its has failed, or it was never bonded, or it only
-           ///< touches the foundation with a corner and a joint of its has given way
+           ///< touches the foundation with a corner and a joint of its has yielded
   };
 } // namespace hybrid::dda

@@ -13,7 +13,7 @@ namespace hybrid::dda
    * and the mean of their directions, in which springs act, means nothing in the
    * end (at 180 degrees it turns round). A failed joint that has slid or
    * opened by a tenth of its length is released: vertex contacts take over. From the
-   * failure on it has given way: its blocks look at all their neighbours. So has a
+   * failure on it has yielded: its blocks look at all their neighbours. So has a
    * joint of the body that has slid or opened by 1/400 of its length before.
    * Bedding planes are not counted.
    *

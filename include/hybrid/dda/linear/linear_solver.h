@@ -50,7 +50,7 @@ namespace hybrid::dda
     /// Slices of the blocks that threads share out, see SsorSystem.
     void set_slices(const std::vector<int> &slice_of_block)
     {
-      swept.set_slices(slice_of_block);
+      ssor.set_slices(slice_of_block);
     }
 
     /// The matrix has changed in the rows of these blocks and in any of nodes: a sparse factor may
@@ -89,7 +89,7 @@ namespace hybrid::dda
     };
 
     InterfaceStiffness foundation;
-    SsorSystem         swept;
+    SsorSystem         ssor;
     SparseFactor       factor;
     bool               use_factor        = false;
     bool               factor_is_current = false;
@@ -102,16 +102,16 @@ namespace hybrid::dda
 
     void precondition(const BlockMatrix &matrix, const Eigen::VectorXd &residual);
 
-    struct Swept;    ///< swept system, as conjugate_gradients() and bicgstab() see it
-    struct Factored; ///< system with the factor, likewise
+    struct Preconditioned; ///< swept system, as conjugate_gradients() and bicgstab() see it
+    struct Factored;       ///< system with the factor, likewise
 
     // Both start from unknown = 0 and r. A system has a product (multiply), a scalar product (dual)
     // and knows when the residual of the original system is small enough (solved).
-    Result conjugate_gradients(Swept &system, int limit); ///< symmetric matrices only
+    Result conjugate_gradients(Preconditioned &system, int limit); ///< symmetric matrices only
     template <typename System>
     Result bicgstab(System &system, int limit);
 
-    Result solve_swept(bool symmetric, const Target &target, Eigen::VectorXd &x);
+    Result solve_by_sweeps(bool symmetric, const Target &target, Eigen::VectorXd &x);
 
     /// True if so many factors had to be made that sweeps may serve better by now.
     bool are_sweeps_due() const;

@@ -28,7 +28,7 @@ namespace hybrid::dda
       /// Weight of contacts [-].
       double contact_weight = 1.;
       /// Of the shear stiffness of contacts that slide, see SlidingRegularisation [-].
-      double sliding_share = 0.;
+      double sliding_regularisation = 0.;
       /// Every spring is rebuilt, whether it has changed or not.
       bool all = true;
     };

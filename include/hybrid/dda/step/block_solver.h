@@ -76,7 +76,7 @@ namespace hybrid::dda
     std::vector<Contact> contacts_before; ///< of the last step, for the loads
     std::vector<char>    is_on_belt;      ///< per block: bonded to a surface
     std::vector<char>    held_off;        ///< per block, see SkippedPairs
-    int changes = -1; ///< given way, failed and released joints when the skip lists were made
+    int changes = -1; ///< yielded, failed and released joints when the skip lists were made
     std::vector<ContactScope> scope; ///< per block, now
 
     SearchSummary search_summary;
@@ -86,7 +86,7 @@ namespace hybrid::dda
     /// Sets is_on_belt and held_off.
     void find_blocks_on_surface();
 
-    /// @return whether joints have given way, failed or been released since the last call.
+    /// @return whether joints have yielded, failed or been released since the last call.
     bool update_skipped_pairs(const DdaState &state);
 
     /// Bring the contact list of @p state up to date.

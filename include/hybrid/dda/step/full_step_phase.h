@@ -6,7 +6,7 @@
 namespace hybrid::dda
 {
   /**
-   * How long the iterations of a step take whole updates, before the line search begins.
+   * How long the iterations of a step take full steps, before the line search begins.
    *
    * Whole updates let all contacts change their states at once, and the residual with them: it may
    * rise, and falls at once when the states are right. They are given up after so many, when they
@@ -27,7 +27,7 @@ namespace hybrid::dda
       return left > 0;
     }
 
-    /// A whole update has led to this residual [-].
+    /// A full step has led to this residual [-].
     void judge(double residual);
 
     /// Residual at the start [-].

@@ -47,7 +47,7 @@ namespace hybrid::dda
    * beta_K: block_damping_times(). Newton's method with the consistent tangent; the tangent is kept
    * as long as it serves. Not converged is a status: the state is changed only by accept().
    *
-   * The first iterations take whole updates, and a joint or contact whose slip would turn round
+   * The first iterations take full steps, and a joint or contact whose slip would turn round
    * sticks before it may slide back (Shi 1988). With its friction at once the other way a line
    * search ends near the first contact of hundreds that should stick, and every iteration finds but
    * one of them. Only if whole updates do not settle there is a line search, with the law alone.
@@ -109,7 +109,7 @@ namespace hybrid::dda
     SpringStiffness       stiffness;
     BlockMatrix           matrix;
     LinearSolver          solver;
-    SlidingRegularisation sliding_share;
+    SlidingRegularisation sliding_regularisation;
     Trial                 trial;
     std::vector<Mat6>     mass;
     std::vector<double>   damping_time; ///< beta_K of each block in this step [s]
@@ -124,12 +124,12 @@ namespace hybrid::dda
     Eigen::VectorXd foundation_moved; ///< displacement since then [m]
     Eigen::VectorXd contact_force;    ///< of contacts on blocks and foundation nodes
     Eigen::VectorXd incoming;         ///< at artificial boundaries, end of the step [N/m]
-    double          tangent_dt      = -1.; ///< step of the tangent in matrix
-    double          tangent_share   = 0.;  ///< SlidingRegularisation of it
-    int             tangent_pattern = -1;
-    bool            is_restored     = false; ///< the tangent is that of a checkpoint
-    bool            expects_many    = false; ///< iterations, after the last step
-    FullStepPhase   whole_updates;
+    double          tangent_dt             = -1.; ///< step of the tangent in matrix
+    double          tangent_regularisation = 0.;  ///< SlidingRegularisation of it
+    int             tangent_pattern        = -1;
+    bool            is_restored            = false; ///< the tangent is that of a checkpoint
+    bool            expects_many           = false; ///< iterations, after the last step
+    FullStepPhase   full_step_phase;
     bool            full_steps           = false; ///< updates: no line search, SlipReversal::locks
     bool            guesses_acceleration = true;  ///< the trial begins as if it stayed the same
     double          reference            = 0.;    ///< norm of absolute forces [N]

@@ -36,7 +36,7 @@ namespace
 } // namespace
 
 
-TEST(JointFailure, joint_that_has_given_way_wakes_its_blocks_before_it_fails)
+TEST(JointFailure, joint_that_has_yielded_wakes_its_blocks_before_it_fails)
 {
   EXPECT_FALSE(after(0.009, 0., 1.).has_yielded);
   EXPECT_TRUE(after(-0.011, 0., 1.).has_yielded);

@@ -142,7 +142,7 @@ TEST(OpenCloseIteration, base_as_a_body_moves_by_its_stiffness_and_load)
 
 // A wall of loose blocks, each with a spin of its own, falls onto rock: contacts close, open, stick
 // and slide.
-TEST(OpenCloseIteration, whole_updates_save_cuts)
+TEST(OpenCloseIteration, full_steps_save_cuts)
 {
   int cuts[2];
   for (const bool whole : {false, true})
@@ -150,7 +150,7 @@ TEST(OpenCloseIteration, whole_updates_save_cuts)
       FixedBaseRun run(square_blocks(5, 4),
                        block_parameters(30., 5e9),
                        straight_foundation(-0.1, 5., 10.));
-      run.model.iteration.whole_updates = whole ? 16 : 0;
+      run.model.iteration.max_full_steps = whole ? 16 : 0;
       for (int b = 0; b < 20; ++b)
         run.state.blocks[b].velocity << 1. - b % 3, -1. - b % 2, 0.5 * (b % 5) - 1., 0., 0., 0.;
       EXPECT_TRUE(run.run(0.2, 2e-3));
