@@ -15,7 +15,8 @@ packages=(build-essential cmake ninja-build git libdeal.ii-dev libgmsh-dev libei
           python3 python3-h5py python3-matplotlib python3-scipy
           python3-allpairspy python3-hypothesis)
 
-test_packages=(python3-vtk9 doxygen) # for `test` alone: reads the files for ParaView; makes pages of headers and documents
+# For `test` alone: files for ParaView are read, tools are tested, pages of headers and documents are made.
+test_packages=(python3-vtk9 python3-pytest doxygen)
 
 # Modules whose unit tests run under the sanitizers, and whether a leak is an error:
 # where MPI is linked, the leak checker reports MPI's own.

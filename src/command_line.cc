@@ -2,7 +2,7 @@
 #include <hybrid/command_line.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/nearest_name.h>
-#include <hybrid/subcommand.h>
+#include <hybrid/tool.h>
 
 #include <CLI/CLI.hpp>
 
@@ -29,10 +29,7 @@ namespace hybrid
       "after the present iteration). Exit code 0: done; 1: the run stopped early; 2: a mistake in "
       "the\n"
       "input; 3: another failure; 130: interrupted.\n"
-      "Not finished yet: compare, study.\n";
-
-    /// Names of subcommands to come.
-    constexpr const char *planned[] = {"compare", "study"};
+      "hybrid NAME --help tells what a tool takes.\n";
 
     /// Flags that say what is done. One command line does one thing.
     struct ActionFlag
@@ -67,23 +64,13 @@ namespace hybrid
 
 
 
-    /// "hybrid" or "hybrid plot".
-    std::string name_of(const CLI::App &app)
-    {
-      return app.get_parent() == nullptr ? app.get_name()
-                                         : name_of(*app.get_parent()) + " " + app.get_name();
-    }
-
-
-
     void refuse_unknown_options(const CLI::App &app, const std::vector<std::string> &words)
     {
-      const std::string of = app.get_parent() == nullptr ? "" : " of " + name_of(app);
       for (const std::string &word : words)
         if (!word.empty() && word[0] == '-')
-          throw InputError("unknown option '" + word + "'" + of +
-                           scene::suggestion(word, option_names(app)) + "; " + name_of(app) +
-                           " --help lists the options");
+          throw InputError("unknown option '" + word + "'" +
+                           scene::suggestion(word, option_names(app)) +
+                           "; hybrid --help lists the options");
     }
 
 
@@ -94,8 +81,8 @@ namespace hybrid
       if (word.find_first_of("./") != std::string::npos || std::filesystem::exists(word))
         return;
       std::vector<std::string> names;
-      for (const Subcommand &subcommand : subcommands())
-        names.push_back(subcommand.name);
+      for (const Tool &tool : tools())
+        names.push_back(tool.name);
       for (const std::string &option : option_names(app))
         names.push_back(option.substr(2));
       const std::string meant = scene::nearest_name(word, names);
@@ -146,31 +133,13 @@ namespace hybrid
 
 
 
-    /// @p words and @p app must live as long as the parsing.
-    void
-    declare_subcommands(CLI::App &app, CommandLine &result, const std::vector<std::string> &words)
+    /// For the help alone: a tool reads its words itself.
+    void declare_tools(CLI::App &app)
     {
-      for (const Subcommand &subcommand : subcommands())
-        {
-          CLI::App *of = app.add_subcommand(subcommand.name, subcommand.help);
-          of->footer("Examples:\n" + subcommand.examples);
-          const auto work = subcommand.declare(*of);
-          of->preparse_callback([&, work](std::size_t) {
-            if (!app.parse_order().empty())
-              throw InputError("'" + subcommand.name + "' stands first: hybrid " + subcommand.name +
-                               " ..., not after '" + words[0] + "'");
-            result.action     = Action::subcommand;
-            result.subcommand = work;
-          });
-        }
-    }
-
-
-
-    /// @return the subcommand that was named, or @p app itself.
-    const CLI::App &chosen_in(const CLI::App &app)
-    {
-      return app.get_subcommands().empty() ? app : *app.get_subcommands().front();
+      for (const Tool &tool : tools())
+        app.add_subcommand(tool.name, tool.help)->preparse_callback([&](std::size_t) {
+          throw InputError("'" + tool.name + "' stands first: hybrid " + tool.name + " ...");
+        });
     }
 
 
@@ -188,22 +157,20 @@ namespace hybrid
         }
       catch (const CLI::ArgumentMismatch &)
         {
-          throw mismatch(chosen_in(app), words);
+          throw mismatch(app, words);
         }
       catch (const CLI::ParseError &error)
         {
-          refuse_unknown_options(chosen_in(app), chosen_in(app).remaining());
-          const std::string name = name_of(chosen_in(app));
-          throw InputError(name + ": " + error.what() + "; see " + name + " --help");
+          refuse_unknown_options(app, app.remaining());
+          throw InputError(std::string("hybrid: ") + error.what() + "; see hybrid --help");
         }
       refuse_unknown_options(app, app.remaining());
-      refuse_unknown_options(chosen_in(app), chosen_in(app).remaining());
       return false;
     }
 
 
 
-    /// The words of hybrid without a subcommand.
+    /// What CLI11 cannot know.
     void check_words(const CLI::App &app, CommandLine &result)
     {
       refuse_unknown_options(app, {result.target});
@@ -246,30 +213,31 @@ namespace hybrid
       }
     if (words.size() == 1 && words[0] == "version")
       words[0] = "--version";
-    for (const std::string name : planned)
-      if (words[0] == name)
-        throw InputError("'" + name + "' is not finished in this version");
 
     CommandLine result;
-    CLI::App    app(about, "hybrid");
+    for (const Tool &tool : tools())
+      if (words[0] == tool.name)
+        {
+          result.action = Action::tool;
+          result.tool   = tool.name;
+          result.words.assign(words.begin() + 1, words.end());
+          return result;
+        }
+    CLI::App app(about, "hybrid");
     app.allow_extras()->require_subcommand(0, 1);
     app.get_formatter()->column_width(34);
     app.get_formatter()->label("TEXT", "");
     app.get_formatter()->label("REQUIRED", "");
     app.footer(examples);
     declare_options(app, result);
-    declare_subcommands(app, result, words);
+    declare_tools(app);
     if (parse(app, words))
       {
         result.action = Action::help;
         result.help   = app.help();
         return result;
       }
-    if (result.action != Action::subcommand)
-      check_words(app, result);
-    else if (const auto more = chosen_in(app).remaining(); !more.empty())
-      throw InputError("'" + more[0] + "' is one word too many; see " + name_of(chosen_in(app)) +
-                       " --help");
+    check_words(app, result);
     return result;
   }
 } // namespace hybrid

@@ -9,6 +9,7 @@
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/parameters/scene_reader.h>
 #include <hybrid/simulation.h>
+#include <hybrid/tool.h>
 #include <hybrid/waiting_threads.h>
 
 #include <csignal>
@@ -222,8 +223,8 @@ main(int argc, char **argv)
           case Action::print_parameters:
             scene::print_all_parameters(std::cout);
             return 0;
-          case Action::subcommand:
-            return command.subcommand();
+          case Action::tool:
+            return run_tool(command.tool, command.words);
           case Action::resume:
             return resume_run(command, argc, argv);
           case Action::check:

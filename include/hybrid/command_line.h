@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,7 @@ namespace hybrid
     print_parameters,
     version,
     help,
-    subcommand
+    tool
   };
 
 
@@ -28,7 +27,8 @@ namespace hybrid
     std::vector<std::string> overrides;     ///< of -s, "Section/Name=value"
     bool                     force = false; ///< replace an earlier run
     std::string              help;          ///< the text, for Action::help
-    std::function<int()>     subcommand;    ///< does its work, returns the exit code
+    std::string              tool;          ///< its name, for Action::tool
+    std::vector<std::string> words;         ///< what it is given
   };
 
 

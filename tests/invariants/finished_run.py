@@ -5,7 +5,7 @@ import pathlib
 
 import numpy as np
 import overlap
-from run_data import RunData
+from hybrid_run import Run
 from scenes import GRAVITY, MASS, WATER
 from scipy.spatial import cKDTree
 from vtu_file import Picture, picture_files
@@ -15,7 +15,7 @@ class FinishedRun:
     def __init__(self, scene, directory):
         self.scene, self.directory = scene, pathlib.Path(directory)
         self.options = scene.options
-        self.data = RunData(str(directory))
+        self.data = Run(str(directory))
         self.time = self.data.time
         self.block_frames = picture_files(directory, "blocks")
         self.n_mass = len(scene.section.blocks) + len(scene.section.free_blocks)

@@ -9,7 +9,7 @@ import sys
 import traceback
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / part) for part in ("src/output/plot", "tests/verification/cases", "tests/invariants")]
+sys.path[:0] = [str(ROOT / part) for part in ("src/tools", "tests/verification/cases", "tests/invariants")]
 
 from finished_run import FinishedRun  # noqa: E402 (needs the path above)
 from judge import judge  # noqa: E402

@@ -18,10 +18,10 @@ import numpy as np  # noqa: E402
 from matplotlib.collections import PolyCollection  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "src/output/plot"), str(ROOT / "tests/verification/cases"), str(ROOT / "tests/stability")]
+sys.path[:0] = [str(ROOT / "src/tools"), str(ROOT / "tests/verification/cases"), str(ROOT / "tests/stability")]
 
 import overlaps  # noqa: E402
-from run_data import RunData  # noqa: E402
+from hybrid_run import Run  # noqa: E402
 from vtu_file import picture_at  # noqa: E402
 
 
@@ -81,7 +81,7 @@ def main():
         del arguments[at:at + 2]
     if len(arguments) < 3:
         sys.exit(__doc__)
-    run = RunData(arguments[0])
+    run = Run(arguments[0])
     run.directory_path = pathlib.Path(arguments[0])
     draw(run, [float(t) for t in arguments[2:]], window, arguments[1], field)
 

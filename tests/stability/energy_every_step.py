@@ -17,11 +17,11 @@ import sys
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "src/output/plot"), str(ROOT / "tests"), str(ROOT / "tests/verification/cases"), str(ROOT / "tests/stability")]
+sys.path[:0] = [str(ROOT / "src/tools"), str(ROOT / "tests"), str(ROOT / "tests/verification/cases"), str(ROOT / "tests/stability")]
 
 from hard_case_list import CASES  # noqa: E402 (needs the path above)
 from hard_cases import NOISE, created_energy, energy_terms, exchanged_energy, physical_total  # noqa: E402
-from run_data import RunData  # noqa: E402
+from hybrid_run import Run  # noqa: E402
 from run_hybrid import run_hybrid  # noqa: E402
 
 SCHEMES = ("dissipative", "trapezoidal", "fourth order", "shi")
@@ -81,7 +81,7 @@ def main():
                 print("FAIL  " + failures[-1], flush=True)
                 continue
             judged += 1
-            if not judge(name, RunData(str(work / "run"))):
+            if not judge(name, Run(str(work / "run"))):
                 failures.append(name)
     shutil.rmtree(work / "run", ignore_errors=True)
     if not judged:

@@ -19,11 +19,11 @@ import sys
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "src/output/plot"), str(ROOT / "tests"), str(ROOT / "tests/verification/cases"), str(ROOT / "tests/stability")]
+sys.path[:0] = [str(ROOT / "src/tools"), str(ROOT / "tests"), str(ROOT / "tests/verification/cases"), str(ROOT / "tests/stability")]
 
 import overlaps  # noqa: E402 (needs the path above)
 from hard_case_list import CASES  # noqa: E402
-from run_data import RunData  # noqa: E402
+from hybrid_run import Run  # noqa: E402
 from run_hybrid import run_hybrid  # noqa: E402
 from vtu_file import pictures  # noqa: E402
 
@@ -54,11 +54,11 @@ class HardCase:
         return code, output + errors
 
     def run(self, variant, overrides):
-        """RunData of a run that must finish."""
+        """Run of a run that must finish."""
         code, text = self.start(variant, overrides)
         if code != 0:
             sys.exit("error: %s/%s ended with code %d\n%s" % (self.name, variant, code, text[-2000:]))
-        run = RunData(str(self.work / variant))
+        run = Run(str(self.work / variant))
         run.directory_path = self.work / variant
         return run
 

@@ -130,7 +130,7 @@ def check_mistakes():
     expect_mistake("misspelt option", [good, "--forse"], "did you mean '--force'?")
     result = run("--chek", good)
     require(result.returncode == 2 and "did you mean '--check'?" in result.stderr, "--chek", result)
-    for words, part in ((["plott", "run"], "did you mean 'plot'?"), (["plot"], "DIRECTORY is required"),
+    for words, part in ((["plott", "run"], "did you mean 'plot'?"), (["plot"], "required: DIRECTORY"),
                         ([good, "plot"], "'plot' stands first"), (["plot", "run", "--hlep"], "did you mean '--help'?"),
                         (["-"], "unknown option '-'"), (["--check=yes", good], "takes no value")):
         result = run(*words)

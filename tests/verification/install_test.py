@@ -10,7 +10,7 @@ import shutil
 import subprocess
 import sys
 
-EXPECTED = ("bin/hybrid", "share/hybrid/plot/plot_run.py", "share/hybrid/parameters/majiagou/badong.prm",
+EXPECTED = ("bin/hybrid", "share/hybrid/tools/tool.py", "share/hybrid/parameters/majiagou/badong.prm",
             "share/hybrid/meshes/majiagou.geo", "share/hybrid/doc/user_guide.md", "share/hybrid/README.md")
 
 
@@ -24,7 +24,7 @@ def main():
         print(f"{name} was not installed")
     if missing:
         return 1
-    (prefix / "share/hybrid/plot/style.py").open("a").write(f"\nopen({str(work / 'drawn')!r}, 'w').close()\n")
+    (prefix / "share/hybrid/tools/hybrid_tools/style.py").open("a").write(f"\nopen({str(work / 'drawn')!r}, 'w').close()\n")
     hybrid = prefix / "bin/hybrid"
     subprocess.run([hybrid, prefix / "share/hybrid/parameters/verification/coupled_column.prm", "-s", "Time/End time=0.02",
                     "-s", f"Output/Directory={run}"], check=True, stdout=subprocess.DEVNULL, cwd=work)

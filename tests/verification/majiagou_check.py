@@ -32,7 +32,7 @@ import numpy as np
 import majiagou_fem
 from majiagou_fem import REST
 from majiagou_column import Belt, Scene, compare_boreholes, compare_monitors, peak, print_table
-from run_data import RunData
+from hybrid_run import Run
 
 ENERGY_RESIDUAL = 0.01
 ENVELOPE_TOLERANCE = 0.05
@@ -210,7 +210,7 @@ def monitor_peaks(run, name):
 
 
 def print_changes(directory, reference):
-    runs = RunData(directory), RunData(reference)
+    runs = Run(directory), Run(reference)
     if abs(runs[0].time[-1] - runs[1].time[-1]) > 1e-6 * runs[1].time[-1]:
         print("error: the runs end at different times: %g and %g s" % (runs[0].time[-1], runs[1].time[-1]))
         return 1

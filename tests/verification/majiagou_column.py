@@ -17,10 +17,10 @@ import sys
 import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [os.path.join(HERE, "../../src/output/plot"), os.path.join(HERE, "cases")]
+sys.path[:0] = [os.path.join(HERE, "../../src/tools"), os.path.join(HERE, "cases")]
 
 import scene_numbers  # noqa: E402
-from run_data import RunData  # noqa: E402
+from hybrid_run import Run  # noqa: E402
 from zero_phase import low_pass  # noqa: E402
 
 SECTION = os.path.join(HERE, "../../meshes/majiagou_section.csv")
@@ -174,7 +174,7 @@ class Scene:
     """What the columns need to know of a run."""
 
     def __init__(self, directory):
-        self.run = RunData(directory)
+        self.run = Run(directory)
         self.parameters = scene_numbers.read(os.path.join(directory, "params.used.prm"))
         p = self.parameters
         self.soils = {key: Soil(p, p["Blocks/" + key], key == "Saturated material")

@@ -21,9 +21,9 @@ import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "src/output/plot"), str(ROOT / "tests"), str(ROOT / "tests/verification/cases")]
+sys.path[:0] = [str(ROOT / "src/tools"), str(ROOT / "tests"), str(ROOT / "tests/verification/cases")]
 
-from run_data import RunData  # noqa: E402 (needs the path above)
+from hybrid_run import Run  # noqa: E402 (needs the path above)
 from run_hybrid import run_hybrid  # noqa: E402
 from scene_numbers import assignments, read  # noqa: E402
 
@@ -38,7 +38,7 @@ class Case:
         self.failures, self.asked = [], 0
 
     def run(self, variant="default", *overrides, expect=0, mesh=None):
-        """RunData of the scene with overrides ("Section/Name=value"), made in WORK_DIR/variant.
+        """Run of the scene with overrides ("Section/Name=value"), made in WORK_DIR/variant.
 
         mesh: {"Angle": 20.0}, changes to Mesh/Numbers of the scene.
         """
@@ -52,7 +52,7 @@ class Case:
             self.binary, self.scene, directory, ["%s=%s" % pair for pair in changed.items()])
         if code != expect:
             sys.exit("error: %s ended with code %d\n%s%s" % (command, code, output[-2000:], errors[-2000:]))
-        return RunData(str(directory)) if expect == 0 else None
+        return Run(str(directory)) if expect == 0 else None
 
     def _ask(self, fulfilled, sentence):
         self.asked += 1

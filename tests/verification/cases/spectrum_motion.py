@@ -2,7 +2,7 @@
 """The motion of the base has the response spectrum that was asked for."""
 
 import numpy as np
-from response_spectrum import pseudo_acceleration
+from hybrid_run import pseudo_acceleration
 from scene_numbers import Numbers
 
 GROUND = 0.1 * 9.80665  # a_g of eurocode8_type1_b.csv [m/s2]

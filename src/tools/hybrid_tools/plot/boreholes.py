@@ -3,8 +3,9 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-import style
-from run_data import MissingData
+
+from hybrid_run import MissingData
+from hybrid_tools import style
 
 LAST = 2.0  # [s]; what is left is the mean over so much, or over a quarter of a shorter run
 

@@ -5,10 +5,12 @@ import math
 
 import matplotlib.pyplot as plt
 import numpy as np
-import style
 from matplotlib.collections import LineCollection, PolyCollection
-from run_data import NotInScene
-from section_view import Section, draw_rock, margin_of, set_view
+
+from hybrid_run import NotInScene
+from hybrid_tools import style
+
+from .section_view import Section, draw_rock, margin_of, set_view
 
 
 def density(x, shape):

@@ -7,19 +7,45 @@ import os
 import h5py
 import numpy as np
 
-
-class MissingData(Exception):
-    """A figure cannot be drawn because the run did not record what it shows."""
-
-
-class NotInScene(MissingData):
-    """A figure shows an effect that the scene does not have: nothing is missing."""
+from .blocks import Blocks
+from .errors import MissingData, UserError
+from .monitor import Monitor
+from .parameters import parameters_of_run
 
 
-class RunData:
+class Run:
+    """One run, finished or going on.
+
+    time: end of each step [s], n. monitors: by name. blocks: of the sliding mass. summary: summary.json, empty until the run has ended.
+    parameters: every parameter of the run by "Section/Name", as text.
+    """
+
     def __init__(self, directory):
-        self.directory = directory
-        self.reopen()
+        """@raises UserError if there is no run in the directory, or run.h5 cannot be read."""
+        self.directory = str(directory)
+        if not os.path.isdir(self.directory):
+            raise UserError("'%s' is not a directory; give the output directory of a run" % self.directory)
+        if not os.path.exists(os.path.join(self.directory, "run.h5")):
+            raise UserError("'%s' holds no run.h5; give the output directory of a run" % self.directory)
+        try:
+            self.reopen()
+        except (OSError, ValueError) as error:
+            raise UserError("cannot read the run in '%s': %s" % (self.directory, error)) from error
+
+    @property
+    def monitors(self):
+        return {name: Monitor(self, name) for name in self.names("monitors")}
+
+    @property
+    def blocks(self):
+        return Blocks(self)
+
+    @property
+    def parameters(self):
+        try:
+            return parameters_of_run(self.directory)
+        except OSError as error:
+            raise MissingData("no params.used.prm in '%s'" % self.directory) from error
 
     def reopen(self):
         """What the file says now: a run that goes on writes while it is read."""
@@ -100,6 +126,16 @@ class RunData:
         time = self.time[0] + spacing * np.arange(int((self.time[-1] - self.time[0]) / spacing) + 1)
         columns = [np.interp(time, self.time, values[:, c]) for c in range(values.shape[1])]
         return time, np.column_stack(columns)
+
+    def resolved_frequency(self):
+        """Half of the rate of the recorded steps [Hz]."""
+        steps = np.diff(self.time)
+        return 0.5 / steps.max() if len(steps) else np.inf
+
+    def frequencies(self, points=200):
+        """Frequencies for spectra [Hz]: equal on a logarithmic axis, from three periods in the run to the low-pass, or half the sampling rate."""
+        highest = min(self.corner or np.inf, self.resolved_frequency())
+        return np.geomspace(min(3 / (self.time[-1] - self.time[0]), 0.5 * highest), highest, points)
 
     def filtered(self, path):
         """Time and values below self.corner [Hz], as the program writes them at the end of a run; 0: raw."""

@@ -4,11 +4,12 @@
 import matplotlib.patheffects as effects
 import matplotlib.pyplot as plt
 import numpy as np
-import style
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+
+from hybrid_tools import style
 
 OUTLINE = [effects.withStroke(linewidth=2.6, foreground="#ffffffb0")]
 HALO = [effects.withStroke(linewidth=2.2, foreground="white")]

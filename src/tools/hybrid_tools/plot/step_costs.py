@@ -3,9 +3,10 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-import style
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
-from run_data import MissingData
+
+from hybrid_run import MissingData
+from hybrid_tools import style
 
 
 def log_axis(axis, values):

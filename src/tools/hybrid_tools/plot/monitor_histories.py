@@ -3,8 +3,9 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-import style
-from run_data import MissingData
+
+from hybrid_run import MissingData
+from hybrid_tools import style
 
 GROUP_TITLES = {"S": "Monitors on the surface", "D": "Monitors at depth", "other": "Other monitors", "base": "Base monitor"}
 

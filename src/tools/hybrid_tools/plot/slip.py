@@ -3,8 +3,9 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-import style
-from run_data import MissingData
+
+from hybrid_run import MissingData
+from hybrid_tools import style
 
 MOST_PROFILES = 6  # besides the last one
 

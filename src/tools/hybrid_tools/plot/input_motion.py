@@ -3,9 +3,9 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-import style
-from response_spectrum import pseudo_acceleration
-from run_data import MissingData
+
+from hybrid_run import MissingData, pseudo_acceleration
+from hybrid_tools import style
 
 COMPONENTS = (("horizontal", style.HORIZONTAL), ("vertical", style.VERTICAL))
 

@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One page that says what happened: figures of the run, section, motion, displacements, boreholes, energy."""
 
-import boreholes
-import energy_balance
-import input_motion
 import matplotlib.pyplot as plt
-import monitor_histories
-import section_view
-import style
-from run_data import MissingData
+
+from hybrid_run import MissingData
+from hybrid_tools import style
+
+from . import boreholes, energy_balance, input_motion, monitor_histories, section_view
 
 
 def facts(run):

@@ -3,8 +3,9 @@
 
 import matplotlib.pyplot as plt
 import numpy as np
-import style
-from run_data import MissingData
+
+from hybrid_run import MissingData
+from hybrid_tools import style
 
 STEPS = [(1e3, 1.0, "J/m"), (1e6, 1e-3, "kJ/m"), (1e9, 1e-6, "MJ/m"), (np.inf, 1e-9, "GJ/m")]
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/input_error.h>
+#include <hybrid/tool.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+
+#include <spawn.h>
+#include <sys/wait.h>
+
+extern char **environ;
+
+namespace hybrid
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    fs::path this_program()
+    {
+      std::error_code error;
+      return fs::read_symlink("/proc/self/exe", error);
+    }
+
+
+
+    std::string find_script()
+    {
+      std::error_code error;
+      const fs::path installed = this_program().parent_path() / ".." / "share/hybrid/tools/tool.py";
+      if (fs::exists(installed, error))
+        return installed.lexically_normal().string();
+      const fs::path built_from = fs::path(HYBRID_TOOLS) / "tool.py";
+      if (fs::exists(built_from, error))
+        return built_from.string();
+      throw InputError("the script tool.py was found neither beside the program "
+                       "(share/hybrid/tools) nor in '" HYBRID_TOOLS "'");
+    }
+
+
+
+    /// Run a program without a shell. @return its exit code.
+    int run(std::vector<std::string> words)
+    {
+      std::vector<char *> arguments;
+      for (std::string &word : words)
+        arguments.push_back(word.data());
+      arguments.push_back(nullptr);
+      pid_t process = 0;
+      if (posix_spawn(&process, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0)
+        throw InputError("cannot start '" + words[0] +
+                         "', the Python that the program was built with");
+      int status = 0;
+      while (waitpid(process, &status, 0) < 0)
+        if (errno != EINTR)
+          throw InputError("lost sight of '" + words[0] + "' while it was at work");
+      return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    }
+  } // namespace
+
+
+
+  const std::vector<Tool> &tools()
+  {
+    static const std::vector<Tool> all = {
+      {"plot", "all pictures of a run, in DIRECTORY/figures"},
+    };
+    return all;
+  }
+
+
+
+  int run_tool(const std::string &name, const std::vector<std::string> &words)
+  {
+    setenv("HYBRID_PROGRAM", this_program().c_str(), 1); // tools that run scenes ask for it
+    std::vector<std::string> all = {HYBRID_PYTHON, find_script(), name};
+    all.insert(all.end(), words.begin(), words.end());
+    return run(all);
+  }
+} // namespace hybrid

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Parameter files of deal.II: params.used.prm of a run."""
+
+import os
+import re
+
+
+def read_parameters(path):
+    """{"Section/Name": "value"} of a parameter file, in its order; comments are left out.
+
+    A name that a scene gives several times (numbered subsections apart) has its last value.
+    """
+    values, sections = {}, []
+    with open(path, encoding="utf-8") as lines:
+        for line in joined(lines):
+            words = line.split("#")[0].strip()
+            if words.startswith("subsection "):
+                sections.append(words[len("subsection "):].strip())
+            elif words == "end":
+                sections.pop()
+            elif words.startswith("set "):
+                name, _, value = words[len("set "):].partition("=")
+                values["/".join(sections + [" ".join(name.split())])] = re.sub(r"\s+", " ", value).strip()
+    return values
+
+
+def joined(lines):
+    """Lines that end with a backslash go on in the next one."""
+    text = ""
+    for line in lines:
+        text += line.rstrip("\n")
+        if text.endswith("\\"):
+            text = text[:-1]
+            continue
+        yield text
+        text = ""
+    if text:
+        yield text
+
+
+def parameters_of_run(directory):
+    """Every parameter of a run, also those left at their defaults."""
+    return read_parameters(os.path.join(directory, "params.used.prm"))
