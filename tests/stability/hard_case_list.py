@@ -22,6 +22,7 @@ class Wanted:
     full_speed: float = 0.0  # bound on the velocity of --long [m/s]; 0: that of the scene
     residual: float = 0.01  # of the energy audit; 0.001 where nothing hits or breaks
     penetration: float = 0.01  # overlap over block size
+    full_penetration: float = 0.0  # that of --long; 0: that of the scene
     more: typing.Optional[typing.Callable] = None  # more(case, variant, run)
 
     def runs(self, long):
@@ -137,7 +138,8 @@ CASES = {
     "hinge": Wanted(residual=0.001, more=gapes),
     "crushed": Wanted(residual=0.001, penetration=0.05, more=falls_apart),
     "dead_load": Wanted({"scene": [], "trapezoidal": ["Time/Scheme=trapezoidal"]}, residual=0.001, penetration=0.05, more=falls_apart,
-                        full_speed=128.0, full_size={"10 x 20": [
+                        full_speed=128.0, full_penetration=0.08,  # corners hit the base as much faster: 5 % x 128 / 81
+                        full_size={"10 x 20": [
                             "Mesh/Numbers=Width = 10; Height = 20; Base beyond = 150; Resolution/h = 1", "Time/End time=2",
                             "Edge loads/Tractions=top: -100, 100, 19.99, 20.01, 0, -450e3",
                             "Gravity/Static stage=equilibrium or move"]}),

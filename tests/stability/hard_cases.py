@@ -152,7 +152,8 @@ def main():
         case.speed_bound = wanted.full_speed
     for variant, overrides in wanted.runs("--long" in options):
         run = case.run(variant, overrides)
-        case.judge(variant, run, {"residual": wanted.residual, "penetration": wanted.penetration})
+        penetration = "--long" in options and wanted.full_penetration or wanted.penetration
+        case.judge(variant, run, {"residual": wanted.residual, "penetration": penetration})
         if wanted.more:
             wanted.more(case, variant, run)
     for variant, overrides, words in wanted.refusals:
