@@ -12,7 +12,7 @@ root="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 packages=(build-essential cmake ninja-build git libdeal.ii-dev libgmsh-dev libeigen3-dev
           libsuitesparse-dev libopenblas-dev libgtest-dev zlib1g-dev libhdf5-openmpi-dev
           nlohmann-json3-dev libcli11-dev
-          python3 python3-h5py python3-matplotlib python3-scipy
+          python3 python3-h5py python3-matplotlib python3-scipy python3-tabulate
           python3-allpairspy python3-hypothesis)
 
 # For `test` alone: files for ParaView are read, tools are tested, pages of headers and documents are made.
