@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/step/initial_state.h>
 #include <hybrid/output/progress.h>
+#include <hybrid/output/resolution.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/simulation_run.h>
 
@@ -16,6 +17,16 @@ namespace hybrid
     {
       rusage usage;
       return getrusage(RUSAGE_SELF, &usage) == 0 ? usage.ru_maxrss / 1024. : 0.;
+    }
+
+
+
+    void summarize(const output::Resolutions &resolutions, output::Summary &summary)
+    {
+      summary.resolved_frequency = resolutions.lowest();
+      for (const output::Resolution &part : resolutions.parts)
+        summary.resolved_by_part[output::name(part.part)] = part.resolved;
+      summary.motion_frequency = resolutions.wanted;
     }
   } // namespace
 
@@ -145,9 +156,12 @@ namespace hybrid
     summary.blocks         = model.blocks != nullptr ? model.blocks->n_blocks() : 0;
     summary.continuum_unknowns =
       model.continuum != nullptr ? static_cast<long>(model.continuum->n_unknowns()) : 0;
-    summary.interface_unknowns   = model.foundation != nullptr
-                                     ? 2 * static_cast<long>(model.foundation->surface_nodes().size())
-                                     : 0;
+    summary.interface_unknowns = model.foundation != nullptr
+                                   ? 2 * static_cast<long>(model.foundation->surface_nodes().size())
+                                   : 0;
+    summarize(output::resolve(
+                model.scene, model.motion.outcrop(), model.blocks.get(), model.continuum.get()),
+              summary);
     summary.wasted.cuts          = run.clock.cuts();
     summary.timings["continuum"] = run.step.timings().continuum;
     summary.timings["blocks"]    = run.step.timings().blocks;

@@ -55,13 +55,15 @@ namespace hybrid::output
   }
 
 
-  std::string mesh_warning(const Resolution &r)
+  std::string mesh_warning(const Resolution &r, const double wanted)
   {
-    if (!(r.wanted > (1. + round_off) * r.resolved))
+    if (!(wanted > (1. + round_off) * r.resolved))
       return "";
-    return r.part + " resolves " + number(r.resolved) +
-           " Hz at ten points per wave length, the motion has energy up to " + number(r.wanted) +
-           " Hz; " + r.pieces + " of at most " + number(rounded_down(r.size)) + " m would do";
+    const char  *pieces = r.part == ModelPart::continuum ? "cells" : "blocks";
+    const double size   = r.slowest_s_wave / (r.points * wanted);
+    return name(r.part) + " resolves " + number(r.resolved) +
+           " Hz at ten points per wave length, the motion has energy up to " + number(wanted) +
+           " Hz; " + pieces + " of at most " + number(rounded_down(size)) + " m would do";
   }
 
 

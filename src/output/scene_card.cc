@@ -4,21 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstdarg>
 #include <cstdio>
-#include <numeric>
 #include <thread>
-#include <utility>
 
 namespace hybrid::output
 {
   namespace
   {
-    constexpr double points_per_wavelength = 10.;
-
-
-
     /// printf into a string.
     std::string line(const char *format, ...)
     {
@@ -210,47 +203,6 @@ namespace hybrid::output
 
 
 
-    /// Means of as many samples as lie within a quarter of a millisecond, or of two where there are
-    /// very many: enough up to 50 Hz.
-    scene::Motion averaged(const scene::Motion &motion)
-    {
-      const auto &a = motion.samples();
-      if (a.size() < 2)
-        return motion;
-      const double      spacing = a.size() > 100000 ? 2e-3 : 0.25e-3; // [s]
-      const std::size_t group =
-        std::clamp(std::floor(spacing / motion.time_step()), 1., double(a.size() / 2));
-      if (group < 2)
-        return motion;
-      std::vector<double> means(a.size() / group);
-      for (std::size_t i = 0; i < means.size(); ++i)
-        means[i] =
-          std::accumulate(a.begin() + i * group, a.begin() + (i + 1) * group, 0.) / double(group);
-      return {group * motion.time_step(), means};
-    }
-
-
-
-    /// Below which 95 % of the energy of point loads and initial wave are [Hz]. The power of a
-    /// Ricker wavelet is that of a chi-square distribution of 4 (f / f_0)^2 with five degrees of
-    /// freedom; that of a packet, l wave lengths long, is normal with deviation f_0 / (sqrt(8) pi
-    /// l).
-    double highest_frequency(const scene::SceneParameters &scene)
-    {
-      double result = 0.;
-      if (!scene.has_continuum())
-        return result;
-      if (!scene.point_loads.loads.empty())
-        result = 1.664 * scene.point_loads.frequency;
-      const scene::InitialWaveParameters &wave = scene.initial_wave;
-      if (wave.type != scene::WaveType::none)
-        result =
-          std::max(result, wave.frequency * (1. + 1.645 / (std::sqrt(8.) * M_PI * wave.length)));
-      return result;
-    }
-
-
-
     void warn(const std::string &warning, SceneCard &card)
     {
       if (!warning.empty())
@@ -259,122 +211,72 @@ namespace hybrid::output
 
 
 
-    /// Smallest and largest size of the blocks from @p begin to before @p end [m].
-    std::pair<double, double> sizes(const dda::Model &model, const int begin, const int end)
+    /// What a part of blocks is cut into, and what it resolves.
+    std::string in_words(const Resolution &r)
     {
-      double smallest = 1e300, largest = 0.;
-      for (int b = begin; b < end; ++b)
-        {
-          smallest = std::min(smallest, model.blocks[b].size);
-          largest  = std::max(largest, model.blocks[b].size);
-        }
-      return {smallest, largest};
+      char text[120];
+      std::snprintf(text,
+                    sizeof(text),
+                    "size %.3g to %.3g m; slowest S wave %.4g m/s: resolves %.3g Hz",
+                    r.smallest,
+                    r.largest,
+                    r.slowest_s_wave,
+                    r.resolved);
+      return text;
     }
 
 
 
-    void describe_bedrock_blocks(const dda::Model             &model,
-                                 const scene::SceneParameters &scene,
-                                 const double                  wanted,
-                                 SceneCard                    &card)
+    void describe(const Resolution             &r,
+                  const scene::SceneParameters &scene,
+                  const dda::Model             *blocks,
+                  const continuum::Continuum   *continuum,
+                  std::string                  &text)
     {
-      const int first                = model.n_mass();
-      const auto [smallest, largest] = sizes(model, first, model.n_blocks());
-      const char *words              = scene.bedrock.words.c_str();
-      if (!scene.bedrock.carries_waves)
+      switch (r.part)
         {
-          card.text += line(
-            "Bedrock    %d %s, size %.3g to %.3g m", model.n_bedrock, words, smallest, largest);
-          return;
+          case ModelPart::continuum:
+            text += line(
+              "Continuum  %d cells of degree %d, %zu unknowns, %zu on the contact surface; S %.4g, P %.4g m/s: resolves %.3g Hz",
+              continuum->resolution().cells,
+              scene.continuum.degree,
+              continuum->n_unknowns(),
+              continuum->resolution().surface_unknowns,
+              r.slowest_s_wave,
+              continuum->resolution().fastest_p_wave,
+              r.resolved);
+            break;
+          case ModelPart::bedrock:
+            text += line("Bedrock    %d %s, %s",
+                         blocks->n_bedrock,
+                         scene.bedrock.words.c_str(),
+                         in_words(r).c_str());
+            break;
+          case ModelPart::mass:
+            text += line("Blocks     %d blocks, %zu joints, %s",
+                         blocks->n_mass(),
+                         blocks->joints.size(),
+                         in_words(r).c_str());
         }
-      double slowest = 1e300;
-      for (const auto &entry : scene.continuum.region_material)
-        slowest =
-          std::min(slowest, scene.material(entry.second, "Continuum/Materials").s_wave_speed());
-      const double resolved = slowest / (points_per_wavelength * largest);
-      card.text +=
-        line("Bedrock    %d %s, size %.3g to %.3g m; slowest S wave %.4g m/s: resolves %.3g Hz",
-             model.n_bedrock,
-             words,
-             smallest,
-             largest,
-             slowest,
-             resolved);
-      warn(
-        mesh_warning(
-          {"the bedrock", resolved, wanted, "blocks", slowest / (points_per_wavelength * wanted)}),
-        card);
     }
 
 
 
-    void describe_blocks(const dda::Model             &model,
-                         const scene::SceneParameters &scene,
-                         const double                  wanted,
-                         SceneCard                    &card)
+    /// Bedrock of blocks too large for waves to run in them.
+    void describe_layers(const scene::SceneParameters &scene,
+                         const dda::Model             *blocks,
+                         std::string                  &text)
     {
-      if (model.n_bedrock > 0)
-        describe_bedrock_blocks(model, scene, wanted, card);
-      const int n_mass = model.n_mass();
-      if (n_mass == 0)
+      if (blocks == nullptr || blocks->n_bedrock == 0 || scene.bedrock.carries_waves)
         return;
-      const auto [smallest, largest] = sizes(model, 0, n_mass);
-      const Material &m              = scene.material(scene.blocks.material, "Blocks/Material");
-      double          slowest        = m.s_wave_speed();
-      if (scene.environment.water_level > -1e299 && !scene.blocks.saturated_material.empty())
-        slowest =
-          std::min(slowest,
-                   scene.material(scene.blocks.saturated_material, "Blocks/Saturated material")
-                     .s_wave_speed());
-      const double resolved = slowest / (points_per_wavelength * largest);
-      card.text += line(
-        "Blocks     %d blocks, %zu joints, size %.3g to %.3g m; slowest S wave %.4g m/s: resolves %.3g Hz",
-        n_mass,
-        model.joints.size(),
-        smallest,
-        largest,
-        slowest,
-        resolved);
-      warn(mesh_warning({"the sliding mass",
-                         resolved,
-                         wanted,
-                         "blocks",
-                         slowest / (points_per_wavelength * wanted)}),
-           card);
+      const auto [smallest, largest] = block_sizes(*blocks, blocks->n_mass(), blocks->n_blocks());
+      text += line("Bedrock    %d %s, size %.3g to %.3g m",
+                   blocks->n_bedrock,
+                   scene.bedrock.words.c_str(),
+                   smallest,
+                   largest);
     }
   } // namespace
-
-
-
-  double highest_frequency(const scene::Motion &motion, const double share)
-  {
-    // Plain discrete Fourier sums at 400 frequencies: enough for a figure on a card.
-    const scene::Motion coarse = averaged(motion);
-    const auto         &a      = coarse.samples();
-    if (a.size() < 2)
-      return 0.;
-    constexpr int       n   = 400;
-    const double        top = std::min(50., 0.5 / motion.time_step());
-    std::vector<double> power(n);
-    double              total = 0.;
-    for (int k = 0; k < n; ++k)
-      {
-        const std::complex<double> turn =
-          std::polar(1., -2. * M_PI * top * (k + 1) / n * coarse.time_step());
-        std::complex<double> sum = 0., factor = 1.;
-        for (const double value : a)
-          {
-            sum += value * factor;
-            factor *= turn;
-          }
-        total += power[k] = std::norm(sum);
-      }
-    double below = 0.;
-    for (int k = 0; k < n; ++k)
-      if ((below += power[k]) >= share * total)
-        return top * (k + 1) / n;
-    return top;
-  }
 
 
 
@@ -387,37 +289,20 @@ namespace hybrid::output
     if (!scene.title.empty())
       card.text += scene.title + "\n";
     describe_effects(scene, motion, card.text);
-    const double wanted =
-      std::max(motion.empty() ? 0. : highest_frequency(motion), highest_frequency(scene));
-    if (continuum != nullptr)
+    const Resolutions resolutions = resolve(scene, motion, blocks, continuum);
+    describe_layers(scene, blocks, card.text);
+    for (const Resolution &part : resolutions.parts)
       {
-        const auto r = continuum->resolution();
-        card.text += line(
-          "Continuum  %d cells of degree %d, %zu unknowns, %zu on the contact surface; S %.4g, P %.4g m/s: resolves %.3g Hz",
-          r.cells,
-          scene.continuum.degree,
-          continuum->n_unknowns(),
-          r.surface_unknowns,
-          r.slowest_s_wave,
-          r.fastest_p_wave,
-          r.highest_frequency);
-        warn(mesh_warning(
-               {"the continuum",
-                r.highest_frequency,
-                wanted,
-                "cells",
-                r.slowest_s_wave * scene.continuum.degree / (points_per_wavelength * wanted)}),
-             card);
+        describe(part, scene, blocks, continuum, card.text);
+        warn(mesh_warning(part, resolutions.wanted), card);
       }
-    if (blocks != nullptr)
-      describe_blocks(*blocks, scene, wanted, card);
     card.text += line("Time       %g s in steps of %g s, scheme %s: Newmark beta %g, gamma %g",
                       scene.time.end_time,
                       scene.time.time_step,
                       scene.time.scheme.c_str(),
                       scene.time.newmark.beta,
                       scene.time.newmark.gamma);
-    warn(step_warning(scene.time.time_step, wanted), card);
+    warn(step_warning(scene.time.time_step, resolutions.wanted), card);
     if (continuum != nullptr)
       {
         const auto reach = continuum->wave_at_boundary();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/dda/model/model.h>
+#include <hybrid/output/resolution.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <string>
@@ -11,18 +12,9 @@ namespace hybrid::output
   /// Two significant digits, not above @p value: what is recommended must do.
   double rounded_down(double value);
 
-  /// What a part of the model resolves, at ten points per wave length.
-  struct Resolution
-  {
-    std::string part;     ///< "the continuum"
-    double      resolved; ///< [Hz]
-    double      wanted;   ///< [Hz]
-    std::string pieces;   ///< "cells"
-    double      size;     ///< of the pieces that resolves what is wanted [m]
-  };
-
-  /// The part resolves less than is wanted, with the size that would do; "" if it resolves enough.
-  std::string mesh_warning(const Resolution &resolution);
+  /// The part resolves less than @p wanted [Hz], with the size that would do; "" if it resolves
+  /// enough.
+  std::string mesh_warning(const Resolution &resolution, double wanted);
 
   /// Fewer than 20 steps per period of the motion's @p highest_frequency [Hz]; "" if there are
   /// more.

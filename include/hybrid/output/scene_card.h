@@ -3,6 +3,7 @@
 
 #include <hybrid/continuum/continuum.h>
 #include <hybrid/dda/model/model.h>
+#include <hybrid/output/resolution.h>
 #include <hybrid/scene/motion/motion.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
@@ -25,8 +26,4 @@ namespace hybrid::output
                             const dda::Model             *blocks,
                             const continuum::Continuum   *continuum);
 
-
-  /// Frequency below which a motion has the part @p share of its squared acceleration spectrum
-  /// [Hz].
-  double highest_frequency(const scene::Motion &motion, double share = 0.95);
 } // namespace hybrid::output

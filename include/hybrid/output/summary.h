@@ -66,18 +66,23 @@ namespace hybrid::output
       long lists    = 0; ///< lists of near pairs built
     };
 
-    std::string   title;
-    bool          finished           = false;
-    long          steps              = 0;  ///< accepted
-    double        simulated_time     = 0.; ///< [s]
-    double        wall_time          = 0.; ///< [s]
-    double        peak_memory        = 0.; ///< resident, of this process [MB]
-    long          blocks             = 0;
-    long          continuum_unknowns = 0;
-    long          interface_unknowns = 0;
-    double        energy_residual    = 0.; ///< |sum of all terms| / largest exchanged energy [-]
-    FailedJoints  joints;                  ///< in the dynamic stage: earthquake damage
-    FailedJoints  static_joints;           ///< while the body settled under gravity
+    std::string title;
+    bool        finished           = false;
+    long        steps              = 0;  ///< accepted
+    double      simulated_time     = 0.; ///< [s]
+    double      wall_time          = 0.; ///< [s]
+    double      peak_memory        = 0.; ///< resident, of this process [MB]
+    long        blocks             = 0;
+    long        continuum_unknowns = 0;
+    long        interface_unknowns = 0;
+    double      resolved_frequency =
+      MonitorSummary::unknown; ///< of the part that resolves least [Hz]; NaN: waves run in none
+    std::map<std::string, double> resolved_by_part;      ///< by name of the part [Hz]
+    double                        motion_frequency = 0.; ///< 95 % of the energy of what shakes lie
+                                                         ///< below [Hz]; 0: nothing shakes
+    double        energy_residual = 0.; ///< |sum of all terms| / largest exchanged energy [-]
+    FailedJoints  joints;               ///< in the dynamic stage: earthquake damage
+    FailedJoints  static_joints;        ///< while the body settled under gravity
     Slip          slip;
     double        first_failure_time = MonitorSummary::unknown; ///< of the dynamic stage [s]
     Wasted        wasted;

@@ -23,10 +23,14 @@ namespace hybrid::output
 
   TEST(Advice, NamesTheSizeOfCells)
   {
-    EXPECT_EQ(mesh_warning({"the continuum", 2., 10., "cells", 3.999}),
+    const Resolution continuum = {ModelPart::continuum, 2., 199.95, 0., 0., 5.};
+    EXPECT_EQ(mesh_warning(continuum, 10.),
               "the continuum resolves 2 Hz at ten points per wave length, the motion has energy up "
               "to 10 Hz; cells of at most 3.9 m would do");
-    EXPECT_EQ(mesh_warning({"the continuum", 10., 10., "cells", 4.}), "");
+    EXPECT_EQ(mesh_warning(continuum, 2.), "");
+    EXPECT_EQ(mesh_warning({ModelPart::mass, 5., 400., 2., 8., 10.}, 8.),
+              "the sliding mass resolves 5 Hz at ten points per wave length, the motion has energy "
+              "up to 8 Hz; blocks of at most 5 m would do");
   }
 
 

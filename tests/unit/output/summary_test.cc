@@ -22,6 +22,9 @@ namespace hybrid::output
       summary.blocks             = 1326;
       summary.continuum_unknowns = 24106;
       summary.interface_unknowns = 478;
+      summary.resolved_frequency = 2.5;
+      summary.resolved_by_part   = {{"the continuum", 13.5}, {"the sliding mass", 2.5}};
+      summary.motion_frequency   = 6.75;
       summary.energy_residual    = 1.25e-4;
       summary.joints             = {7, 9};
       summary.static_joints      = {1, 2};
@@ -48,6 +51,8 @@ assert (s['simulated_time_s'], s['wall_time_s'], s['energy_residual']) == (12., 
 assert (s['cuts'], s['retries'], s['cuts_moved_too_far']) == (3, 2, 1)
 assert (s['iterations'], s['unconverged_iterations']) == (36000, 80)
 assert s['contact_search'] == {'steps': 12003, 'searches': 40, 'lists': 2}
+assert (s['resolved_frequency_hz'], s['motion_frequency_hz']) == (2.5, 6.75)
+assert s['resolved_by_part_hz'] == {'the continuum': 13.5, 'the sliding mass': 2.5}
 assert s['slip_m'] == {'mean': 0.25, 'largest': -0.5, 'largest_at': [3, 4], 'mean_left': 0.125, 'largest_left': 0.375}
 assert s['joints']['tensile'] == 7 and s['joints']['shear'] == 9
 assert s['joints']['static'] == {'tensile': 1, 'shear': 2} and s['joints']['first_failure_time_s'] is None

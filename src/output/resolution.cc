@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/resolution.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numeric>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    constexpr double points_per_wavelength = 10.;
+
+
+
+    /// Means of as many samples as lie within a quarter of a millisecond, or of two where there are
+    /// very many: enough up to 50 Hz.
+    scene::Motion averaged(const scene::Motion &motion)
+    {
+      const auto &a = motion.samples();
+      if (a.size() < 2)
+        return motion;
+      const double      spacing = a.size() > 100000 ? 2e-3 : 0.25e-3; // [s]
+      const std::size_t group =
+        std::clamp(std::floor(spacing / motion.time_step()), 1., double(a.size() / 2));
+      if (group < 2)
+        return motion;
+      std::vector<double> means(a.size() / group);
+      for (std::size_t i = 0; i < means.size(); ++i)
+        means[i] =
+          std::accumulate(a.begin() + i * group, a.begin() + (i + 1) * group, 0.) / double(group);
+      return {group * motion.time_step(), means};
+    }
+
+
+
+    /// Below which 95 % of the energy of point loads and initial wave are [Hz]. The power of a
+    /// Ricker wavelet is that of a chi-square distribution of 4 (f / f_0)^2 with five degrees of
+    /// freedom; that of a packet, l wave lengths long, is normal with deviation f_0 / (sqrt(8) pi
+    /// l).
+    double highest_frequency(const scene::SceneParameters &scene)
+    {
+      double result = 0.;
+      if (!scene.has_continuum())
+        return result;
+      if (!scene.point_loads.loads.empty())
+        result = 1.664 * scene.point_loads.frequency;
+      const scene::InitialWaveParameters &wave = scene.initial_wave;
+      if (wave.type != scene::WaveType::none)
+        result =
+          std::max(result, wave.frequency * (1. + 1.645 / (std::sqrt(8.) * M_PI * wave.length)));
+      return result;
+    }
+
+
+
+    Resolution of_continuum(const continuum::Continuum &continuum, const int degree)
+    {
+      const auto r = continuum.resolution();
+      return {ModelPart::continuum,
+              r.highest_frequency,
+              r.slowest_s_wave,
+              0.,
+              0.,
+              points_per_wavelength / degree};
+    }
+
+
+
+    Resolution
+    of_blocks(const ModelPart part, const double slowest, const std::pair<double, double> &size)
+    {
+      const double resolved = slowest / (points_per_wavelength * size.second);
+      return {part, resolved, slowest, size.first, size.second, points_per_wavelength};
+    }
+
+
+
+    double slowest_wave_of_bedrock(const scene::SceneParameters &scene)
+    {
+      double slowest = 1e300;
+      for (const auto &entry : scene.continuum.region_material)
+        slowest =
+          std::min(slowest, scene.material(entry.second, "Continuum/Materials").s_wave_speed());
+      return slowest;
+    }
+
+
+
+    double slowest_wave_of_mass(const scene::SceneParameters &scene)
+    {
+      const scene::BlockParameters &blocks = scene.blocks;
+      const double dry = scene.material(blocks.material, "Blocks/Material").s_wave_speed();
+      if (scene.environment.water_level <= -1e299 || blocks.saturated_material.empty())
+        return dry;
+      return std::min(
+        dry, scene.material(blocks.saturated_material, "Blocks/Saturated material").s_wave_speed());
+    }
+  } // namespace
+
+
+
+  std::string name(const ModelPart part)
+  {
+    const char *names[] = {"the continuum", "the bedrock", "the sliding mass"};
+    return names[static_cast<int>(part)];
+  }
+
+
+
+  double Resolutions::lowest() const
+  {
+    double result = std::numeric_limits<double>::quiet_NaN();
+    for (const Resolution &part : parts)
+      result = std::fmin(result, part.resolved);
+    return result;
+  }
+
+
+
+  std::pair<double, double> block_sizes(const dda::Model &model, const int begin, const int end)
+  {
+    double smallest = 1e300, largest = 0.;
+    for (int b = begin; b < end; ++b)
+      {
+        smallest = std::min(smallest, model.blocks[b].size);
+        largest  = std::max(largest, model.blocks[b].size);
+      }
+    return {smallest, largest};
+  }
+
+
+
+  double highest_frequency(const scene::Motion &motion, const double share)
+  {
+    // Plain discrete Fourier sums at 400 frequencies: enough for a figure on a card.
+    const scene::Motion coarse = averaged(motion);
+    const auto         &a      = coarse.samples();
+    if (a.size() < 2)
+      return 0.;
+    constexpr int       n   = 400;
+    const double        top = std::min(50., 0.5 / motion.time_step());
+    std::vector<double> power(n);
+    double              total = 0.;
+    for (int k = 0; k < n; ++k)
+      {
+        const std::complex<double> turn =
+          std::polar(1., -2. * M_PI * top * (k + 1) / n * coarse.time_step());
+        std::complex<double> sum = 0., factor = 1.;
+        for (const double value : a)
+          {
+            sum += value * factor;
+            factor *= turn;
+          }
+        total += power[k] = std::norm(sum);
+      }
+    double below = 0.;
+    for (int k = 0; k < n; ++k)
+      if ((below += power[k]) >= share * total)
+        return top * (k + 1) / n;
+    return top;
+  }
+
+
+
+  Resolutions resolve(const scene::SceneParameters &scene,
+                      const scene::Motion          &motion,
+                      const dda::Model             *blocks,
+                      const continuum::Continuum   *continuum)
+  {
+    Resolutions result;
+    result.wanted =
+      std::max(motion.empty() ? 0. : highest_frequency(motion), highest_frequency(scene));
+    if (continuum != nullptr)
+      result.parts.push_back(of_continuum(*continuum, scene.continuum.degree));
+    if (blocks == nullptr)
+      return result;
+    const int n_mass = blocks->n_mass();
+    if (blocks->n_bedrock > 0 && scene.bedrock.carries_waves)
+      result.parts.push_back(of_blocks(ModelPart::bedrock,
+                                       slowest_wave_of_bedrock(scene),
+                                       block_sizes(*blocks, n_mass, blocks->n_blocks())));
+    if (n_mass > 0)
+      result.parts.push_back(
+        of_blocks(ModelPart::mass, slowest_wave_of_mass(scene), block_sizes(*blocks, 0, n_mass)));
+    return result;
+  }
+} // namespace hybrid::output

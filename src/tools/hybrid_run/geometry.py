@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sizes of the section of a run, by which two sections are told apart."""
+
+import numpy as np
+
+from .errors import MissingData
+
+SAME = 0.02  # of the section's size: meshes of another fineness cut curves otherwise
+BLOCKS = ("layers", "triangles")  # bedrock that run.h5 counts among the blocks; the lowest of the layers is not there
+
+
+def measures(run):
+    """{what: (value [m or m2], size it is judged by)} of what run.h5 holds: extents and areas of mass, sliding surface, bedrock."""
+    found = {}
+    if run.has("section/blocks_points"):
+        area = sum(_area(block) for block in run.blocks.polygons)
+        bedrock = bedrock_model(run)
+        if run.has("section/cells"):
+            whole = area + sum(_area(cell.reshape(4, 2)) for cell in run.get("section/cells"))
+            found["area of the section"] = (whole, whole)
+        elif bedrock == "triangles":
+            found["area of the section"] = (area, area)
+        if bedrock not in BLOCKS:
+            _add_extent(found, "sliding mass", np.vstack(run.blocks.polygons))
+            found["area of the sliding mass"] = (area, area)
+    if run.has("section/surface"):
+        _add_extent(found, "sliding surface", run.get("section/surface"))
+    if run.has("section/outline"):
+        _add_extent(found, "bedrock", run.get("section/outline").reshape(-1, 2))
+    return found
+
+
+def bedrock_model(run):
+    """Model/Bedrock of the scene; "" where it is not known."""
+    try:
+        return run.parameters.get("Model/Bedrock", "")
+    except MissingData:
+        return ""
+
+
+def other_section(run, reference):
+    """How the section of a run differs from that of the reference, in words; "" if it does not, as far as both recorded it."""
+    own, others = measures(run), measures(reference)
+    for what in own.keys() & others.keys():
+        value, size = others[what]
+        if abs(own[what][0] - value) > SAME * max(size, 1e-9):
+            return "%s %.6g instead of %.6g %s" % (what, own[what][0], value, "m2" if what.startswith("area") else "m")
+    return ""
+
+
+def _add_extent(found, what, points):
+    low, high = points.min(axis=0), points.max(axis=0)
+    size = float(np.hypot(*(high - low)))
+    for words, value in (("left end of the", low[0]), ("right end of the", high[0]), ("lowest point of the", low[1]), ("highest point of the", high[1])):
+        found["%s %s at" % (words, what)] = (float(value), size)
+
+
+def _area(polygon):
+    x, y = polygon.T
+    return 0.5 * abs(float(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))))

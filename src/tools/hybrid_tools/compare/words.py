@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A comparison in words: for the terminal, as Markdown, for table.json."""
+
+from tabulate import tabulate
+
+from . import verdict
+
+NOTES = ("u: displacement relative to the base, downhill (+x where the surface is level) positive; peaks are largest magnitudes; left: at the "
+         "last common time, its change refers to the peak where it is below a tenth of it")
+SMALL = "small: below a thousandth of the largest of its kind in all runs, not judged"
+
+
+def head(comparison):
+    cut = "" if all(comparison.ends_with(i) for i in range(len(comparison.runs))) else " (the shortest run)"
+    titles = list(dict.fromkeys(run.title() for run in comparison.runs))
+    return '%d runs of %s, first %.4g s%s, reference %s' % (
+        len(comparison.runs), " | ".join('"%s"' % title for title in titles), comparison.end, cut, comparison.reference.directory)
+
+
+def scene_lines(scenes):
+    """(word, text) lines: same, differs."""
+    if not scenes.is_known:
+        return [("differs", "unknown: a run has no params.used.prm")]
+    lines = [("same", ", ".join(scenes.same()) or "nothing")]
+    rows = [[name, " | ".join(values), remark] for name, values, remark in scenes.differing()]
+    texts = tabulate(rows, tablefmt="plain", disable_numparse=True).splitlines() if rows else ["nothing: the scenes are the same"]
+    return lines + [("differs" if k == 0 else "", text.rstrip()) for k, text in enumerate(texts)]
+
+
+def accelerations(comparison):
+    return "a: absolute acceleration, " + (
+        "all below %g Hz (zero-phase low-pass)" % comparison.corner if comparison.corner else "not filtered")
+
+
+def notes(comparison, rows):
+    words = [NOTES, accelerations(comparison)] if comparison.monitors else []
+    if any(row.is_small for row in rows):
+        words.append(SMALL)
+    if any(row.place == "cost" for row in rows):
+        words.append("cost: wall time, other work on the machine counts")
+    return words + ["verdict: " + verdict.RULES]
+
+
+class Answer:
+    """All that is said of a comparison."""
+
+    def __init__(self, comparison, scenes, rows, table, warnings, tolerance=None):
+        self.comparison, self.scenes, self.table = comparison, scenes, table
+        self.warnings, self.verdicts, self.notes = warnings, verdict.verdicts(comparison, rows), notes(comparison, rows)
+        self.tolerance = tolerance
+        self.beyond = [] if tolerance is None else verdict.beyond(comparison, rows, tolerance)
+
+    def judgement(self):
+        """(word, text) lines on the tolerance."""
+        if self.tolerance is None:
+            return []
+        limit = "%g %%" % (100 * self.tolerance)
+        return [("beyond", "%s: %s" % (limit, "; ".join(self.beyond))) if self.beyond else ("within", "%s: all runs" % limit)]
+
+    def terminal(self, files):
+        lines = [("compare", head(self.comparison))] + scene_lines(self.scenes)
+        end = several("verdict", self.verdicts) + self.judgement() + several("warning", self.warnings, repeat=True)
+        return "\n".join(columns(lines) + [self.table.text()] + columns(end + [("files", files)]))
+
+    def markdown(self):
+        """(above, below) the table."""
+        above = "# Comparison\n\n" + head(self.comparison) + "\n\n" + "\n".join(
+            "    " + line for line in columns(scene_lines(self.scenes)))
+        below = "".join("- **%s**: %s\n" % pair for pair in [("verdict", text) for text in self.verdicts] + self.judgement() + [
+            ("warning", text) for text in self.warnings]) + "\n" + "".join("- %s\n" % text for text in self.notes)
+        return above, below
+
+    def json(self):
+        """Members of table.json beside the rows."""
+        c = self.comparison
+        runs = [{"label": label, "directory": run.directory, "title": run.title(), "finished": bool(run.summary.get("finished")),
+                 "end_s": float(run.time[-1])} for run, label in zip(c.runs, c.labels)]
+        changes = [{"parameter": d.name, "values": list(d.values), "changes_results": d.has_effect} for d in self.scenes.differences]
+        result = {"runs": runs, "reference": c.labels[0], "compared_s": c.end, "step_s": c.dt, "low_pass_hz": c.corner, "base_monitor": c.base,
+                  "differences": changes, "verdict": self.verdicts, "warnings": self.warnings, "notes": self.notes}
+        if self.tolerance is not None:
+            result.update(tolerance=self.tolerance, within_tolerance=not self.beyond, beyond=self.beyond)
+        return result
+
+
+def several(word, texts, repeat=False):
+    return [(word if repeat or k == 0 else "", text) for k, text in enumerate(texts)]
+
+
+def columns(lines):
+    return ["%-8s %s" % line for line in lines]
