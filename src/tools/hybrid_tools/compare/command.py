@@ -17,7 +17,6 @@ from hybrid_tools.arguments import Arguments
 
 from .comparison import Comparison, labels_of
 from .quantities import rows_of
-from .result_table import make_table
 from .scenes import Scenes
 from .warnings import warnings_of
 from .words import Answer
@@ -37,6 +36,7 @@ def words_of(words):
     a.add_argument("--tolerance", metavar="5%", help="exit code 1 if a run differs by more in any judged number, or has not finished")
     a.add_argument("--out", metavar="DIRECTORY", help="where table.csv, table.json, table.md and figures/ go; by default compare/ beside the runs")
     a.add_argument("--force", action="store_true", help="compare runs of different sections, too")
+    a.add_argument("--all", action="store_true", help="print every row of the table, not only those of the monitors that differ most")
     a.add_argument("--no-figures", action="store_true", help="the table only")
     return a.read(words)
 
@@ -118,10 +118,9 @@ def main(words):
         check_sections(comparison)
     directory = directory_for(comparison.runs, found.out)
     rows = rows_of(comparison)
-    table = make_table(comparison, rows)
-    answer = Answer(comparison, Scenes(comparison.runs), rows, table, warnings_of(comparison, rows), tolerance)
+    answer = Answer(comparison, Scenes(comparison.runs), rows, warnings_of(comparison, rows), tolerance)
     above, below = answer.markdown()
-    table.write(directory, "table", answer.json(), above, below)
+    answer.table().write(directory, "table", answer.json(), above, below)
     drawn, failed = (0, 0) if found.no_figures else draw_figures(comparison, directory)
-    print(answer.terminal("%s: table.csv, table.json, table.md%s" % (directory, "; %d figures in figures/" % drawn if drawn else "")))
+    print(answer.terminal("%s: table.csv, table.json, table.md%s" % (directory, "; %d figures in figures/" % drawn if drawn else ""), found.all))
     return 1 if failed or answer.beyond else 0

@@ -20,7 +20,7 @@ SIDE = 0.2  # of the larger component: the other one has rows of its own
 class Row:
     """One quantity. values: of each run in SI units, None where there is none; changes: against the first, None where not comparable.
 
-    kind: rows of a kind are judged by the same scale; "" for rows that are not judged. is_count: changes are differences.
+    kind: rows of a kind have one scale; "" for rows that are not judged. is_count: people see differences.
     """
 
     place: str
@@ -32,6 +32,8 @@ class Row:
     is_small: bool = False
     is_count: bool = False
     of_peak: bool = False  # changes refer to the peak
+    monitor: str = ""  # "" for what is not of a monitor
+    is_side: bool = False  # of the smaller component
 
     @property
     def is_judged(self):
@@ -41,7 +43,7 @@ class Row:
 def rows_of(comparison):
     """All rows, in the order of the table."""
     rows = []
-    for name in comparison.monitors:
+    for name in sorted(comparison.monitors, key=lambda name: name == comparison.base):  # the base last
         rows += monitor_rows(comparison, name)
     mark_small(rows)
     return rows + slip_rows(comparison) + block_rows(comparison) + joint_rows(comparison) + run_rows(comparison)
@@ -62,8 +64,13 @@ def monitor_rows(comparison, name):
         rows.append(peak_row(place, "peak u" + words, "m", np.abs(u[:, c]), kind + "u"))
         rows.append(left_row(place, "left u" + words, left, abs(u[0, c]), kind + "u"))
         rows.append(peak_row(place, "peak a" + words, "m/s2", np.abs(a[:, c]), kind + "a"))
+        for row in rows[-3:]:
+            row.is_side = c == 1 and rows[0].quantity == "peak u"
     differences = [misfit.relative_l2(x, displacement[0]) for x in displacement]
-    return rows + [Row(place, "misfit u, L2", "1", [None] + differences[1:], kind + "misfit", [None] + differences[1:])]
+    rows.append(Row(place, "misfit u, L2", "1", [None] + differences[1:], kind + "misfit", [None] + differences[1:]))
+    for row in rows:
+        row.monitor = name
+    return rows
 
 
 def components(u, a):
@@ -82,11 +89,13 @@ def peak_row(place, quantity, unit, values, kind):
 
 
 def left_row(place, quantity, values, peak, kind):
-    """What is left of a history; near zero its change refers to the peak."""
+    """What is left of a history; its change is positive if more is left, and refers to the peak near zero."""
     values = [None if value is None else float(value) for value in values]
     first = values[0]
     of_peak = first is not None and abs(first) < LITTLE_LEFT * peak
-    changes = [None if value is None or first is None else misfit.relative_change(value, first, peak if of_peak else None) for value in values[1:]]
+    sign = -1.0 if first is not None and first < 0 else 1.0
+    changes = [None if value is None or first is None else sign * misfit.relative_change(value, first, peak if of_peak else None)
+               for value in values[1:]]
     return Row(place, quantity, "m", values, kind, [None] + changes, of_peak=of_peak)
 
 

@@ -5,18 +5,36 @@ import math
 
 from hybrid_tools.table import Cell, Column, Table, percent
 
+from . import verdict
 from .quantities import shown_unit
 
+MANY = 6  # monitors in the terminal
 
-def make_table(comparison, rows):
-    """A value for each run, and a change for each but the reference."""
+
+def for_terminal(comparison, rows):
+    """(rows to show, words on the others): the larger component of the few monitors that differ most, and what the verdict names."""
+    def largest(name):
+        changes = [change for row in rows if row.monitor == name and row.is_judged for change in row.changes if change is not None]
+        return max([math.inf if math.isnan(change) else abs(change) for change in changes], default=0.0)
+
+    monitors = list(dict.fromkeys(row.monitor for row in rows if row.monitor))
+    kept = sorted(monitors, key=largest, reverse=True)[:MANY]
+    named = {id(row) for i, _ in comparison.others for _, row in verdict.most(rows, i)}
+    shown = [row for row in rows if not row.monitor or (row.monitor in kept and not row.is_side) or id(row) in named]
+    left_out = ["%d more monitors" % (len(monitors) - len(kept))] if len(monitors) > len(kept) else []
+    left_out += ["vertical components"] if any(row.is_side and id(row) not in named for row in rows) else []
+    return shown, " and ".join(left_out)
+
+
+def make_table(comparison, shown, rows):
+    """A value for each run, and a change for each but the reference. rows: all of them, whose largest choose the units."""
     columns = [Column("place", head=""), Column("quantity", head=""), Column("unit", head="")]
     for i, label in enumerate(comparison.labels):
         columns.append(Column(label))
         if i:
             columns.append(Column(label + ": change", head=""))
     table = Table(columns)
-    for row in rows:
+    for row in shown:
         factor, unit = unit_of(rows, row)
         cells = [row.place, row.quantity, Cell(row.unit, unit)]
         for i, (value, change) in enumerate(zip(row.values, row.changes)):

@@ -62,25 +62,27 @@ def sentence(comparison, rows, i):
         who = "; ".join(sorted({comparison.labels[k] for row in broken for k in (0, i) if row.values[k] is not None and math.isnan(row.values[k])}))
         return "%s: not to be judged, %d of %d numbers are not finite%s, first %s" % (
             label, len(broken), len(changes), " (in %s)" % who if who else "", name_of(broken[0]))
-    changes.sort(key=lambda pair: -abs(pair[0]))
-    worst = abs(changes[0][0])
+    worst = max(abs(change) for change, _ in changes)
     if worst == 0:
         return "%s = %s in every digit of all %d numbers" % (label, reference, len(changes))
-    most = named(changes)
+    words = named(most(rows, i))
     if worst <= EQUAL:
-        return "%s = %s within %s everywhere (most: %s)" % (label, reference, rounded_up(worst), most)
+        return "%s = %s within %s everywhere (most: %s)" % (label, reference, rounded_up(worst), words)
     within = sum(abs(change) <= EQUAL for change, _ in changes)
     verb = "near" if worst <= NEAR else "differs from"
-    return "%s %s %s: %s; %d of %d numbers within %g %%" % (label, verb, reference, most, within, len(changes), 100 * EQUAL)
+    return "%s %s %s: %s; %d of %d numbers within %g %%" % (label, verb, reference, words, within, len(changes), 100 * EQUAL)
 
 
-def named(changes):
-    """The numbers that differ most, and the misfit that is largest."""
-    numbers = [(change, row) for change, row in changes if not is_misfit(row)]
-    misfits = [(change, row) for change, row in changes if is_misfit(row)]
-    words = ["%s %s" % (name_of(row), words_of(change, row)) for change, row in numbers[:NAMED] if change]
-    words += ["history of u off by %s (%s)" % (percent(change).lstrip("+"), row.place) for change, row in misfits[:1] if change]
-    return ", ".join(words)
+def most(rows, i):
+    """(change, row) of run i: the numbers that differ most, and the largest misfit."""
+    changes = sorted((pair for pair in judged(rows, i) if pair[0]), key=lambda pair: -abs(pair[0]) if not math.isnan(pair[0]) else -math.inf)
+    numbers = [pair for pair in changes if not is_misfit(pair[1])]
+    return numbers[:NAMED] + [pair for pair in changes if is_misfit(pair[1])][:1]
+
+
+def named(pairs):
+    return ", ".join("history of u off by %s (%s)" % (percent(change).lstrip("+"), row.place) if is_misfit(row) else
+                     "%s %s" % (name_of(row), words_of(change, row)) for change, row in pairs)
 
 
 def words_of(change, row):

@@ -4,6 +4,7 @@
 from tabulate import tabulate
 
 from . import verdict
+from .result_table import for_terminal, make_table
 
 NOTES = ("u: displacement relative to the base, downhill (+x where the surface is level) positive; peaks are largest magnitudes; left: at the "
          "last common time, its change refers to the peak where it is below a tenth of it")
@@ -44,8 +45,8 @@ def notes(comparison, rows):
 class Answer:
     """All that is said of a comparison."""
 
-    def __init__(self, comparison, scenes, rows, table, warnings, tolerance=None):
-        self.comparison, self.scenes, self.table = comparison, scenes, table
+    def __init__(self, comparison, scenes, rows, warnings, tolerance=None):
+        self.comparison, self.scenes, self.rows = comparison, scenes, rows
         self.warnings, self.verdicts, self.notes = warnings, verdict.verdicts(comparison, rows), notes(comparison, rows)
         self.tolerance = tolerance
         self.beyond = [] if tolerance is None else verdict.beyond(comparison, rows, tolerance)
@@ -57,10 +58,16 @@ class Answer:
         limit = "%g %%" % (100 * self.tolerance)
         return [("beyond", "%s: %s" % (limit, "; ".join(self.beyond))) if self.beyond else ("within", "%s: all runs" % limit)]
 
-    def terminal(self, files):
+    def table(self):
+        return make_table(self.comparison, self.rows, self.rows)
+
+    def terminal(self, files, everything=False):
+        """What is printed; files: words on what was written."""
+        shown, left_out = (self.rows, "") if everything else for_terminal(self.comparison, self.rows)
         lines = [("compare", head(self.comparison))] + scene_lines(self.scenes)
         end = several("verdict", self.verdicts) + self.judgement() + several("warning", self.warnings, repeat=True)
-        return "\n".join(columns(lines) + [self.table.text()] + columns(end + [("files", files)]))
+        return "\n".join(columns(lines) + [make_table(self.comparison, shown, self.rows).text()] + columns(
+            ([("more", left_out + " are in the files; --all shows them")] if left_out else []) + end + [("files", files)]))
 
     def markdown(self):
         """(above, below) the table."""
