@@ -65,6 +65,7 @@ namespace hybrid
   {
     static const std::vector<Tool> all = {
       {"plot", "all pictures of a run, in DIRECTORY/figures"},
+      {"compare", "runs side by side: table, verdict, figures"},
     };
     return all;
   }

@@ -47,8 +47,8 @@ def main_difference(found):
 
 def counts(name, scene):
     """Whether the scene has what the parameter belongs to."""
-    choice, absent = DEPENDS.get(name.split("/")[0], (name, None))
-    return scene.get(choice) != absent
+    section = name.split("/")[0]
+    return section not in DEPENDS or scene.get(DEPENDS[section][0]) != DEPENDS[section][1]
 
 
 def same_value(a, b):

@@ -1,0 +1,315 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""hybrid compare: runs from formulas, whose differences are known, and runs of the program."""
+import csv
+import json
+
+import h5py
+import numpy as np
+import pytest
+from conftest import ROOT
+
+from hybrid_run.parameter_differences import differences, main_difference
+from hybrid_tools.compare import command, quantities, verdict
+
+PARAMETERS = {"Time/Time step": "0.001", "Time/Scheme": "automatic", "Model/Bedrock": "continuum", "Model/Blocks": "bonded", "Continuum/Sides": "free field",
+              "Motion/Type": "sine", "Monitors/Filter frequency": "25", "Output/Directory": "x"}
+STEP, END = 1e-3, 4.0
+
+
+def wave(t, frequency=2.0, begin=0.5):
+    """A displacement that starts smoothly, dies out and leaves something."""
+    grown = np.clip(t - begin, 0, None)
+    return 0.01 * (1 - np.exp(-grown**2)) * (0.5 + np.exp(-grown) * np.sin(2 * np.pi * frequency * grown))
+
+
+def quiver(t):
+    """The ground."""
+    return wave(t, 3.3) - wave(t, 1.1)
+
+
+class Maker:
+    """Writes run.h5, summary.json and params.used.prm of a run that moves as it is told."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def __call__(self, name, step=STEP, end=END, gain=1.0, monitors=None, base="base", summary=None, parameters=None, motion=quiver, sway=wave, vertical=0.25,
+                 nan_at=None, slip=None, failures=None, corner=25.0, width=10.0, finished=True):
+        directory = self.folder / name
+        directory.mkdir(parents=True)
+        time = step * np.arange(1, round(end / step) + 1)
+        with h5py.File(directory / "run.h5", "w") as file:
+            file["time"] = time
+            file.attrs.update({"title": "a slope", "base_monitor": base, "downhill_sign": [-1.0]})
+            ground = np.column_stack([motion(time), 0 * time])
+            file["input/acceleration"] = np.gradient(np.gradient(ground, step, axis=0), step, axis=0)
+            for key, (position, factor) in (monitors or {"crest": ((0, 10), 1.0), "toe": ((9, 1), 0.5), "base": ((0, -9), 0.0)}).items():
+                u = ground - gain * factor * np.outer(sway(time), [1.0, vertical])
+                if nan_at and key == "crest":
+                    u[np.searchsorted(time, nan_at), 0] = np.nan
+                file["monitors/%s/displacement" % key] = u
+                file["monitors/%s/velocity" % key] = np.gradient(u, step, axis=0)
+                file["monitors/%s/acceleration" % key] = np.gradient(np.gradient(u, step, axis=0), step, axis=0)
+                file["monitors/" + key].attrs["position"] = np.array(position, float)
+            if finished:
+                file["filtered/time"] = time
+                file["filtered"].attrs["corner"] = [corner]
+            if slip is not None:
+                file["slip/mean"], file["slip/largest"] = slip * sway(time), 1.2 * slip * sway(time)
+            if failures is not None:
+                file["joints/failure_time"] = np.array(failures, float)
+            file["section/blocks_offsets"] = [0.0, 4.0]
+            file["section/blocks_points"] = np.array([(0, 0), (width, 0), (width, 10), (0, 10)], float)
+        if finished:
+            facts = {"finished": True, "simulated_time_s": float(time[-1]), **(summary or {})}
+            (directory / "summary.json").write_text(json.dumps(facts))
+        lines = []
+        for key, value in {**PARAMETERS, "Time/Time step": "%g" % step, **(parameters or {})}.items():
+            section, _, parameter = key.rpartition("/")
+            lines += ["subsection " + section, "  set %s = %s" % (parameter, value), "end"]
+        (directory / "params.used.prm").write_text("\n".join(lines) + "\n")
+        return directory
+
+
+@pytest.fixture
+def make(tmp_path):
+    return Maker(tmp_path)
+
+
+@pytest.fixture
+def hybrid_tool(hybrid):
+    """hybrid compare with these words."""
+    return lambda *words, **options: hybrid("compare", *words, **options)
+
+
+@pytest.fixture
+def compare(capsys):
+    """compare(runs and words): exit code, what was printed; table.json as a dictionary."""
+    def call(*words, figures=False):
+        code = command.main([str(word) for word in words] + ([] if figures else ["--no-figures"]))
+        path = next((word for k, word in enumerate(words) if words[k - 1] == "--out"), None) or words[0].parent / "compare"
+        return code, capsys.readouterr().out, json.loads((path / "table.json").read_text())
+
+    return call
+
+
+def rows_by_name(table):
+    return {(row["place"], row["quantity"]): row for row in table["rows"]}
+
+
+def test_equal_runs_are_equal_in_every_digit(make, compare):
+    code, text, table = compare(make("a"), make("b"), "--tolerance", "0%")
+    assert code == 0 and "b = a in every digit" in table["verdict"][0] and table["within_tolerance"] and table["differences"] == []
+    assert table["warnings"] == [] and "differs  nothing" in text and "within   0 %: all runs" in text
+
+
+def test_known_differences_come_out_and_decide_the_exit_code(make, compare):
+    a, b = make("a", slip=1.0, failures=[]), make("b", gain=1.04, slip=1.0, failures=[0.7, 1.1, 9.0])
+    code, text, table = compare(a, b)
+    rows = rows_by_name(table)
+    t = STEP * np.arange(1, 4001)
+    assert rows["crest", "peak u"]["a"] == pytest.approx(np.abs(wave(t)).max(), rel=1e-9)
+    assert rows["crest", "left u"]["a"] == pytest.approx(wave(t)[-1], rel=1e-9)  # downhill is -x, and so it moves
+    for name in ("peak u", "left u", "misfit u, L2", "peak u, up"):
+        assert rows["crest", name]["b: change"] == pytest.approx(0.04, abs=1e-6), name
+    assert rows["slip", "mean, left"]["b: change"] == 0
+    assert rows["failed joints", ""]["a"] == 0 and rows["failed joints", ""]["b"] == 2  # the third came after the end
+    assert code == 0 and "b differs from a: failed joints +2" in table["verdict"][0]
+    assert compare(a, b, "--tolerance", "3%")[0] == 1
+    make("c", gain=1.04, slip=1.0, failures=[])
+    code, text, table = compare(a, a.parent / "c", "--tolerance", "5%")
+    assert code == 0 and "c near a" in table["verdict"][0] and "+4 %" in text
+    assert compare(a, a.parent / "c", "--tolerance", "0.03")[0] == 1
+    make("d", gain=1.004, slip=1.0, failures=[])
+    assert "d = a within 0.4 % everywhere" in compare(a, a.parent / "d")[2]["verdict"][0]
+
+
+def test_another_reference_and_another_place(make, compare, tmp_path):
+    a, b = make("one/a"), make("two/a", gain=0.5)
+    code, text, table = compare(a, b, "--reference", b, "--out", tmp_path / "new")
+    assert table["reference"] == "two/a" and [run["label"] for run in table["runs"]] == ["two/a", "one/a"]
+    assert rows_by_name(table)["crest", "peak u"]["one/a: change"] == pytest.approx(1.0)
+    assert sorted(path.name for path in (tmp_path / "new").iterdir()) == ["table.csv", "table.json", "table.md"]
+
+
+def test_files_hold_the_same_numbers(make, compare):
+    a, b = make("a"), make("b", gain=1.1)
+    _, _, table = compare(a, b)
+    with open(a.parent / "compare/table.csv", encoding="utf-8") as file:
+        lines = list(csv.DictReader(file))
+    assert [float(line["b"]) for line in lines if line["b"]] == [row["b"] for row in table["rows"] if row["b"] is not None]
+    words = (a.parent / "compare/table.md").read_text()
+    assert "| crest" in words and table["verdict"][0] in words
+
+
+def test_differing_steps_and_lengths_are_resampled_and_cut(make, compare):
+    a, b, c = make("a", step=2e-3), make("b", step=0.7e-3, end=3.0), make("c", step=2.5e-3, end=3.7)
+    _, text, table = compare(a, b, c)
+    assert table["compared_s"] == pytest.approx(3.0, abs=2.5e-3) and table["step_s"] == pytest.approx(2.5e-3) and "(the shortest run)" in text
+    rows = rows_by_name(table)
+    for label in "bc":
+        assert abs(rows["crest", "misfit u, L2"][label]) < 1e-4 and abs(rows["crest", "peak u"][label + ": change"]) < 1e-4
+    assert any("the steps differ (2 | 0.7 | 2.5 ms)" in warning for warning in table["warnings"])
+
+
+def test_filters_that_differ_are_made_the_same(make, compare):
+    _, _, table = compare(make("a"), make("b", corner=10.0, parameters={"Monitors/Filter frequency": "10"}))
+    assert table["low_pass_hz"] == 10 and rows_by_name(table)["crest", "peak a"]["b: change"] == 0
+    assert any("the filters differ (25 | 10 Hz)" in warning for warning in table["warnings"])
+
+
+def test_one_nan_is_told_and_is_within_no_tolerance(make, compare):
+    code, text, table = compare(make("a"), make("b", nan_at=1.5), "--tolerance", "1000%")
+    assert code == 1 and "b: not to be judged" in table["verdict"][0] and "(in b)" in table["verdict"][0]
+    assert any("the displacement of crest is not a number in 1 of 4000 steps, first at 1.5 s" in warning for warning in table["warnings"])
+    assert rows_by_name(table)["toe", "peak u"]["b: change"] == 0
+
+
+def test_a_run_that_ended_before_the_motion_allows_no_verdict(make, compare):
+    code, text, table = compare(make("a"), make("b", end=0.4), "--tolerance", "5%")
+    assert code == 1 and "none: the motion has hardly begun in the first 0.4 s" in table["verdict"][0]
+
+
+def test_a_part_of_the_motion_is_told(make, compare):
+    table = compare(make("a"), make("b", end=1.2))[2]
+    assert any("of the motion's energy" in warning for warning in table["warnings"])
+
+
+def still(t):
+    return 0 * t
+
+
+def test_runs_that_do_not_move_are_not_called_equal(make, compare):
+    table = compare(make("a", motion=still, sway=still), make("b", motion=still, sway=still))[2]
+    assert table["verdict"] == ["none: nothing moves in any of the runs"]
+
+
+def test_a_run_that_goes_on_or_was_stopped_is_compared_and_fails_a_test(make, compare):
+    a, b, c = make("a"), make("b", finished=False, end=3.0), make("c", summary={"finished": False}, end=3.5)
+    code, text, table = compare(a, b, c, "--tolerance", "5%")
+    assert code == 1 and "'b' goes on or was killed (3 s so far)" in text and "'c' stopped early, at 3.5 s" in text
+    assert rows_by_name(table)["crest", "peak u"]["b: change"] == 0
+    assert rows_by_name(table)["crest", "peak a"]["b: change"] == pytest.approx(0, abs=1e-9)  # the low-pass of a run without filtered histories
+
+
+def test_what_does_not_move_as_the_others_is_small(make, compare):
+    monitors = {"crest": ((0, 10), 1.0), "rock": ((5, 0), 1e-5), "base": ((0, -9), 0.0)}
+    a, b = make("a", monitors=monitors), make("b", monitors={**monitors, "rock": ((5, 0), 1.5e-5)})
+    code, text, table = compare(a, b, "--tolerance", "1%")
+    assert code == 0 and rows_by_name(table)["rock", "peak u"]["b: change"] == pytest.approx(0.5) and "small" in text
+    assert any("small: below a thousandth" in note for note in table["notes"])
+
+
+def test_monitors_and_bases_that_differ_are_named(make, compare):
+    monitors = {"crest": ((0, 10), 1.0), "base": ((0, -9), 0.0)}
+    a, b = make("a", monitors={**monitors, "A1": ((1, 1), 1.0)}), make("b", monitors={**monitors, "crest": ((0.5, 10), 1.0)}, base="")
+    warnings = "\n".join(compare(a, b)[2]["warnings"])
+    assert "'a' also has the monitors A1" in warnings and "monitor crest lies at (0, 10) in 'a' and at (0.5, 10) in 'b'" in warnings
+    assert "the base monitors differ (base | -): displacements are relative to 'base' in all runs" in warnings
+
+
+def test_vertical_motion_has_rows_of_its_own(make, compare):
+    _, _, table = compare(make("a", vertical=30.0), make("b", vertical=30.0, gain=1.02))
+    rows = rows_by_name(table)
+    assert ("crest", "peak u, up") in rows and ("crest", "peak u") not in rows
+    assert rows["crest", "peak u, up"]["b: change"] == pytest.approx(0.02)
+
+
+def test_what_is_left_near_zero_is_judged_by_the_peak(make, compare):
+    def back(t):
+        return wave(t) * (1 - np.clip((t - 2) / 1.999, 0, 1))
+
+    _, text, table = compare(make("a", sway=back), make("b", sway=back, gain=1.5))
+    assert abs(rows_by_name(table)["crest", "left u"]["b: change"]) < 0.01
+
+
+def test_the_time_integration_and_the_mesh_are_warned_of(make, compare):
+    summary = {"resolved_frequency_hz": 5.0, "resolved_by_part_hz": {"the sliding mass": 5.0, "the continuum": 9.0}, "motion_frequency_hz": 8.0}
+    a, b = make("a", summary=summary), make("b", summary=dict(summary, resolved_frequency_hz=8.5), parameters={"Model/Blocks": "none"})
+    warnings = "\n".join(compare(a, b)[2]["warnings"])
+    assert "above 5 Hz the sliding mass of 'a' does not resolve the motion, which has energy up to 8 Hz" in warnings and "8.5 Hz" not in warnings
+    assert "the time integration differs (dissipative | fourth order)" in warnings
+
+
+@pytest.mark.parametrize("words, part", [
+    (["a"], "one run alone"), (["a", "a"], "'a' is given twice"), (["a", "nowhere"], "'nowhere' is not a directory"),
+    (["a", "wide"], "'wide' is of another section than 'a'"), (["a", "lonely"], "share no monitor: 'a' has base, crest, toe; 'lonely' has A1"),
+    (["a", "b", "--tolerance", "much"], "--tolerance = 'much'"), (["a", "b", "--tolerance", "-1%"], "is not a part"),
+    (["a", "b", "--reference", "c"], "--reference = 'c' is none of the runs"), (["a", "b", "--out", "a"], "'a' holds a run"),
+    (["a", "short"], "'short' has 2 steps"), (["a", "b", "--tolerence=1"], "did you mean '--tolerance'?")])
+def test_mistakes_are_one_line(make, hybrid_tool, words, part, tmp_path):
+    for name, options in (("a", {}), ("b", {}), ("wide", {"width": 11.0}), ("lonely", {"monitors": {"A1": ((0, 0), 1.0)}, "base": ""}), ("short", {"end": 2e-3})):
+        if name in words:
+            make(name, **options)
+    result = hybrid_tool(*words, cwd=tmp_path)
+    assert result.returncode == 2 and part in result.stderr and result.stderr.count("\n") == 1, result.stderr
+
+
+def test_other_sections_are_compared_by_force(make, compare):
+    assert compare(make("a"), make("b", width=11.0), "--force")[0] == 0
+
+
+def test_runs_without_motion_base_or_parameters(synthetic_run, compare):
+    a, b = synthetic_run("bare", "a"), synthetic_run("bare", "b")
+    code, text, table = compare(a, b, figures=True)
+    assert code == 0 and "unknown: a run has no params.used.prm" in text and "b = a in every digit" in text
+    assert sorted(path.stem for path in (a.parent / "compare/figures").iterdir()) == ["differences", "histories", "response_spectra"]
+
+
+def test_every_figure_of_complete_runs_and_none_of_an_earlier_comparison(synthetic_run, compare):
+    a, b = synthetic_run("complete", "a"), synthetic_run("complete", "b")
+    figures = a.parent / "compare/figures"
+    figures.mkdir(parents=True)
+    (figures / "failures.png").write_bytes(b"old")
+    with h5py.File(b / "run.h5", "a") as file:
+        file["slip/mean"][:] *= 1.5
+        file["slip/largest"][:] *= 1.5
+    code, text, table = compare(a, b, figures=True)
+    assert code == 0 and "9 figures" in text
+    assert sorted(path.stem for path in figures.iterdir()) == sorted(command.FIGURES)
+    assert all(path.read_bytes().startswith(b"\x89PNG\r\n\x1a\n") for path in figures.iterdir())
+    assert rows_by_name(table)["slip", "mean, left"]["b: change"] == pytest.approx(0.5)
+    assert "8 more monitors" in text and "\nS" in text
+
+
+def test_parameters_that_differ_are_sorted_out():
+    scenes = [dict(PARAMETERS), {**PARAMETERS, "Model/Bedrock": "layers", "Continuum/Sides": "viscous", "Time/Time step": "1e-3", "Output/Directory": "y"},
+              {**PARAMETERS, "Model/Bedrock": "rigid", "Continuum/Sides": "viscous", "Output/Flush interval": "3"}]
+    found = {difference.name: difference for difference in differences(scenes)}
+    assert set(found) == {"Model/Bedrock", "Continuum/Sides", "Output/Flush interval"}  # 1e-3 is 0.001, a directory is a name
+    assert found["Continuum/Sides"].values == ("free field", "viscous", None)  # a rigid bedrock has no sides
+    assert not found["Output/Flush interval"].has_effect
+    assert main_difference(found.values()).name == "Model/Bedrock" and main_difference([]) is None
+    steps = differences([dict(PARAMETERS, **{"Time/Time step": step, "Motion/Seed": seed}) for step, seed in (("1", "1"), ("2", "2"), ("3", "1"))])
+    assert main_difference(steps).name == "Time/Time step"
+
+
+@pytest.mark.parametrize("change, words", [(0.004, "0.4 %"), (0.00401, "0.5 %"), (0.0199, "2 %"), (0.123, "13 %"), (1.0, "100 %")])
+def test_what_is_rounded_up_stays_true(change, words):
+    assert verdict.rounded_up(change) == words
+
+
+def test_small_needs_all_runs_below_a_thousandth():
+    rows = [quantities.peak_row("a", "peak u", "m", [1.0, 1.0], "u"), quantities.peak_row("b", "peak u", "m", [1e-4, 1.1e-4], "u"),
+            quantities.peak_row("c", "peak u", "m", [1e-4, 0.5], "u")]
+    quantities.mark_small(rows)
+    assert [row.is_small for row in rows] == [False, True, False]
+
+
+def test_runs_of_the_program(hybrid, hybrid_tool, tmp_path):
+    scene = ROOT / "parameters/verification/coupled_column.prm"
+    for name, words in (("fine", []), ("coarse", ["-s", "Time/Time step=0.004"]), ("hard", ["-s", "Materials/rock/Young modulus=250e6"])):
+        result = hybrid(scene, "-s", f"Output/Directory={tmp_path}/{name}", *words)
+        assert result.returncode == 0, result.stderr
+    result = hybrid_tool(*(tmp_path / name for name in ("fine", "coarse", "hard")), "--tolerance", "5%")
+    assert result.returncode == 1 and not result.stderr, result.stderr
+    assert "Time/Time step" in result.stdout and "Materials/rock/Young modulus" in result.stdout and "beyond   5 %: 'hard'" in result.stdout
+    table = json.loads((tmp_path / "compare/table.json").read_text())
+    rows = rows_by_name(table)
+    assert rows["top", "misfit u, L2"]["coarse"] < 0.02 < rows["top", "misfit u, L2"]["hard"]
+    fine = json.loads((tmp_path / "fine/summary.json").read_text())
+    assert {"the continuum", "the sliding mass"} == set(fine["resolved_by_part_hz"]) and fine["motion_frequency_hz"] == pytest.approx(9.98, abs=0.3)
+    assert fine["resolved_frequency_hz"] == min(fine["resolved_by_part_hz"].values())
+    assert any("does not resolve the motion" in warning for warning in table["warnings"]) == (fine["resolved_frequency_hz"] < fine["motion_frequency_hz"])
+    assert {"histories", "differences", "spectral_ratios", "response_spectra", "section_maps", "cost"} <= {
+        path.stem for path in (tmp_path / "compare/figures").iterdir()}
