@@ -200,6 +200,12 @@ def test_what_does_not_move_as_the_others_is_small(make, compare):
     assert any("small: below a thousandth" in note for note in table["notes"])
 
 
+def test_what_springs_give_is_no_slip(make, compare):
+    code, _, table = compare(make("a", slip=0.002), make("b", slip=0.004), "--tolerance", "1%")
+    assert code == 0 and rows_by_name(table)["slip", "mean, left"]["b: change"] == pytest.approx(1)
+    assert compare(make("c", slip=0.2), make("d", slip=0.4), "--tolerance", "1%")[0] == 1
+
+
 def test_monitors_and_bases_that_differ_are_named(make, compare):
     monitors = {"crest": ((0, 10), 1.0), "base": ((0, -9), 0.0)}
     a, b = make("a", monitors={**monitors, "A1": ((1, 1), 1.0)}), make("b", monitors={**monitors, "crest": ((0.5, 10), 1.0)}, base="")
@@ -234,7 +240,7 @@ def test_the_time_integration_and_the_mesh_are_warned_of(make, compare):
 @pytest.mark.parametrize("words, part", [
     (["a"], "one run alone"), (["a", "a"], "'a' is given twice"), (["a", "nowhere"], "'nowhere' is not a directory"),
     (["a", "wide"], "'wide' is of another section than 'a'"), (["a", "lonely"], "share no monitor: 'a' has base, crest, toe; 'lonely' has A1"),
-    (["a", "b", "--tolerance", "much"], "--tolerance = 'much'"), (["a", "b", "--tolerance", "-1%"], "is not a part"),
+    (["a", "b", "--tolerance", "much"], "--tolerance = 'much'"), (["a", "b", "--tolerance=-1%"], "is not a part"),
     (["a", "b", "--reference", "c"], "--reference = 'c' is none of the runs"), (["a", "b", "--out", "a"], "'a' holds a run"),
     (["a", "short"], "'short' has 2 steps"), (["a", "b", "--tolerence=1"], "did you mean '--tolerance'?")])
 def test_mistakes_are_one_line(make, hybrid_tool, words, part, tmp_path):

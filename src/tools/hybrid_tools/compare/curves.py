@@ -51,8 +51,8 @@ def finish(figure, comparison, text, directory, name, handles=None):
     """Title, and below it one legend for all panels; saved."""
     handles = handles or [Line2D([], [], label=label, **look(i)) for i, label in enumerate(comparison.labels)]
     width, height = figure.get_size_inches()
-    # of a legend's font: what the widest entry takes
-    per_row = max(1, int(width / (0.9 + 0.075 * max(len(handle.get_label()) for handle in handles))))
+    wide = [0.75 + 0.075 * len(handle.get_label()) for handle in handles]  # inches of each entry, about
+    per_row = len(handles) if sum(wide) < width else max(1, int(width / max(wide)))
     rows = -(-len(handles) // per_row)
     style.title(figure, text)
     figure.get_layout_engine().set(rect=(0, 0, 1, 1 - (0.36 + 0.2 * rows) / height))

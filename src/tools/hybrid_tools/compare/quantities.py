@@ -11,6 +11,7 @@ from hybrid_tools import style
 
 G = 9.80665  # [m/s2]
 SMALL = 1e-3  # of the largest of its kind: not judged
+SMALL_SLIP = 1e-2  # of the largest displacement: what springs give
 FLOOR = {"m": 1e-9, "m/s2": 1e-6}  # below it nothing moves
 LITTLE_LEFT = 0.1  # of the peak: what is left is then judged by the peak
 SIDE = 0.2  # of the larger component: the other one has rows of its own
@@ -46,7 +47,16 @@ def rows_of(comparison):
     for name in sorted(comparison.monitors, key=lambda name: name == comparison.base):  # the base last
         rows += monitor_rows(comparison, name)
     mark_small(rows)
-    return rows + slip_rows(comparison) + block_rows(comparison) + joint_rows(comparison) + run_rows(comparison)
+    blocks, slip = block_rows(comparison), slip_rows(comparison)
+    moved = [value for row in rows + blocks if row.kind in ("u", "blocks") for value in row.values]
+    for row in slip:
+        row.is_small = row.is_small or largest_of(row.values) < SMALL_SLIP * largest_of(moved)
+    return rows + slip + blocks + joint_rows(comparison) + run_rows(comparison)
+
+
+def largest_of(values):
+    """The largest of the values that are there and finite."""
+    return max((abs(value) for value in values if value is not None and math.isfinite(value)), default=0.0)
 
 
 def monitor_rows(comparison, name):
@@ -103,10 +113,9 @@ def mark_small(rows):
     """What is below a thousandth of the largest of its kind, in every run."""
     largest = {}
     for row in rows:
-        largest[row.kind] = max([largest.get(row.kind, 0.0)] + [abs(value) for value in row.values if value is not None and math.isfinite(value)])
+        largest[row.kind] = max(largest.get(row.kind, 0.0), largest_of(row.values))
     for row in rows:
-        finite = [abs(value) for value in row.values if value is not None]
-        if row.unit != "1" and all(value < max(SMALL * largest[row.kind], FLOOR[row.unit]) for value in finite):
+        if row.unit != "1" and all(value is None or abs(value) < max(SMALL * largest[row.kind], FLOOR[row.unit]) for value in row.values):
             row.is_small = True
     still = {row.place for row in rows if row.quantity.startswith("peak u")} - {
         row.place for row in rows if row.quantity.startswith("peak u") and not row.is_small}
@@ -189,5 +198,5 @@ def wall_times(run, end):
 def shown_unit(rows, unit):
     """(factor, unit) in which people see rows of this unit."""
     if unit == "m":
-        return style.length_unit(max([0.0] + [abs(v) for row in rows if row.unit == "m" for v in row.values if v is not None and math.isfinite(v)]))
+        return style.length_unit(largest_of([value for row in rows if row.unit == "m" for value in row.values]))
     return {"m/s2": (1 / G, "g"), "1": (100.0, "%"), "s": (1.0, "s")}.get(unit, (1.0, unit))

@@ -38,9 +38,9 @@ def draw(comparison, directory):
     for row in axes:
         row[0].set_ylabel("elevation [m]")
     bar = figure.colorbar(collection, ax=axes, shrink=0.7, aspect=30, pad=0.015)
-    bar.set_label("largest displacement relative to the base [%s]" % unit)
+    bar.set_label("displacement [%s]" % unit)
     bar.outline.set_linewidth(0.5)
-    style.title(figure, "Sections, blocks at their initial place")
+    style.title(figure, "Largest displacement relative to the base (blocks at their initial place)")
     style.save(figure, directory, "section_maps")
 
 

@@ -8,7 +8,7 @@ from .result_table import for_terminal, make_table
 
 NOTES = ("u: displacement relative to the base, downhill (+x where the surface is level) positive; peaks are largest magnitudes; left: at the "
          "last common time, its change refers to the peak where it is below a tenth of it")
-SMALL = "small: below a thousandth of the largest of its kind in all runs, not judged"
+SMALL = "small: below a thousandth of the largest of its kind in all runs (slip: a hundredth of the largest displacement), not judged"
 
 
 def head(comparison):
