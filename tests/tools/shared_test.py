@@ -42,6 +42,12 @@ def test_slow_waves_keep_amplitude_and_phase(fine):
     assert np.abs(resample(time, wave(time), axis) - wave(axis))[inner].max() < 2e-4
 
 
+def test_displacements_are_taken_at_their_times_up_to_the_end():
+    time, axis = steps(1e-3, 1), steps(4e-3, 1)
+    assert np.abs(resample(time, 5 * time**2, axis, has_aliases=False) - 5 * axis**2).max() < 1e-13
+    assert np.abs(resample(time, 5 * time**2, axis) - 5 * axis**2).max() > 1e-6  # the low-pass does not know what comes after the end
+
+
 def test_what_the_coarse_steps_cannot_show_is_taken_out_instead_of_folded_back():
     time, axis = steps(1e-3, 4), steps(1e-2, 4)
     fast = np.sin(2 * np.pi * 91 * time)  # would look like 9 Hz in steps of 10 ms
@@ -106,7 +112,7 @@ def test_a_table_for_machines(table, tmp_path):
     assert content["rows"][0] == {"place": "crest", "peak": 1 / 3, "change": 0.0213} and content["rows"][1]["change"] is None
 
 
-@pytest.mark.parametrize("value, words", [(0, "0 %"), (0.02, "+2 %"), (-0.394, "-39 %"), (0.004, "+0.4 %"), (2e-5, "+0.002 %"), (-7.1, "-710 %"),
+@pytest.mark.parametrize("value, words", [(0, "0 %"), (0.02, "+2 %"), (-0.394, "-39 %"), (0.004, "+0.4 %"), (2e-5, "+0.002 %"), (-2e-9, "~0 %"), (-7.1, "-710 %"),
                                           (0.0096, "+1 %"), (float("inf"), "new"), (float("nan"), "?")])
 def test_percents_have_two_digits(value, words):
     assert percent(value) == words

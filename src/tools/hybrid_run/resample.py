@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Histories of several runs on one time axis: cut to the shortest, sampled as the coarsest, without aliases."""
+"""Histories of several runs on one time axis: cut to the shortest, sampled as the coarsest, without aliases where these matter."""
 
 import numpy as np
 from scipy import interpolate, signal
@@ -34,11 +34,12 @@ def is_equal(time, start, step):
     return abs(time[0] - start) <= SAME * step and bool(np.all(np.abs(np.diff(time) - step) <= SAME * step))
 
 
-def resample(time, values, axis):
+def resample(time, values, axis, has_aliases=True):
     """Histories (a column each) at the times of a common axis [s].
 
-    Rows are taken as they are where the times are those of the axis. Else cubic splines are laid through them; a history with finer
-    steps passes a zero-phase low-pass below half of the axis' sampling rate first. A column that is not finite somewhere is NaN.
+    Rows are taken as they are where the times are those of the axis. Else cubic splines are laid through them. has_aliases: a history
+    with finer steps passes a zero-phase low-pass below half of the axis' sampling rate first, as it must before a spectrum, a filter or
+    a peak of accelerations; displacements are smooth, their values at these times need none. A column that is not finite somewhere is NaN.
     """
     time, values = np.asarray(time, float), np.asarray(values, float)
     first = int(np.argmin(np.abs(time - axis[0])))
@@ -49,15 +50,15 @@ def resample(time, values, axis):
     result = np.full((len(axis), columns.shape[1]), np.nan)
     finite = np.isfinite(columns).all(axis=0)
     if finite.any():
-        result[:, finite] = _interpolate(time, columns[:, finite], axis)
+        result[:, finite] = _interpolate(time, columns[:, finite], axis, has_aliases)
     return result.reshape((len(axis),) + values.shape[1:])
 
 
-def _interpolate(time, values, axis):
+def _interpolate(time, values, axis, has_aliases):
     spline = interpolate.CubicSpline(time, values)
     step = usual_step(axis)
     parts = round(step / usual_step(time))  # of a step of the axis
-    if parts < 2:
+    if parts < 2 or not has_aliases:
         return spline(axis)
     before = int(parts * (axis[0] - time[0]) / step + SAME)  # samples before the axis begins
     fine = axis[0] + step / parts * np.arange(-before, (len(axis) - 1) * parts + 1)

@@ -52,11 +52,13 @@ class Cell:
 
 
 def percent(value):
-    """+2 %, -0.4 %, +0.002 %; 0 % only for what is the same. new: from zero to something. ?: not a number."""
+    """+2 %, -0.4 %, +0.002 %, ~0 %; 0 % only for what is the same. new: from zero to something. ?: not a number."""
     if not math.isfinite(value):
         return "?" if math.isnan(value) else "new" if value > 0 else "-new"
     number = 100 * value
-    return "0 %" if number == 0 else ("%+.0f %%" if abs(number) >= 0.95 else "%+.1g %%") % number
+    if abs(number) < 5e-4:
+        return "~0 %" if number else "0 %"
+    return ("%+.0f %%" if abs(number) >= 0.95 else "%+.1g %%") % number
 
 
 class Table:

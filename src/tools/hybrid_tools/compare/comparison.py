@@ -70,9 +70,9 @@ class Comparison:
         return self.on_axis(i, "input/acceleration") * [self.downhill, 1.0]
 
     def on_axis(self, i, path):
-        """A data set of run i with a row per step on the common axis. @raises MissingData"""
+        """A data set of run i with a row per step on the common axis; accelerations without aliases. @raises MissingData"""
         run = self.runs[i]
-        return resample(run.time, run.history(path), self.axis)
+        return resample(run.time, run.history(path), self.axis, has_aliases=path.endswith("acceleration"))
 
     def has_everywhere(self, path):
         return all(run.has(path) for run in self.runs)

@@ -30,7 +30,9 @@ class Scenes:
     def motion(self):
         p = self.parameters[0]
         kind = p.get("Motion/Type", "none")
-        return "no motion" if kind == "none" else "motion (%s, %s %s)" % (kind, p.get("Motion/Meaning", ""), p.get("Motion/Peak", "as recorded"))
+        peak = p.get("Motion/Peak", "as recorded")
+        unit = " m/s2" if peak.replace(".", "", 1).isdigit() else ""  # a bare number
+        return "no motion" if kind == "none" else "motion (%s, %s %s%s)" % (kind, p.get("Motion/Meaning", ""), peak, unit)
 
     def time(self):
         words = []

@@ -18,6 +18,7 @@ def last_profile(comparison, i):
     run = comparison.runs[i]
     time, profile, position = run.get("slip/time"), run.get("slip/profile"), run.get("slip/position")
     n = min(len(time), len(profile))
+    profile = profile[:n].reshape(n, -1)
     row = int(np.searchsorted(time[:n], comparison.end * (1 + 1e-9), side="right")) - 1
     if row < 0:
         raise MissingData("no picture")

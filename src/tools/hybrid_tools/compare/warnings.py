@@ -81,7 +81,7 @@ def other_steps(comparison):
     steps = [float(np.median(np.diff(run.time))) for run in comparison.runs]
     if max(steps) - min(steps) <= 1e-6 * max(steps):
         return []
-    return ["the steps differ (%s ms): all histories are sampled every %.4g ms, the finer ones below %.4g Hz" % (
+    return ["the steps differ (%s ms): all histories are sampled every %.4g ms, accelerations with finer steps below %.4g Hz" % (
         " | ".join("%.4g" % (1e3 * step) for step in steps), 1e3 * comparison.dt, 0.4 / comparison.dt)]
 
 

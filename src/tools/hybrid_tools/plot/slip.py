@@ -28,6 +28,7 @@ def draw_history(run, axes, factor, unit):
 def draw_profiles(run, axes, factor, unit):
     time, profile, position = run.get("slip/time"), run.get("slip/profile"), run.get("slip/position")
     n = min(len(time), len(profile))
+    profile = profile.reshape(len(profile), -1)  # one sole alone has no second axis
     order = np.argsort(position[:, 0])
     x = position[order, 0]
     rows = sorted({int(round(row)) for row in np.linspace(0, n - 1, MOST_PROFILES + 1)} - {0, n - 1})
