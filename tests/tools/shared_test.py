@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What several tools share: one time axis for several runs, misfits, the program's low-pass, tables."""
+"""What several tools share: one time axis for several runs, misfits, the program's low-pass, parameters that differ, tables."""
 import csv
 import io
 import json
@@ -7,9 +7,11 @@ import json
 import numpy as np
 import pytest
 from conftest import ROOT
+from moving_run import PARAMETERS
 
 from hybrid_run import Run, misfit
 from hybrid_run.low_pass import low_pass
+from hybrid_run.parameter_differences import differences, main_difference
 from hybrid_run.resample import common_axis, resample
 from hybrid_tools.table import Cell, Column, Table, percent
 
@@ -79,7 +81,8 @@ def test_misfits():
 
 
 def test_the_low_pass_is_that_of_the_program(hybrid, tmp_path):
-    result = hybrid(ROOT / "parameters/verification/coupled_column.prm", "-s", "Time/End time=0.3", "-s", f"Output/Directory={tmp_path}/run")
+    scene = ROOT / "parameters/verification/coupled_column.prm"
+    result = hybrid(scene, "-s", "Time/End time=0.3", "-s", f"Output/Directory={tmp_path}/run")
     assert result.returncode == 0, result.stderr
     run = Run(tmp_path / "run")
     for monitor in run.monitors.values():
@@ -112,7 +115,21 @@ def test_a_table_for_machines(table, tmp_path):
     assert content["rows"][0] == {"place": "crest", "peak": 1 / 3, "change": 0.0213} and content["rows"][1]["change"] is None
 
 
-@pytest.mark.parametrize("value, words", [(0, "0 %"), (0.02, "+2 %"), (-0.394, "-39 %"), (0.004, "+0.4 %"), (2e-5, "+0.002 %"), (-2e-9, "~0 %"), (-7.1, "-710 %"),
+@pytest.mark.parametrize("value, words", [(0, "0 %"), (0.02, "+2 %"), (-0.394, "-39 %"), (0.004, "+0.4 %"), (2e-5, "+0.002 %"),
+                                          (-2e-9, "~0 %"), (-7.1, "-710 %"),
                                           (0.0096, "+1 %"), (float("inf"), "new"), (float("nan"), "?")])
 def test_percents_have_two_digits(value, words):
     assert percent(value) == words
+
+
+def test_parameters_that_differ_are_sorted_out():
+    layers = {"Model/Bedrock": "layers", "Continuum/Sides": "viscous", "Time/Time step": "1e-3", "Output/Directory": "y"}
+    scenes = [dict(PARAMETERS), {**PARAMETERS, **layers},
+              {**PARAMETERS, "Model/Bedrock": "rigid", "Continuum/Sides": "viscous", "Output/Flush interval": "3"}]
+    found = {difference.name: difference for difference in differences(scenes)}
+    assert set(found) == {"Model/Bedrock", "Continuum/Sides", "Output/Flush interval"}  # 1e-3 is 0.001, a directory is a name
+    assert found["Continuum/Sides"].values == ("free field", "viscous", None)  # a rigid bedrock has no sides
+    assert not found["Output/Flush interval"].has_effect
+    assert main_difference(found.values()).name == "Model/Bedrock" and main_difference([]) is None
+    levels = [dict(PARAMETERS, **{"Time/Time step": step, "Motion/Seed": seed}) for step, seed in (("1", "1"), ("2", "2"), ("3", "1"))]
+    assert main_difference(differences(levels)).name == "Time/Time step"

@@ -10,7 +10,7 @@ BLOCKS = ("layers", "triangles")  # bedrock that run.h5 counts among the blocks;
 
 
 def measures(run):
-    """{what: (value [m or m2], size it is judged by)} of what run.h5 holds: extents and areas of mass, sliding surface, bedrock."""
+    """{what: (value [m or m2], size it is judged by)} of what run.h5 holds of mass, sliding surface and bedrock."""
     found = {}
     if run.has("section/blocks_points"):
         area = sum(_area(block) for block in run.blocks.polygons)
@@ -51,8 +51,9 @@ def other_section(run, reference):
 def _add_extent(found, what, points):
     low, high = points.min(axis=0), points.max(axis=0)
     size = float(np.hypot(*(high - low)))
-    for words, value in (("left end of the", low[0]), ("right end of the", high[0]), ("lowest point of the", low[1]), ("highest point of the", high[1])):
-        found["%s %s at" % (words, what)] = (float(value), size)
+    ends = {"left end": low[0], "right end": high[0], "lowest point": low[1], "highest point": high[1]}
+    for end, value in ends.items():
+        found["%s of the %s at" % (end, what)] = (float(value), size)
 
 
 def _area(polygon):

@@ -108,7 +108,8 @@ class Table:
         """directory/name.csv, .md and .json, this with "units", "rows" and the members of `more`; above and below: of the table in
         Markdown. @return their paths."""
         content = dict(more or {}, units={column.name: column.unit for column in self.columns if column.unit}, rows=self.records())
-        texts = {"csv": self.csv(), "md": "\n\n".join(filter(None, [above, self.markdown(), below])).rstrip() + "\n", "json": json.dumps(content, indent=2, allow_nan=False) + "\n"}
+        texts = {"csv": self.csv(), "md": "\n\n".join(filter(None, [above, self.markdown(), below])).rstrip() + "\n",
+                 "json": json.dumps(content, indent=2, allow_nan=False) + "\n"}
         os.makedirs(directory, exist_ok=True)
         paths = [os.path.join(directory, "%s.%s" % (name, kind)) for kind in texts]
         for path, text in zip(paths, texts.values()):

@@ -21,8 +21,11 @@ def profile(comparison, i, name):
 
 
 def shared(comparison):
-    return [name for name in comparison.reference.names("profiles")
-            if all(run.has("profiles/%s/displacement" % name) and len(run.file["profiles/%s/displacement" % name]) for run in comparison.runs)]
+    def has_rows(run, name):
+        path = "profiles/%s/displacement" % name
+        return run.has(path) and len(run.file[path]) > 0
+
+    return [name for name in comparison.reference.names("profiles") if all(has_rows(run, name) for run in comparison.runs)]
 
 
 def draw(comparison, directory):

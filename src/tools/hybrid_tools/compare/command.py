@@ -34,7 +34,7 @@ def words_of(words):
     a.add_argument("runs", metavar="DIRECTORY", nargs="+", help="output directories of runs; the first is the reference")
     a.add_argument("--reference", metavar="DIRECTORY", help="another one of them is the reference")
     a.add_argument("--tolerance", metavar="5%", help="exit code 1 if a run differs by more in any judged number, or has not finished")
-    a.add_argument("--out", metavar="DIRECTORY", help="where table.csv, table.json, table.md and figures/ go; by default compare/ beside the runs")
+    a.add_argument("--out", metavar="DIRECTORY", help="where table.csv, .json, .md and figures/ go; by default compare/ beside the runs")
     a.add_argument("--force", action="store_true", help="compare runs of different sections, too")
     a.add_argument("--all", action="store_true", help="print every row of the table, not only those of the monitors that differ most")
     a.add_argument("--no-figures", action="store_true", help="the table only")
@@ -72,7 +72,8 @@ def check_sections(comparison):
     for i, label in comparison.others:
         other = other_section(comparison.runs[i], comparison.reference)
         if other:
-            raise UserError("'%s' is of another section than '%s': %s; --force compares them all the same" % (label, comparison.labels[0], other))
+            raise UserError("'%s' is of another section than '%s': %s; --force compares them all the same" % (
+                label, comparison.labels[0], other))
 
 
 def directory_for(runs, given):
@@ -122,5 +123,6 @@ def main(words):
     above, below = answer.markdown()
     answer.table().write(directory, "table", answer.json(), above, below)
     drawn, failed = (0, 0) if found.no_figures else draw_figures(comparison, directory)
-    print(answer.terminal("%s: table.csv, table.json, table.md%s" % (directory, "; %d figures in figures/" % drawn if drawn else ""), found.all))
+    files = "%s: table.csv, table.json, table.md%s" % (directory, "; %d figures in figures/" % drawn if drawn else "")
+    print(answer.terminal(files, found.all))
     return 1 if failed or answer.beyond else 0

@@ -11,6 +11,7 @@ from hybrid_run.low_pass import low_pass
 from hybrid_run.resample import common_axis, resample, usual_step
 
 FEWEST = 4  # common samples
+RESERVED = {"place", "quantity", "unit"}  # columns of the table
 
 
 class Comparison:
@@ -126,6 +127,6 @@ def labels_of(directories):
     paths = [os.path.abspath(directory).split(os.sep) for directory in directories]
     for parts in range(1, max(map(len, paths)) + 1):
         labels = [os.sep.join(path[-parts:]) for path in paths]
-        if len(set(labels)) == len(labels):
+        if len(set(labels)) == len(labels) and not RESERVED & set(labels):
             return labels
-    raise UserError("'%s' is given twice" % next(d for d in directories if [os.path.abspath(x) for x in directories].count(os.path.abspath(d)) > 1))
+    raise UserError("'%s' is given twice" % next(d for d, path in zip(directories, paths) if paths.count(path) > 1))

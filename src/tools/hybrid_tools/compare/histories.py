@@ -24,7 +24,7 @@ def draw(comparison, directory):
             row[1].plot(comparison.axis, comparison.acceleration(i, name)[:, c] / G, **dict(curves.look(i), lw=1.4 if i == 0 else 0.9))
         row[0].set_ylabel("u %s [%s]" % (curves.along(comparison, c), unit))
         row[1].set_ylabel("a %s [g]" % curves.along(comparison, c))
-        row[0].set_title(name + ("" if not comparison.base else ", absolute" if name == comparison.base else ", relative to " + comparison.base))
+        row[0].set_title(name + (", relative to " + comparison.base if comparison.base not in ("", name) else ", absolute"))
         row[1].set_title(name + ", absolute" + (", below %g Hz" % comparison.corner if comparison.corner else ""))
     for axis in axes[-1]:
         axis.set_xlabel("time [s]")

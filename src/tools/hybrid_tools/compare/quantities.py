@@ -51,7 +51,7 @@ def rows_of(comparison):
     moved = [value for row in rows + blocks if row.kind in ("u", "blocks") for value in row.values]
     for row in slip:
         row.is_small = row.is_small or largest_of(row.values) < SMALL_SLIP * largest_of(moved)
-    return rows + slip + blocks + joint_rows(comparison) + run_rows(comparison)
+    return rows + slip + bedding_rows(comparison) + blocks + joint_rows(comparison) + run_rows(comparison)
 
 
 def largest_of(values):
@@ -135,6 +135,24 @@ def slip_rows(comparison):
             left = [None if history is None else history[-1] for history in histories]
             rows.append(left_row("slip", "%s, peak" % words, peaks, 0.0, "slip"))
             rows.append(left_row("slip", "%s, left" % words, left, abs(peaks[0] or 0.0), "slip"))
+    mark_small(rows)
+    return rows
+
+
+def bedding_rows(comparison):
+    """Largest slip (magnitude) of each bedding plane that slips in any run."""
+    rows = []
+    for name in comparison.reference.names("bedding"):
+        path = "bedding/%s/slip" % name
+        if name == "time" or not comparison.has_everywhere(path):
+            continue
+        slips = []
+        for run in comparison.runs:
+            slip, time = run.get(path), run.get("bedding/time")
+            n = min(len(slip), len(time))
+            slips.append(float(np.max(np.abs(slip[:n][time[:n] <= comparison.end * (1 + 1e-9)]), initial=0)))
+        if max(slips) > 0:
+            rows.append(left_row(name, "largest slip", slips, 0.0, "bedding"))
     mark_small(rows)
     return rows
 

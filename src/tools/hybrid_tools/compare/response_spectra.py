@@ -54,7 +54,8 @@ def draw(comparison, directory):
     if any(motion is not None for motion in motions.values()):
         handles.append(Line2D([], [], color="#9a9a9a", lw=1.0, label="outcrop motion of " + comparison.labels[0]))
     filtered = ", accelerations below %g Hz" % comparison.corner if comparison.corner else ""
-    curves.finish(figure, comparison, "Response spectra, damping %g %%%s" % (100 * DAMPING, filtered), directory, "response_spectra", handles)
+    title = "Response spectra, damping %g %%%s" % (100 * DAMPING, filtered)
+    curves.finish(figure, comparison, title, directory, "response_spectra", handles)
 
 
 def outcrop(comparison, c, at):

@@ -4,8 +4,8 @@
 from hybrid_run import MissingData
 from hybrid_run.parameter_differences import differences, main_difference, same_value
 
-GROUPS = {"Mesh": "mesh", "Model": "model", "Materials": "materials", "Continuum": "bedrock", "Bedding planes": "bedding planes", "Blocks": "blocks",
-          "Gravity": "gravity", "Water": "water", "Monitors": "monitors"}
+GROUPS = {"Mesh": "mesh", "Model": "model", "Materials": "materials", "Continuum": "bedrock", "Bedding planes": "bedding planes",
+          "Blocks": "blocks", "Gravity": "gravity", "Water": "water", "Monitors": "monitors"}
 
 
 class Scenes:

@@ -13,7 +13,8 @@ from . import curves
 
 
 def draw(comparison, directory):
-    chosen = [i for i, run in enumerate(comparison.runs) if run.has("section/blocks_points") and run.has("section/blocks_peak_displacement")]
+    needed = ("section/blocks_points", "section/blocks_peak_displacement")
+    chosen = [i for i, run in enumerate(comparison.runs) if all(run.has(path) for path in needed)]
     if not chosen:
         raise MissingData("no displacements of blocks, which are written at the end of a run")
     sections = {i: Section(comparison.runs[i]) for i in chosen}

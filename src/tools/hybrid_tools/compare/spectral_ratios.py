@@ -62,7 +62,8 @@ def draw(comparison, directory):
     handles = [Line2D([], [], label=label, **curves.look(i)) for i, label in enumerate(comparison.labels)]
     if limits(comparison):
         handles.append(Line2D([], [], color="#555555", ls=":", lw=1.4, label="resolved up to here"))
-    curves.finish(figure, comparison, "Spectral ratios to the outcrop motion (Konno and Ohmachi, b = %g)" % BANDWIDTH, directory, "spectral_ratios", handles)
+    title = "Spectral ratios to the outcrop motion (Konno and Ohmachi, b = %g)" % BANDWIDTH
+    curves.finish(figure, comparison, title, directory, "spectral_ratios", handles)
 
 
 def limits(comparison):

@@ -12,8 +12,8 @@ EQUAL, NEAR = 0.02, 0.10  # largest change of a judged row: "=", "near"; beyond:
 HARDLY_BEGUN = 0.01  # of the motion's peak
 NAMED = 2  # quantities that differ most
 
-RULES = ("%g %% or less is '=', %g %% or less 'near', more 'differs'; judged are peaks, what is left at the end, slip, failed joints and the "
-         "L2 misfit of displacement histories (of the difference over that of the reference)" % (100 * EQUAL, 100 * NEAR))
+RULES = ("%g %% or less is '=', %g %% or less 'near', more 'differs'; judged are peaks, what is left at the end, slip, failed joints "
+         "and the L2 misfit of displacement histories (of the difference over that of the reference)" % (100 * EQUAL, 100 * NEAR))
 
 
 def name_of(row):
@@ -26,7 +26,7 @@ def judged(rows, i):
 
 
 def motion_begun(comparison):
-    """Peak outcrop acceleration of the reference up to the common end, over that of the longest record of all runs; None without a motion."""
+    """Peak outcrop acceleration of the reference up to the common end over the largest in any run; None without a motion."""
     try:
         within = float(np.abs(comparison.outcrop(0)).max())
         whole = max(float(np.abs(run.get("input/acceleration")).max()) for run in comparison.runs if run.has("input/acceleration"))
@@ -59,7 +59,7 @@ def sentence(comparison, rows, i):
         return "%s: no quantity in common with %s" % (label, reference)
     broken = [row for change, row in changes if math.isnan(change)]
     if broken:
-        who = "; ".join(sorted({comparison.labels[k] for row in broken for k in (0, i) if row.values[k] is not None and math.isnan(row.values[k])}))
+        who = "; ".join(comparison.labels[k] for k in (0, i) if any(math.isnan(row.values[k] or 0.0) for row in broken))
         return "%s: not to be judged, %d of %d numbers are not finite%s, first %s" % (
             label, len(broken), len(changes), " (in %s)" % who if who else "", name_of(broken[0]))
     worst = max(abs(change) for change, _ in changes)
@@ -75,9 +75,14 @@ def sentence(comparison, rows, i):
 
 def most(rows, i):
     """(change, row) of run i: the numbers that differ most, and the largest misfit."""
-    changes = sorted((pair for pair in judged(rows, i) if pair[0]), key=lambda pair: -abs(pair[0]) if not math.isnan(pair[0]) else -math.inf)
+    changes = sorted((pair for pair in judged(rows, i) if pair[0]), key=size, reverse=True)
     numbers = [pair for pair in changes if not is_misfit(pair[1])]
     return numbers[:NAMED] + [pair for pair in changes if is_misfit(pair[1])][:1]
+
+
+def size(pair):
+    """Of a change; what is not a number is worse than all."""
+    return math.inf if math.isnan(pair[0]) else abs(pair[0])
 
 
 def named(pairs):
@@ -111,7 +116,6 @@ def beyond(comparison, rows, tolerance):
     for i, label in comparison.others:
         over = [(change, row) for change, row in judged(rows, i) if not abs(change) <= tolerance]
         if over:
-            over.sort(key=lambda pair: -abs(pair[0]) if math.isfinite(pair[0]) else -math.inf)
-            change, row = over[0]
-            found.append("'%s' in %d numbers, most in %s: %s" % (label, len(over), name_of(row), words_of(change, row) if math.isfinite(change) else percent(change)))
+            change, row = max(over, key=size)
+            found.append("'%s' in %d numbers, most in %s: %s" % (label, len(over), name_of(row), words_of(change, row)))
     return found

@@ -44,7 +44,9 @@ def other_places(comparison):
     for name in comparison.monitors:
         places = [run.attribute("monitors/" + name, "position") for run in comparison.runs]
         for i, label in comparison.others:
-            if places[0] is not None and places[i] is not None and np.hypot(*(np.subtract(places[i], places[0]))) > 1e-6 * max(1.0, np.abs(places[0]).max()):
+            if places[0] is None or places[i] is None:
+                continue
+            if np.abs(np.subtract(places[i], places[0])).max() > 1e-6 * max(1.0, np.abs(places[0]).max()):
                 found.append("monitor %s lies at (%.6g, %.6g) in '%s' and at (%.6g, %.6g) in '%s'" % (
                     name, *places[0], comparison.labels[0], *places[i], label))
     return found
@@ -106,7 +108,8 @@ def other_schemes(comparison):
         kinds.append(("fourth order" if alone else "dissipative") if automatic else p.get("Time/Scheme"))
     if len(set(kinds)) == 1:
         return []
-    return ["the time integration differs (%s), which alone makes a difference: give all runs the same Time/Scheme" % " | ".join(map(str, kinds))]
+    return ["the time integration differs (%s), which alone makes a difference: give all runs the same Time/Scheme" % (
+        " | ".join(map(str, kinds)))]
 
 
 def not_resolved(comparison):
@@ -117,8 +120,8 @@ def not_resolved(comparison):
         if resolved and wanted and resolved < wanted:
             parts = run.summary.get("resolved_by_part_hz", {})
             limits.setdefault((resolved, wanted, min(parts, key=parts.get, default="the mesh")), []).append("'%s'" % label)
-    return ["above %.3g Hz %s of %s does not resolve the motion, which has energy up to %.3g Hz" % (resolved, part, ", ".join(labels), wanted)
-            for (resolved, wanted, part), labels in limits.items()]
+    return ["above %.3g Hz %s of %s does not resolve the motion, which has energy up to %.3g Hz" % (
+        resolved, part, ", ".join(labels), wanted) for (resolved, wanted, part), labels in limits.items()]
 
 
 def motion_goes_on(comparison):
@@ -129,7 +132,9 @@ def motion_goes_on(comparison):
     longest = max(records, key=lambda run: run.time[-1])
     power = np.sum(longest.history("input/acceleration") ** 2, axis=1) * np.diff(longest.time, prepend=0.0)
     share = power[longest.time <= comparison.end * (1 + 1e-9)].sum() / power.sum() if power.sum() > 0 else 1.0
-    return [] if share >= SHORT else ["the first %.4g s hold %.2g %% of the motion's energy (Arias intensity) that the longest run has got" % (
+    if share >= SHORT:
+        return []
+    return ["the first %.4g s hold %.2g %% of the motion's energy (Arias intensity) that the longest run has got" % (
         comparison.end, 100 * share)]
 
 
@@ -157,6 +162,6 @@ def energy_leaks(comparison, rows):
     found = []
     for row in rows:
         if row.place == "energy residual":
-            found += ["the energy residual of '%s' reaches %.2g %%" % (label, 100 * value) for label, value in zip(comparison.labels, row.values)
-                      if value is not None and not value <= LEAKS]
+            found += ["the energy residual of '%s' reaches %.2g %%" % (label, 100 * value)
+                      for label, value in zip(comparison.labels, row.values) if value is not None and not value <= LEAKS]
     return found

@@ -6,8 +6,8 @@ from tabulate import tabulate
 from . import verdict
 from .result_table import for_terminal, make_table
 
-NOTES = ("u: displacement relative to the base, downhill (+x where the surface is level) positive; peaks are largest magnitudes; left: at the "
-         "last common time, its change refers to the peak where it is below a tenth of it")
+NOTES = ("u: displacement relative to the base, downhill (+x where the surface is level) positive; peaks are largest magnitudes; left: at "
+         "the last common time, its change refers to the peak where it is below a tenth of it")
 SMALL = "small: below a thousandth of the largest of its kind in all runs (slip: a hundredth of the largest displacement), not judged"
 
 
@@ -83,8 +83,8 @@ class Answer:
         runs = [{"label": label, "directory": run.directory, "title": run.title(), "finished": bool(run.summary.get("finished")),
                  "end_s": float(run.time[-1])} for run, label in zip(c.runs, c.labels)]
         changes = [{"parameter": d.name, "values": list(d.values), "changes_results": d.has_effect} for d in self.scenes.differences]
-        result = {"runs": runs, "reference": c.labels[0], "compared_s": c.end, "step_s": c.dt, "low_pass_hz": c.corner, "base_monitor": c.base,
-                  "differences": changes, "verdict": self.verdicts, "warnings": self.warnings, "notes": self.notes}
+        result = {"runs": runs, "reference": c.labels[0], "compared_s": c.end, "step_s": c.dt, "low_pass_hz": c.corner,
+                  "base_monitor": c.base, "differences": changes, "verdict": self.verdicts, "warnings": self.warnings, "notes": self.notes}
         if self.tolerance is not None:
             result.update(tolerance=self.tolerance, within_tolerance=not self.beyond, beyond=self.beyond)
         return result
