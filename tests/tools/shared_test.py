@@ -13,6 +13,7 @@ from hybrid_run import Run, misfit
 from hybrid_run.low_pass import low_pass
 from hybrid_run.parameter_differences import differences, main_difference
 from hybrid_run.resample import common_axis, resample
+from hybrid_tools.compare import verdict
 from hybrid_tools.table import Cell, Column, Table, percent
 
 
@@ -133,3 +134,8 @@ def test_parameters_that_differ_are_sorted_out():
     assert main_difference(found.values()).name == "Model/Bedrock" and main_difference([]) is None
     levels = [dict(PARAMETERS, **{"Time/Time step": step, "Motion/Seed": seed}) for step, seed in (("1", "1"), ("2", "2"), ("3", "1"))]
     assert main_difference(differences(levels)).name == "Time/Time step"
+
+
+@pytest.mark.parametrize("change, words", [(0.004, "0.4 %"), (0.00401, "0.5 %"), (0.0199, "2 %"), (0.123, "13 %"), (1.0, "100 %")])
+def test_what_is_rounded_up_stays_true(change, words):
+    assert verdict.rounded_up(change) == words

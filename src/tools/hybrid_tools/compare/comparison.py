@@ -110,7 +110,7 @@ class Comparison:
         return shared
 
     def _common_base(self):
-        """That of the reference, if all have it; what the runs say of themselves does not matter."""
+        """That of the first run whose base all runs have as a monitor."""
         return next((run.base for run in self.runs if run.base in self.monitors), "")
 
     @staticmethod

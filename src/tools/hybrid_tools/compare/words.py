@@ -42,6 +42,17 @@ def notes(comparison, rows):
     return words + ["verdict: " + verdict.RULES]
 
 
+def key(comparison):
+    """The notes in a line, for the terminal."""
+    c = comparison
+    words = []
+    if c.monitors:
+        words = ["u: displacement%s, %s" % (" relative to " + c.base if c.base else "", c.reference.along()),
+                 "a: below %g Hz" % c.corner if c.corner else "a: not filtered",
+                 "misfit: L2 norm of the difference over that of " + c.labels[0]]
+    return "; ".join(words + ["'=' to %g %%, 'near' to %g %%" % (100 * verdict.EQUAL, 100 * verdict.NEAR)])
+
+
 class Answer:
     """All that is said of a comparison."""
 
@@ -65,7 +76,8 @@ class Answer:
         """What is printed; files: words on what was written."""
         shown, left_out = (self.rows, "") if everything else for_terminal(self.comparison, self.rows)
         lines = [("compare", head(self.comparison))] + scene_lines(self.scenes)
-        end = several("verdict", self.verdicts) + self.judgement() + several("warning", self.warnings, repeat=True)
+        end = [("note", key(self.comparison))] + several("verdict", self.verdicts) + self.judgement()
+        end += several("warning", self.warnings, repeat=True)
         return "\n".join(columns(lines) + [make_table(self.comparison, shown, self.rows).text()] + columns(
             ([("more", left_out + " are in the files; --all shows them")] if left_out else []) + end + [("files", files)]))
 
