@@ -17,12 +17,6 @@ def make(tmp_path):
 
 
 @pytest.fixture
-def hybrid_tool(hybrid):
-    """hybrid compare with these words."""
-    return lambda *words, **options: hybrid("compare", *words, **options)
-
-
-@pytest.fixture
 def compare(capsys):
     """compare(runs and words): exit code, what was printed; table.json as a dictionary."""
     def call(*words, figures=False):
@@ -70,6 +64,7 @@ def test_another_reference_and_another_place(make, compare, tmp_path):
     assert table["reference"] == "two/a" and [run["label"] for run in table["runs"]] == ["two/a", "one/a"]
     assert rows_by_name(table)["crest", "peak u"]["one/a: change"] == pytest.approx(1.0)
     assert sorted(path.name for path in (tmp_path / "new").iterdir()) == ["table.csv", "table.json", "table.md"]
+    assert compare(a, make("one/wide", width=11.0), "--force")[0] == 0  # another section
 
 
 def test_files_hold_the_same_numbers(make, compare):
@@ -140,6 +135,15 @@ def test_what_does_not_move_as_the_others_is_small(make, compare):
     code, text, table = compare(a, b, "--tolerance", "1%")
     assert code == 0 and rows_by_name(table)["rock", "peak u"]["b: change"] == pytest.approx(0.5) and "small" in text
     assert any("small: below a thousandth" in note for note in table["notes"])
+    make("c", monitors={**monitors, "rock": ((5, 0), 0.5)})
+    code, text, table = compare(a, a.parent / "c", "--tolerance", "1%")
+    assert code == 1 and "rock peak u from 0" in table["verdict"][0] and rows_by_name(table)["rock", "peak u"]["c: change"] is None
+
+
+def test_a_run_that_collapses_makes_the_others_neither_equal_nor_small(make, compare):
+    a, b, c = make("a"), make("b", gain=1.12), make("c", gain=1e5)
+    table = compare(a, b, c)[2]
+    assert rows_by_name(table)["crest", "peak u"]["b: change"] == pytest.approx(0.12) and "b differs from a" in table["verdict"][0]
 
 
 def test_what_springs_give_is_no_slip(make, compare):
@@ -188,16 +192,12 @@ def test_the_time_integration_and_the_mesh_are_warned_of(make, compare):
     (["a", "b", "--tolerance", "much"], "--tolerance = 'much'"), (["a", "b", "--tolerance=-1%"], "is not a part"),
     (["a", "b", "--reference", "c"], "--reference = 'c' is none of the runs"), (["a", "b", "--out", "a"], "'a' holds a run"),
     (["a", "short"], "'short' has 2 steps"), (["a", "b", "--tolerence=1"], "did you mean '--tolerance'?")])
-def test_mistakes_are_one_line(make, hybrid_tool, words, part, tmp_path):
+def test_mistakes_are_one_line(make, hybrid, words, part, tmp_path):
     options = {"wide": {"width": 11.0}, "lonely": {"monitors": {"A1": ((0, 0), 1.0)}, "base": ""}, "short": {"end": 2e-3}}
     for name in {"a", "b", *options} & set(words):
         make(name, **options.get(name, {}))
-    result = hybrid_tool(*words, cwd=tmp_path)
+    result = hybrid("compare", *words, cwd=tmp_path)
     assert result.returncode == 2 and part in result.stderr and result.stderr.count("\n") == 1, result.stderr
-
-
-def test_other_sections_are_compared_by_force(make, compare):
-    assert compare(make("a"), make("b", width=11.0), "--force")[0] == 0
 
 
 def test_runs_without_motion_base_or_parameters(synthetic_run, compare):
@@ -223,12 +223,12 @@ def test_every_figure_of_complete_runs_and_none_of_an_earlier_comparison(synthet
     assert "8 more monitors" in text and "\nS" in text
 
 
-def test_runs_of_the_program(hybrid, hybrid_tool, tmp_path):
+def test_runs_of_the_program(hybrid, tmp_path):
     scene = ROOT / "parameters/verification/coupled_column.prm"
     for name, words in (("fine", []), ("coarse", ["-s", "Time/Time step=0.004"]), ("hard", ["-s", "Materials/rock/Young modulus=250e6"])):
         result = hybrid(scene, "-s", f"Output/Directory={tmp_path}/{name}", *words)
         assert result.returncode == 0, result.stderr
-    result = hybrid_tool(*(tmp_path / name for name in ("fine", "coarse", "hard")), "--tolerance", "5%")
+    result = hybrid("compare", *(tmp_path / name for name in ("fine", "coarse", "hard")), "--tolerance", "5%")
     assert result.returncode == 1 and not result.stderr, result.stderr
     assert "Time/Time step" in result.stdout and "Materials/rock/Young modulus" in result.stdout and "beyond   5 %: 'hard'" in result.stdout
     table = json.loads((tmp_path / "compare/table.json").read_text())
@@ -240,7 +240,7 @@ def test_runs_of_the_program(hybrid, hybrid_tool, tmp_path):
     assert fine["motion_frequency_hz"] == pytest.approx(1.664 * 6, abs=0.3)  # of a Ricker wavelet
     assert {"histories", "differences", "spectral_ratios", "response_spectra", "section_maps", "cost"} <= {
         path.stem for path in (tmp_path / "compare/figures").iterdir()}
-    assert hybrid_tool(tmp_path / "fine", tmp_path / "hard", "--no-figures").returncode == 0
+    assert hybrid("compare", tmp_path / "fine", tmp_path / "hard", "--no-figures").returncode == 0
     rows = rows_by_name(json.loads((tmp_path / "compare/table.json").read_text()))
     for name in ("fine", "hard"):  # with equal steps the peaks are those of the program
         summary = json.loads((tmp_path / name / "summary.json").read_text())["monitors"]["top"]

@@ -101,7 +101,7 @@ def test_a_table_for_people(table):
     assert table.text().splitlines() == ["place      peak [m]    change",
                                          "crest         0.333      +2 %",
                                          "            1.25 mm         ?",
-                                         "a|b               -       new"]
+                                         "a|b               -    from 0"]
     head, line, *rows = table.markdown().splitlines()
     assert line.split("|")[1].startswith(":-") and line.split("|")[2].endswith("-:")  # words to the left, numbers to the right
     assert rows[1].split("|")[1].strip() == "crest" and "a\\|b" in rows[2]
@@ -118,7 +118,7 @@ def test_a_table_for_machines(table, tmp_path):
 
 @pytest.mark.parametrize("value, words", [(0, "0 %"), (0.02, "+2 %"), (-0.394, "-39 %"), (0.004, "+0.4 %"), (2e-5, "+0.002 %"),
                                           (-2e-9, "~0 %"), (-7.1, "-710 %"),
-                                          (0.0096, "+1 %"), (float("inf"), "new"), (float("nan"), "?")])
+                                          (0.0096, "+1 %"), (float("inf"), "from 0"), (float("nan"), "?")])
 def test_percents_have_two_digits(value, words):
     assert percent(value) == words
 

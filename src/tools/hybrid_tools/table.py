@@ -52,9 +52,9 @@ class Cell:
 
 
 def percent(value):
-    """+2 %, -0.4 %, +0.002 %, ~0 %; 0 % only for what is the same. new: from zero to something. ?: not a number."""
+    """+2 %, -0.4 %, +0.002 %, ~0 %; 0 % only for what is the same. from 0: infinite. ?: not a number."""
     if not math.isfinite(value):
-        return "?" if math.isnan(value) else "new" if value > 0 else "-new"
+        return "?" if math.isnan(value) else "from 0"
     number = 100 * value
     if abs(number) < 5e-4:
         return "~0 %" if number else "0 %"

@@ -30,15 +30,16 @@ class Row:
     values: list
     kind: str = ""
     changes: list = field(default_factory=list)
-    is_small: bool = False
+    small: set = field(default_factory=set)  # numbers of the runs whose value is small, as that of the reference
     is_count: bool = False
     of_peak: bool = False  # changes refer to the peak
+    scale: float = None  # what they refer to; None: to themselves
     monitor: str = ""  # "" for what is not of a monitor
     is_side: bool = False  # of the smaller component
 
-    @property
-    def is_judged(self):
-        return bool(self.kind) and not self.is_small
+    def is_judged(self, i):
+        """Whether the change of run i counts."""
+        return bool(self.kind) and self.changes[i] is not None and i not in self.small
 
 
 def rows_of(comparison):
@@ -46,11 +47,12 @@ def rows_of(comparison):
     rows = []
     for name in sorted(comparison.monitors, key=lambda name: name == comparison.base):  # the base last
         rows += monitor_rows(comparison, name)
-    mark_small(rows)
+    weigh(rows)
     blocks, slip = block_rows(comparison), slip_rows(comparison)
     moved = [value for row in rows + blocks if row.kind in ("u", "blocks") for value in row.values]
     for row in slip:
-        row.is_small = row.is_small or largest_of(row.values) < SMALL_SLIP * largest_of(moved)
+        if largest_of(row.values) < SMALL_SLIP * largest_of(moved):
+            row.small.update(range(1, len(row.values)))
     return rows + slip + bedding_rows(comparison) + blocks + joint_rows(comparison) + run_rows(comparison)
 
 
@@ -95,7 +97,8 @@ def components(u, a):
 
 def peak_row(place, quantity, unit, values, kind):
     values = [float(value) for value in values]
-    return Row(place, quantity, unit, values, kind, [None] + [misfit.relative_change(value, values[0]) for value in values[1:]])
+    changes = [misfit.relative_change(value, values[0]) for value in values[1:]]
+    return Row(place, quantity, unit, values, kind, [None] + changes, scale=abs(values[0]))
 
 
 def left_row(place, quantity, values, peak, kind):
@@ -103,24 +106,45 @@ def left_row(place, quantity, values, peak, kind):
     values = [None if value is None else float(value) for value in values]
     first = values[0]
     of_peak = first is not None and abs(first) < LITTLE_LEFT * peak
+    scale = None if first is None else peak if of_peak else abs(first)
     sign = -1.0 if first is not None and first < 0 else 1.0
-    changes = [None if value is None or first is None else sign * misfit.relative_change(value, first, peak if of_peak else None)
+    changes = [None if value is None or first is None else sign * misfit.relative_change(value, first, scale)
                for value in values[1:]]
-    return Row(place, quantity, "m", values, kind, [None] + changes, of_peak=of_peak)
+    return Row(place, quantity, "m", values, kind, [None] + changes, of_peak=of_peak, scale=scale)
 
 
-def mark_small(rows):
-    """What is below a thousandth of the largest of its kind, in every run."""
-    largest = {}
+def weigh(rows):
+    """Which values are small, each run with the reference. Changes of what is small in the reference alone are infinite: its digits mean
+    nothing."""
     for row in rows:
-        largest[row.kind] = max(largest.get(row.kind, 0.0), largest_of(row.values))
+        if row.unit == "1":
+            continue
+        for i in range(1, len(row.values)):
+            alike = [other.values[k] for other in rows if other.kind == row.kind for k in (0, i)]
+            weigh_pair(row, i, max(SMALL * largest_of(alike), FLOOR[row.unit]))
     for row in rows:
-        if row.unit != "1" and all(value is None or abs(value) < max(SMALL * largest[row.kind], FLOOR[row.unit]) for value in row.values):
-            row.is_small = True
-    still = {row.place for row in rows if row.quantity.startswith("peak u")} - {
-        row.place for row in rows if row.quantity.startswith("peak u") and not row.is_small}
-    for row in rows:
-        row.is_small = row.is_small or (row.unit == "1" and row.place in still)
+        if row.unit == "1":
+            weigh_misfit(row, [other for other in rows if other.place == row.place and other.quantity.startswith("peak u")])
+
+
+def weigh_pair(row, i, limit):
+    """limit: below it a value is small."""
+    first, value = row.values[0], row.values[i]
+    if row.changes[i] is None or not row.scale < limit or math.isnan(value):
+        return
+    if abs(first) < limit and abs(value) < limit:
+        row.small.add(i)
+    else:
+        row.changes[i] = math.copysign(math.inf, value)
+
+
+def weigh_misfit(row, peaks):
+    """A misfit is as small, or from rest, as the displacements of its monitor."""
+    for i in range(1, len(row.values)):
+        if all(i in peak.small for peak in peaks):
+            row.small.add(i)
+        elif all(i in peak.small or math.isinf(peak.changes[i]) for peak in peaks):
+            row.changes[i] = row.values[i] = math.inf
 
 
 def slip_rows(comparison):
@@ -135,7 +159,7 @@ def slip_rows(comparison):
             left = [None if history is None else history[-1] for history in histories]
             rows.append(left_row("slip", "%s, peak" % words, peaks, 0.0, "slip"))
             rows.append(left_row("slip", "%s, left" % words, left, abs(peaks[0] or 0.0), "slip"))
-    mark_small(rows)
+    weigh(rows)
     return rows
 
 
@@ -153,7 +177,7 @@ def bedding_rows(comparison):
             slips.append(float(np.max(np.abs(slip[:n][time[:n] <= comparison.end * (1 + 1e-9)]), initial=0)))
         if max(slips) > 0:
             rows.append(left_row(name, "largest slip", slips, 0.0, "bedding"))
-    mark_small(rows)
+    weigh(rows)
     return rows
 
 
@@ -165,7 +189,7 @@ def block_rows(comparison):
         return []
     largest = [float(np.max(run.get(path))) if is_known else None for run, is_known in zip(comparison.runs, known)]
     row = left_row("blocks", "farthest", largest, 0.0, "blocks")
-    mark_small([row])
+    weigh([row])
     return [row]
 
 

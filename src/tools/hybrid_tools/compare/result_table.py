@@ -14,7 +14,7 @@ MANY = 6  # monitors in the terminal
 def for_terminal(comparison, rows):
     """(rows to show, words on the others): the larger component of the few monitors that differ most, and what the verdict names."""
     def largest(name):
-        changes = [change for row in rows if row.monitor == name and row.is_judged for change in row.changes if change is not None]
+        changes = [change for row in rows if row.monitor == name for i, change in enumerate(row.changes) if row.is_judged(i)]
         return max([math.inf if math.isnan(change) else abs(change) for change in changes], default=0.0)
 
     monitors = list(dict.fromkeys(row.monitor for row in rows if row.monitor))
@@ -56,7 +56,7 @@ def value_cell(row, value, factor):
     if value is None or row.is_count:
         return value if value is None else Cell(value, "%d" % value)
     if not math.isfinite(value):
-        return Cell(value, "not a number" if math.isnan(value) else "new")
+        return Cell(value, "not a number" if math.isnan(value) else "from 0")
     if row.quantity.startswith("misfit"):
         return Cell(value, percent(value).lstrip("+"))
     return Cell(value, number(factor * value))
@@ -77,6 +77,6 @@ def change_cell(row, i, change):
         return None if change is None else Cell(change, "")
     if row.is_count:
         return Cell(change, "%+d" % (row.values[i] - row.values[0]) if change else "0")
-    if row.is_small:
+    if i in row.small:
         return Cell(change, "small")
-    return Cell(change, percent(change) + (" of peak" if row.of_peak and change else ""))
+    return Cell(change, percent(change) + (" of peak" if row.of_peak and change and math.isfinite(change) else ""))

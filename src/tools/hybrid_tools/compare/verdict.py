@@ -22,7 +22,7 @@ def name_of(row):
 
 def judged(rows, i):
     """(change, row) of run i, of the rows that are judged."""
-    return [(row.changes[i], row) for row in rows if row.is_judged and row.changes[i] is not None]
+    return [(row.changes[i], row) for row in rows if row.is_judged(i)]
 
 
 def motion_begun(comparison):
@@ -41,8 +41,8 @@ def nothing_to_say(comparison, rows):
     if begun is not None and begun < HARDLY_BEGUN:
         return "none: the motion has hardly begun in the first %.4g s, its acceleration reaches %.2g %% of its peak there" % (
             comparison.end, 100 * begun)
-    if not any(row.is_judged for row in rows):
-        return "none: nothing moves in any of the runs" if rows and comparison.monitors else "none: the runs have no quantity in common"
+    if not any(judged(rows, i) for i, _ in comparison.others):
+        return "none: nothing moves in any of the runs" if comparison.monitors else "none: the runs have no quantity in common"
     return ""
 
 
@@ -86,14 +86,18 @@ def size(pair):
 
 
 def named(pairs):
-    return ", ".join("history of u off by %s (%s)" % (percent(change).lstrip("+"), row.place) if is_misfit(row) else
-                     "%s %s" % (name_of(row), words_of(change, row)) for change, row in pairs)
+    def words(change, row):
+        if not is_misfit(row):
+            return "%s %s" % (name_of(row), words_of(change, row))
+        return "history of u off by %s (%s)" % (percent(change).lstrip("+") if math.isfinite(change) else "all it is", row.place)
+
+    return ", ".join(words(change, row) for change, row in pairs)
 
 
 def words_of(change, row):
     if row.is_count:
         return "%+d" % round(change * max(row.values[0], 1))
-    return percent(change) + (" of peak" if row.of_peak else "")
+    return percent(change) + (" of peak" if row.of_peak and math.isfinite(change) else "")
 
 
 def is_misfit(row):

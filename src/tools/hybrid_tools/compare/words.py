@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A comparison in words: for the terminal, as Markdown, for table.json."""
 
+import math
+
 from tabulate import tabulate
 
 from . import verdict
@@ -8,7 +10,8 @@ from .result_table import for_terminal, make_table
 
 NOTES = ("u: displacement relative to the base, downhill (+x where the surface is level) positive; peaks are largest magnitudes; left: at "
          "the last common time, its change refers to the peak where it is below a tenth of it")
-SMALL = "small: below a thousandth of the largest of its kind in all runs (slip: a hundredth of the largest displacement), not judged"
+SMALL = ("small: below a thousandth of the largest of its kind in run and reference (slip: a hundredth of the largest displacement), not "
+         "judged; from 0: small in the reference alone")
 
 
 def head(comparison):
@@ -35,7 +38,7 @@ def accelerations(comparison):
 
 def notes(comparison, rows):
     words = [NOTES, accelerations(comparison)] if comparison.monitors else []
-    if any(row.is_small for row in rows):
+    if any(row.small or math.inf in map(abs, filter(None, row.changes)) for row in rows):
         words.append(SMALL)
     if any(row.place == "cost" for row in rows):
         words.append("cost: wall time, other work on the machine counts")
