@@ -10,6 +10,7 @@ from hybrid_tools import style
 from hybrid_tools.plot.section_view import Section, draw_rock
 
 from . import curves
+from .result_table import number
 
 
 def draw(comparison, directory):
@@ -33,7 +34,7 @@ def draw(comparison, directory):
         collection = draw_map(axis, section, factor, norm)
         axis.set_xlim(low[0], high[0])
         axis.set_ylim(low[1], high[1])
-        axis.set_title("%s: at most %.3g %s%s" % (comparison.labels[i], factor * section.peak.max(), unit, during(comparison, i)))
+        axis.set_title("%s: at most %s %s%s" % (comparison.labels[i], number(factor * section.peak.max()), unit, during(comparison, i)))
     for axis in axes[-1]:
         axis.set_xlabel("x [m]")
     for row in axes:
