@@ -65,6 +65,19 @@ def test_the_ratio_of_a_history_to_its_half_is_two_and_of_an_oscillator_its_tran
     assert hybrid_run.spectral_ratio(output, reference, dt, at, 80) == pytest.approx(expected, rel=0.08)
 
 
+def test_an_oscillator_answers_a_sine_as_its_closed_form_and_a_step_by_its_overshoot():
+    dt, w, z = 0.002, 2 * np.pi * 4.0, 0.05
+    t = dt * np.arange(10000)
+    steady = hybrid_run.pseudo_acceleration(np.sin(w * t), dt, [0.5, 4.0, 4.5], z)
+    ratio = 4.0 / np.array([0.5, 4.0, 4.5])
+    closed = 1 / np.sqrt((1 - ratio**2) ** 2 + (2 * z * ratio) ** 2)
+    assert steady[1] == pytest.approx(closed[1], rel=2e-3)  # at resonance the start adds nothing
+    step = hybrid_run.pseudo_acceleration(np.full(5000, 3.0), dt, [1.0, 10.0], z)  # the first sample is at t = 0
+    assert step == pytest.approx(3.0 * (1 + np.exp(-np.pi * z / np.sqrt(1 - z * z))), rel=5e-3)
+    undamped = hybrid_run.pseudo_acceleration(np.full(2000, 1.0), dt, [0.3], 0.0)  # not grown over many small steps
+    assert undamped == pytest.approx(2.0, rel=1e-5)
+
+
 def test_a_directory_without_a_run_is_told(tmp_path):
     with pytest.raises(UserError, match="holds no run.h5"):
         Run(tmp_path)
