@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from conftest import TOOLS
 
+import tool
 from hybrid_run import Run
 from hybrid_tools import style
 from hybrid_tools.plot import boreholes, overview
@@ -30,9 +31,9 @@ def test_every_figure_of_a_complete_run(hybrid, synthetic_run):
         assert picture.read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
 
 
-def test_a_run_without_blocks_or_boreholes_is_drawn_as_far_as_it_goes(hybrid, synthetic_run):
+def test_a_run_without_blocks_or_boreholes_is_drawn_as_far_as_it_goes(synthetic_run):
     run = synthetic_run("bare")
-    assert hybrid("plot", run).returncode == 0
+    assert tool.main("plot", [str(run)]) == 0
     assert pictures(run) == ["monitors_other.png", "overview.png"]
 
 
@@ -48,7 +49,7 @@ def test_the_slip_of_a_single_block_is_drawn(hybrid, synthetic_run):
 
 def test_blocks_that_all_left_the_section_are_drawn_where_they_are(hybrid, synthetic_run):
     run = synthetic_run("away")
-    assert hybrid("plot", run).returncode == 0
+    assert tool.main("plot", [str(run)]) == 0
     assert "section.png" in pictures(run)
 
 
@@ -59,11 +60,42 @@ def test_missing_modules_are_a_sentence(synthetic_run):
 
 
 @pytest.mark.parametrize("words, part", [
-    ([], "DIRECTORY"), (["nowhere"], "'nowhere' is not a directory"), (["."], "'.' holds no run.h5"), (["run", "more"], "'more' is one word too many"),
+    ([], "RUN"), (["nowhere"], "'nowhere' is not a directory"), (["."], "'.' holds no run.h5"),
+    (["--figures", "sectoin", "run"], "unknown figure 'sectoin' in --figures (did you mean 'section'?); there are: input_motion, monitors,"),
+    (["--format", "jpg", "run"], "'jpg'"), (["--figures", ",", "run"], "names no figure"),
     (["run", "--hlep"], "unknown option '--hlep' of hybrid plot (did you mean '--help'?)"), (["run", "--check"], "unknown option '--check'")])
-def test_mistakes_are_one_line(hybrid, tmp_path, words, part):
-    result = hybrid("plot", *words, cwd=tmp_path)
-    assert result.returncode == 2 and part in result.stderr and result.stderr.count("\n") == 1, result.stderr
+def test_mistakes_are_one_line(tmp_path, monkeypatch, capsys, words, part):
+    monkeypatch.chdir(tmp_path)
+    assert tool.main("plot", words) == 2
+    said = capsys.readouterr().err
+    assert part in said and said.startswith("error: ") and said.count("\n") == 1, said
+
+
+def test_the_program_tells_a_mistake_as_its_tool_does(hybrid, tmp_path):
+    result = hybrid("plot", "nowhere", cwd=tmp_path)
+    assert result.returncode == 2 and result.stderr == "error: 'nowhere' is not a directory; give the output directory of a run\n"
+
+
+def test_chosen_figures_of_two_runs_in_another_format(synthetic_run, capsys):
+    runs = [synthetic_run("bare", "one"), synthetic_run("bare", "two")]
+    assert tool.main("plot", ["--format", "svg", "--figures", "monitors,section", *map(str, runs)]) == 0
+    assert capsys.readouterr().out.count("section: left out, ") == 2
+    for run in runs:
+        assert pictures(run) == ["monitors_other.svg"]
+        assert "acceleration below 25 Hz [m/s²]" in (run / "figures/monitors_other.svg").read_text()  # text is text
+    assert tool.main("plot", ["--format", "pdf", "--figures", "overview", str(runs[0])]) == 0
+    assert (runs[0] / "figures/overview.pdf").read_bytes().startswith(b"%PDF")
+
+
+def test_the_list_says_what_there_is_and_draws_nothing(synthetic_run, capsys):
+    run = synthetic_run("bare")
+    assert tool.main("plot", ["--list", str(run)]) == 0 and not (run / "figures").exists()
+    lines = {line.split()[0]: line for line in capsys.readouterr().out.splitlines()[1:]}
+    assert "Histories of the monitors" in lines["monitors"] and "not there: no profiles" in lines["boreholes"]
+    with pytest.raises(SystemExit):
+        tool.main("plot", ["--help"])
+    text = capsys.readouterr().out
+    assert all(name in text for name in lines)
 
 
 def legends(part):
@@ -120,5 +152,5 @@ def draw(run, directory):
 """)
     command = tools / "hybrid_tools/plot/command.py"
     command.write_text(command.read_text().replace("FIGURES = (", 'FIGURES = ("how_long", '))
-    subprocess.run([sys.executable, tools / "tool.py", "plot", directory], check=True)
+    subprocess.run([sys.executable, tools / "tool.py", "plot", "--figures", "how_long,overview", directory], check=True)
     assert {"how_long.png", "overview.png"} <= set(os.listdir(directory / "figures"))

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How every figure looks: colours, fonts, units."""
 
+import contextlib
+
 import matplotlib
 
 matplotlib.use("Agg")
@@ -26,6 +28,8 @@ BELTS = (SLIP, "#c07a2c", "#4d6b1f", "#8c2f5f")  # lines
 DISPLACEMENT_MAP = ListedColormap(plt.get_cmap("YlOrBr")(np.linspace(0.02, 0.66, 256)))
 
 DPI = 130
+
+taker = None  # of figures; None: they are written to files
 
 
 def apply():
@@ -62,6 +66,11 @@ def apply():
     )
 
 
+def use_format(name):
+    """How save() writes: png, pdf or svg. Text stays text."""
+    plt.rcParams.update({"savefig.format": name, "pdf.fonttype": 42, "svg.fonttype": "none"})
+
+
 def length_unit(largest):
     """(factor, unit) that shows a length of this size [m] with few digits."""
     if not np.isfinite(largest) or largest < 2.0:
@@ -81,11 +90,29 @@ def title(figure, text, lines=1):
     """Title at the upper left; the rest of the figure keeps clear of it."""
     height = figure.get_size_inches()[1]
     figure.suptitle(text, fontweight="bold" if lines == 1 else "normal", x=0.01, y=1 - 0.07 / height, ha="left", va="top", fontsize=11)
-    reserved = (0.14 + 0.2 * lines) / height
-    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - reserved))
+    if figure.get_layout_engine() is not None:
+        reserved = (0.14 + 0.2 * lines) / height
+        figure.get_layout_engine().set(rect=(0, 0, 1, 1 - reserved))
 
 
-def save(figure, directory, name):
+@contextlib.contextmanager
+def taken(take):
+    """Within it, figures go to take(figure, name), not to files."""
+    global taker
+    before, taker = taker, take
+    try:
+        yield
+    finally:
+        taker = before
+
+
+def save(figure, directory, name, is_measured=False):
+    """directory/name in the format that use_format() chose; see also taken(). is_measured: all that is drawn lies within the figure."""
+    if taker is not None:
+        taker(figure, name)
+        plt.close(figure)
+        return
     # tight: a long label never ends at the edge of the paper
-    figure.savefig("%s/%s.png" % (directory, name), facecolor="white", bbox_inches="tight", pad_inches=0.1)
+    edge = {} if is_measured else {"bbox_inches": "tight", "pad_inches": 0.1}
+    figure.savefig("%s/%s.%s" % (directory, name, plt.rcParams["savefig.format"]), facecolor="white", **edge)
     plt.close(figure)

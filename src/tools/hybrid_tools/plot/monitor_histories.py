@@ -23,10 +23,10 @@ def displacement(run, name):
 
 
 def draw_group(run, group, names, directory):
-    height = 0.95 * len(names) + 1.1
-    figure, axes = plt.subplots(len(names), 3, figsize=(12, max(height, 2.6)), sharex=True, sharey="col",
-                                squeeze=False, constrained_layout=True)
-    figure.set_constrained_layout_pads(h_pad=0.02, w_pad=0.04)
+    height = max(0.95 * len(names) + 1.1, 2.6)
+    # Margins that are known: measuring every label of every panel, as constrained_layout and a tight box do, takes half of the time.
+    figure, axes = plt.subplots(len(names), 3, figsize=(12, height), sharex=True, sharey="col", squeeze=False, gridspec_kw={
+        "left": (0.65 + 0.12 * max(len(name) for name in names)) / 12, "right": 0.985, "bottom": 0.48 / height, "top": 1 - 0.62 / height, "wspace": 0.17, "hspace": 0.12})
     relative = [displacement(run, name) for name in names]
     factor, unit = style.length_unit(max(np.abs(u).max() for u in relative))
     for row, name in enumerate(names):
@@ -56,7 +56,7 @@ def draw_group(run, group, names, directory):
     handles, labels = axes[0, 0].get_legend_handles_labels()
     style.title(figure, GROUP_TITLES[group] + ": " + run.title())
     figure.legend(handles[::-1], labels[::-1], loc="upper right", ncol=2)
-    style.save(figure, directory, "monitors_" + group)
+    style.save(figure, directory, "monitors_" + group, is_measured=True)
 
 
 def draw_overlay(run, axes, names):

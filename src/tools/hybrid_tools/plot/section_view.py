@@ -103,10 +103,12 @@ def draw_water(section, axes):
     if not bottom < section.water < top:
         return
     axes.axhline(section.water, color=style.WATER, lw=1.1, ls=(0, (7, 3)), zorder=3)
-    x = left + 0.02 * (right - left)
+    near = [p[0] for _, p in section.monitors if abs(p[1] - section.water) < 0.15 * (top - bottom) and left < p[0] < right]
+    is_right = len(near) > 0 and np.mean(near) < 0.5 * (left + right)  # where no names of monitors stand
+    x = right - 0.02 * (right - left) if is_right else left + 0.02 * (right - left)
     axes.plot(x, section.water, marker=7, ms=8, color=style.WATER, zorder=6, clip_on=False)
-    axes.annotate("%g m" % section.water, (x, section.water), (9, 3), textcoords="offset points",
-                  color=style.WATER, fontsize=8, path_effects=HALO, zorder=7)
+    axes.annotate("%g m" % section.water, (x, section.water), (-9 if is_right else 9, 3), textcoords="offset points",
+                  ha="right" if is_right else "left", color=style.WATER, fontsize=8, path_effects=HALO, zorder=7)
 
 
 def draw_blocks(axes, blocks, values, title, scale):
