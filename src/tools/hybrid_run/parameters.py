@@ -24,6 +24,22 @@ def read_parameters(path):
     return values
 
 
+def changed_parameters(path):
+    """{"Section/Name": (value, default)} of what params.used.prm says is not at its default."""
+    values, found, sections = read_parameters(path), {}, []
+    with open(path, encoding="utf-8") as lines:
+        for line in joined(lines):
+            words = line.strip()
+            if words.startswith("subsection "):
+                sections.append(words[len("subsection "):].strip())
+            elif words == "end":
+                sections.pop()
+            elif words.startswith("set ") and "# default:" in words:
+                name = "/".join(sections + [" ".join(words[len("set "):].partition("=")[0].split())])
+                found[name] = values[name], words.partition("# default:")[2].strip()
+    return found
+
+
 def joined(lines):
     """Lines that end with a backslash go on in the next one."""
     text = ""

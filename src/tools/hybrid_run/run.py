@@ -11,6 +11,7 @@ from .blocks import Blocks
 from .errors import MissingData, UserError
 from .monitor import Monitor
 from .parameters import parameters_of_run
+from .pictures import Pictures
 
 
 class Run:
@@ -39,6 +40,10 @@ class Run:
     @property
     def blocks(self):
         return Blocks(self)
+
+    def pictures(self, name):
+        """The series "blocks", "joints" or "continuum": .times, and [k] with .points, .cells and .fields. @raises MissingData without it."""
+        return Pictures(self.directory, name)
 
     @property
     def parameters(self):
