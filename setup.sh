@@ -12,11 +12,12 @@ root="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 packages=(build-essential cmake ninja-build git libdeal.ii-dev libgmsh-dev libeigen3-dev
           libsuitesparse-dev libopenblas-dev libgtest-dev zlib1g-dev libhdf5-openmpi-dev
           nlohmann-json3-dev libcli11-dev
-          python3 python3-h5py python3-matplotlib python3-scipy python3-tabulate
+          python3 python3-h5py python3-jinja2 python3-matplotlib python3-scipy python3-tabulate
           python3-allpairspy python3-hypothesis)
 
-# For `test` alone: files for ParaView are read, tools are tested, pages of headers and documents are made.
-test_packages=(python3-vtk9 python3-pytest doxygen)
+# For `test` alone: files for ParaView are read, tools are tested (films as mp4 with ffmpeg, pages of runs in a browser),
+# pages of headers and documents are made.
+test_packages=(python3-vtk9 python3-pytest ffmpeg chromium chromium-driver python3-selenium doxygen)
 
 # Modules whose unit tests run under the sanitizers, and whether a leak is an error:
 # where MPI is linked, the leak checker reports MPI's own.
@@ -65,8 +66,8 @@ name_missing_parts() {
         missing+=("<$header>")
     done
   fi
-  if ! /usr/bin/python3 -c 'import h5py, matplotlib, scipy, allpairspy, hypothesis' 2>/dev/null; then
-    missing+=("modules h5py, matplotlib, scipy, allpairspy and hypothesis of /usr/bin/python3")
+  if ! /usr/bin/python3 -c 'import h5py, jinja2, matplotlib, scipy, allpairspy, hypothesis' 2>/dev/null; then
+    missing+=("modules h5py, jinja2, matplotlib, scipy, allpairspy and hypothesis of /usr/bin/python3")
   fi
   if [[ ${#missing[@]} -gt 0 ]]; then
     printf 'error: this is not a Debian system, so nothing is installed. Missing:\n' >&2

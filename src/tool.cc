@@ -64,8 +64,10 @@ namespace hybrid
   const std::vector<Tool> &tools()
   {
     static const std::vector<Tool> all = {
-      {"plot", "all pictures of a run, in DIRECTORY/figures"},
+      {"plot", "pictures of runs as png, pdf or svg, in DIRECTORY/figures"},
       {"compare", "runs side by side: table, verdict, figures"},
+      {"animate", "a film of a run (mp4 or gif): blocks where they move, joints that fail"},
+      {"report", "a page (HTML) that says what happened in a run, or in several"},
     };
     return all;
   }
