@@ -12,7 +12,7 @@ from selenium import webdriver
 
 from hybrid_run import Run
 from hybrid_run.parameters import changed_parameters
-from hybrid_tools.report import facts, vector
+from hybrid_tools.report import facts, panels, vector
 
 WIDTHS = {"phone": 390, "desk": 1280}
 
@@ -210,3 +210,14 @@ def test_mistakes_are_one_line(tmp_path, monkeypatch, capsys, words, part):
     assert tool.main("report", words) == 2
     said = capsys.readouterr().err
     assert part in said and said.startswith("error: ") and said.count("\n") == 1, said
+
+
+def test_ratios_are_shown_where_the_motion_has_energy(column):
+    run = Run(column)
+    frequency = run.frequencies()
+    there = panels.excited(run, frequency, 0)
+    assert there.any()
+    time, acceleration = run.equal_steps(run.history("input/acceleration"))
+    amplitude = np.abs(np.fft.rfft(acceleration[:, 0]))
+    quiet = frequency > 3 * np.fft.rfftfreq(len(time), time[1] - time[0])[amplitude > 1e-3 * amplitude.max()].max()
+    assert not there[quiet].any()

@@ -61,8 +61,10 @@ def farthest(run):
 
 
 def strongest(run):
-    """(monitor, peak acceleration [m/s2]): the larger component, below the low-pass."""
+    """(monitor, peak acceleration [m/s2]): the larger component, below the low-pass; the base counts if it is alone."""
     peaks = {name: monitor.peak().max() for name, monitor in run.monitors.items() if run.n >= 2}
+    if len(peaks) > 1:
+        peaks.pop(run.base, None)
     return max(peaks.items(), key=lambda item: item[1]) if peaks else None
 
 

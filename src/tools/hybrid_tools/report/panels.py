@@ -7,13 +7,14 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 
-from hybrid_run import MissingData, NotInScene
+from hybrid_run import MissingData, NotInScene, fourier_amplitude, konno_ohmachi
 from hybrid_tools import style
 from hybrid_tools.plot import boreholes, energy_balance, input_motion, monitor_histories, section_view, slip
 
 from . import facts
 from .vector import to_svg
 
+LEAST_EXCITED = 1e-3  # of the largest amplitude of the outcrop motion
 WIDTH = 5.2  # [inches]; on a phone of 390 px the letters have 8 px then
 
 
@@ -41,12 +42,20 @@ def plain_numbers(axis, low, high):
     axis.set_minor_formatter(NullFormatter())
 
 
+def give_room(axes):
+    """A flat section keeps a box that is as high as its labels."""
+    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    if top - bottom < 0.25 * (right - left):
+        axes.set_aspect("equal", adjustable="datalim")
+
+
 def section(run):
     """Blocks where they lay, by how far they moved."""
     found = section_view.Section(run)
     size = found.high - found.low
     figure, axes = page(np.clip(3.9 * size[1] / size[0], 1.4, 4.4) + 0.9)
     section_view.draw_main(found, axes[0, 0])
+    give_room(axes[0, 0])
     axes[0, 0].set_xlabel("x [m]")
     axes[0, 0].set_title("")
     values = found.peak if found.peak is not None else found.final
@@ -66,6 +75,7 @@ def final(run):
         raise NotInScene("nothing moved visibly")
     figure, axes = page(np.clip(3.9 * size[1] / size[0], 1.6, 4.4) + 0.9)
     section_view.draw_final(found, axes[0, 0])
+    give_room(axes[0, 0])
     axes[0, 0].set_xlabel("x [m]")
     axes[0, 0].set_title("")
     return figure, "The blocks where they lie at the end, to scale: moved by up to %s %s." % facts.length(found.final.max())
@@ -76,6 +86,7 @@ def model(run):
     found = section_view.Section(run)
     figure, axes = page(3.2)
     section_view.draw_whole(found, axes[0, 0])
+    give_room(axes[0, 0])
     axes[0, 0].set_title("")
     axes[0, 0].set_xlabel("x [m]")
     legend = axes[0, 0].get_legend()
@@ -122,35 +133,39 @@ def displacements(run):
         (" relative to " + run.base if run.base else "", most) + facts.length(peaks[most]))
 
 
+def excited(run, frequency, component):
+    """Where the outcrop motion has more than a thousandth of its largest amplitude: elsewhere a ratio to it is noise."""
+    time, acceleration = run.equal_steps(run.history("input/acceleration"))
+    smooth = konno_ohmachi(*fourier_amplitude(acceleration[:, component], time[1] - time[0]), frequency)
+    return smooth > LEAST_EXCITED * smooth.max()
+
+
 def ratios(run):
     """Spectral ratios of the monitors to the outcrop."""
-    input_motion.moving_components(run.history("input/acceleration"))
-    component = int(np.abs(run.history("input/acceleration")).max(axis=0).argmax())
+    component = max(input_motion.moving_components(run.history("input/acceleration")),
+                    key=lambda c: np.abs(run.history("input/acceleration")[:, c]).max())
     groups = run.monitor_groups()
     names = groups.get("S") or groups.get("D") or groups.get("other")
     if not names:
         raise MissingData("no monitors in run.h5")
     figure, axes = page(2.9)
-    largest, curves = [], []
+    resolved, most = facts.resolved_frequency(run), (0.0, 0.0, "")
     for name, colour in zip(names, plt.get_cmap("viridis")(np.linspace(0.0, 0.92, len(names)))):
         frequency, ratio = run.monitors[name].spectral_ratio(component)
+        ratio = np.where(excited(run, frequency, component), ratio, np.nan)
         axes[0, 0].loglog(frequency, ratio, color=colour, lw=1.0, label=name)
-        largest.append((ratio.max(), frequency[ratio.argmax()], name))
-        curves.append((ratio, name))
+        counted = np.nan_to_num(np.where(frequency <= (resolved or np.inf), ratio, 0.0))
+        most = max(most, (counted.max(), frequency[counted.argmax()], name))
     axes[0, 0].axhline(1, color="#8a8a8a", lw=0.7)
-    resolved = facts.resolved_frequency(run)
     if resolved and resolved < frequency[-1]:
         axes[0, 0].axvspan(resolved, frequency[-1], color="#8a8a8a", alpha=0.18, lw=0, label="not resolved")
-        largest = [(ratio[frequency <= resolved].max(), frequency[ratio[frequency <= resolved].argmax()], name)
-                   for ratio, name in curves if (frequency <= resolved).any()] or largest
+    axes[0, 0].set(xlabel="frequency [Hz]", ylabel="acceleration /\noutcrop [-]", xlim=(frequency[0], frequency[-1]))
     plain_numbers(axes[0, 0].xaxis, frequency[0], frequency[-1])
     plain_numbers(axes[0, 0].yaxis, *axes[0, 0].get_ylim())
-    axes[0, 0].set(xlabel="frequency [Hz]", ylabel="acceleration /\noutcrop [-]")
     legend_below(axes[0, 0], 4)
-    most, where, name = max(largest)
-    caption = ("Spectral ratio of %s acceleration to the outcrop motion, smoothed after Konno and Ohmachi (1998): "
+    caption = ("Spectral ratio of %s acceleration to the outcrop motion where that has energy, smoothed after Konno and Ohmachi (1998): "
                "largest %.3g%s, at %s, %.2g Hz.")
-    return figure, caption % (("horizontal", "vertical")[component], most, " of what the mesh resolves" if resolved else "", name, where)
+    return figure, caption % (("horizontal", "vertical")[component], most[0], " of what the mesh resolves" if resolved else "", most[2], most[1])
 
 
 def slip_history(run):
