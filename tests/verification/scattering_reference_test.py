@@ -58,7 +58,10 @@ class Green(unittest.TestCase):
         """Vertical motion of the ground under a vertical force on it: the source at two small depths, extrapolated."""
         frequency, distance = 1.0, 1.5
         time = np.arange(0, 14, 0.01)
-        pulse = lambda t: (1 - 2 * (np.pi * (t - 1.5)) ** 2) * np.exp(-((np.pi * (t - 1.5)) ** 2))
+
+        def pulse(t):
+            return (1 - 2 * (np.pi * (t - 1.5)) ** 2) * np.exp(-((np.pi * (t - 1.5)) ** 2))
+
         lamb = LambSurface(1.0, 2 * (1 + POISSON), POISSON)  # c_s = mu = 1
         expected = fourier(time, lamb.displacement(distance, time, pulse), frequency) / fourier(time, pulse(time), frequency)
         rock = HalfSpace(POISSON, 2 * np.pi * frequency)

@@ -74,7 +74,8 @@ def draw(case, figure):
             for count in (0, *COUNTS):
                 row, frequency, found = shown[wave, spacing, count]
                 fine = np.linspace(frequency[0], frequency[-1], 800)
-                axes.plot(fine, abs(row.amplification(fine)), color=COLOURS[count], lw=1, label="%d joint%s, formula" % (count, "" if count == 1 else "s"))
+                what = "%d joint%s, formula" % (count, "" if count == 1 else "s")
+                axes.plot(fine, abs(row.amplification(fine)), color=COLOURS[count], lw=1, label=what)
                 axes.plot(frequency[::6], found[::6], "o", color=COLOURS[count], ms=3, label="program")
             axes.fill_between(fine, 0, 1, where=row.stops(fine), transform=axes.get_xaxis_transform(), color="0.9", lw=0,
                               label="endless row: nothing passes")

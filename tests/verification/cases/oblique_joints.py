@@ -122,6 +122,7 @@ def draw(case, figure):
                 axes.plot(time, 1e3 * expected[component], "k--", lw=0.8, label="formula" if component else None)
             axes.set_title("%s, %g deg, %d joint%s: %s" % (wave, angle, count, "" if count == 1 else "s", name), fontsize=9)
         row[0].set_ylabel("displacement [mm]", fontsize=8)
-    panels[0, 0].legend(fontsize=7, loc="upper left")
+    panels[0, 0].set_ylim(-0.75, 1.1)
+    panels[0, 0].legend(fontsize=7, loc="upper center", ncol=3)
     for axes in panels[-1]:
         axes.set_xlabel("time [s]")

@@ -87,7 +87,7 @@ def draw(case, figure):
         grid[row, 1].axvspan(-0.5, 0.5, color="0.9", lw=0)
     for axes in grid[0]:
         axes.axhline(1, color="0.5", lw=0.6)
-    grid[0, 0].axvline(0.2, color="k", ls=":", lw=1, label="Ashford et al.: most at 0.2")
+    grid[0, 0].axvline(0.2, ymax=0.8, color="k", ls=":", lw=1, label="Ashford et al.: most at 0.2")
     grid[0, 0].set_title("crest", fontsize=9)
     grid[0, 1].set_title("along the ground, H / wave length = 0.2", fontsize=9)
     grid[1, 0].set_xlabel("H / wave length of S [-]")
