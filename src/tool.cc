@@ -66,6 +66,7 @@ namespace hybrid
     static const std::vector<Tool> all = {
       {"plot", "all pictures of a run, in DIRECTORY/figures"},
       {"compare", "runs side by side: table, verdict, figures"},
+      {"study", "what accuracy costs in time: a scene with varied parameters"},
     };
     return all;
   }

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figure: largest error of each setting against its processor time, with the Pareto front."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.ticker import FuncFormatter, NullFormatter
+
+from hybrid_tools import style
+from hybrid_tools.study import tables
+
+MARKS = "osD^vP*X"
+MOST_LABELS = 12
+FLOOR = 1e-6  # smaller errors are drawn here
+
+
+def plain(value, _=None):
+    return "%g" % value
+
+
+def percent(value, _=None):
+    return "%g" % (100 * value)
+
+
+def logarithmic(axes, x, y):
+    """Axes with plain numbers that leave room about the points."""
+    for axis, values, words, name in ((axes.xaxis, x, plain, "x"), (axes.yaxis, y, percent, "y")):
+        getattr(axes, "set_%sscale" % name)("log")
+        low, high = min(values), max(values)
+        room = max((high / low) ** 0.12, 1.4)
+        getattr(axes, "set_%slim" % name)(low / room, high * room)
+        few = high / low < 30
+        ticks = [m * 10.0**k for k in range(-9, 9) for m in ((1, 2, 5) if few else (1,)) if low / room <= m * 10.0**k <= high * room]
+        axis.set_ticks(ticks)
+        axis.set_major_formatter(FuncFormatter(words))
+        axis.set_minor_formatter(NullFormatter())
+
+
+def families(study):
+    """What has a mark of its own: the combinations of options and samples."""
+    return [k for kind in ("options", "samples") for k in study.axes_of(kind)]
+
+
+def label_of(study, setting, ladders):
+    return ", ".join("%s %s" % (study.axes[k].short, study.axes[k].labels[setting.levels[k]]) for k in ladders)
+
+
+def draw(analysis, directory):
+    """error_over_time.png; nothing if fewer than two settings have an error and a time."""
+    found = [(result, max(error, FLOOR)) for result, error in tables.judged_runs(analysis)]
+    if len(found) < 2:
+        return
+    study, front = analysis.study, tables.pareto(analysis)
+    figure, axes = plt.subplots(figsize=(8.5, 5.2), constrained_layout=True)
+    groups, own = {}, families(study)
+    for result, error in found:
+        key = ", ".join(tables.level_columns(study, result.setting.levels)[k] for k in own) or "setting"
+        groups.setdefault(key, []).append((result.cost, error))
+    steps = [(result.cost, max(analysis.error(result)[0], FLOOR)) for result in front]
+    axes.plot(*zip(*steps), color=style.TEXT, lw=1.2, label="Pareto front", zorder=2)
+    colours = plt.get_cmap("viridis")(np.linspace(0.1, 0.8, len(groups)))
+    for (name, points), mark, colour in zip(groups.items(), MARKS * len(groups), colours):
+        axes.plot(*zip(*points), mark, color=colour, ms=6, mec="white", mew=0.6, label=name, zorder=3)
+    logarithmic(axes, [r.cost for r, _ in found], [e for _, e in found] + ([study.tolerance] if study.tolerance else []))
+    if study.tolerance:
+        axes.axhline(study.tolerance, color=style.TENSILE, lw=1.0, ls="--", label="tolerance %.3g %%" % (100 * study.tolerance))
+    labelled = front if len(found) > MOST_LABELS else [result for result, _ in found]
+    ladders = study.axes_of("ladder") or own
+    for result in labelled:
+        axes.annotate(label_of(study, result.setting, ladders), (result.cost, max(analysis.error(result)[0], FLOOR)), xytext=(6, 5),
+                      textcoords="offset points", fontsize=7.5, color=style.TEXT)
+    axes.set_xlabel("processor time [s]")
+    axes.set_ylabel("largest error [%]")
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    style.title(figure, "What accuracy costs: " + (study.base.get("Title") or "study"))
+    style.save(figure, directory, "error_over_time")
