@@ -46,9 +46,10 @@ def correction(sizes, p):
 class Convergence:
     """What a ladder of levels does.
 
-    verdict: "converges" (differences fall); "equal" (they are rounding); "disorder" (they do not fall, and are small);
-    "does not converge" (they are notable, and do not fall, go to and fro, or are those of runs that differ in rounding alone); "two levels"; "one level".
+    verdict: "converges" (differences fall); "equal" (they are rounding); "irregular" (they are small or fall, but to and fro);
+    "does not converge" (they are notable, and do not fall or are no larger than those of runs that differ by next to nothing); "two levels"; "one level".
     orders: of each three successive levels. is_clean: Richardson's value can be trusted. fine, coarse: last and first of the differences.
+    is_doubtful: notable, to and fro, and nobody knows how far runs scatter that differ by next to nothing.
     """
 
     verdict: str
@@ -56,6 +57,7 @@ class Convergence:
     is_clean: bool = False
     fine: float = np.nan
     coarse: float = np.nan
+    is_doubtful: bool = False
 
     @property
     def order(self):
@@ -68,7 +70,7 @@ def assess(sizes, differences, directions=None, scatter=None):
 
     differences: norms |f_k - f_(k+1)| of successive levels over a norm of the finest. directions: cosine between each two successive differences
     (numbers: their signs, +1 or -1; values that scatter at random have -0.5 on average). scatter: largest difference among runs of the finest level
-    that differ in rounding alone, over the same norm; None: there are none.
+    that differ by next to nothing, over the same norm; None: there are none.
     """
     differences = np.asarray(differences, float)
     if len(differences) == 0:
@@ -78,14 +80,12 @@ def assess(sizes, differences, directions=None, scatter=None):
         return Convergence("does not converge", [], fine=fine, coarse=coarse)
     if differences.max() <= EQUAL and (scatter or 0.0) <= EQUAL:
         return Convergence("equal", [], True, fine, coarse)
-    if scatter is not None and scatter > EQUAL and scatter >= 0.5 * fine:
-        return Convergence("does not converge" if scatter > NOTABLE else "disorder", [], fine=fine, coarse=coarse)
+    if len(differences) > 1 and fine >= differences[-2] or scatter is not None and scatter > EQUAL and scatter >= 0.3 * fine:
+        return Convergence("does not converge" if max(fine, scatter or 0.0) > NOTABLE else "irregular", [], fine=fine, coarse=coarse)
     if len(differences) == 1:
         return Convergence("two levels", [], fine=fine, coarse=coarse)
-    to_and_fro = directions is not None and directions[-1] < 0
-    if fine >= differences[-2] or to_and_fro:
-        is_steady = fine < differences[-2] and scatter is not None and scatter < 0.3 * fine
-        return Convergence("does not converge" if fine > NOTABLE and not is_steady else "disorder", [], fine=fine, coarse=coarse)
+    if directions is not None and directions[-1] < 0:
+        return Convergence("irregular", [], fine=fine, coarse=coarse, is_doubtful=scatter is None and fine > NOTABLE)
     if sizes is None:
         return Convergence("converges", [], fine=fine, coarse=coarse)
     orders = [order(sizes[k : k + 3], differences[k : k + 2]) for k in range(len(differences) - 1)]

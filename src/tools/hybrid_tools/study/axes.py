@@ -16,6 +16,7 @@ REFINED = {
     "Continuum/Degree": None,
     "Mesh/Numbers:Resolution/*": lambda number: number,
 }
+UNITS = {"Time/Time step": "s", "Mesh/Numbers:Resolution/*": "m"}
 GROWING = ("Continuum/Degree", "Blocks/Penalty ratio")  # finer where they are larger
 SAMPLES = ("Heterogeneity/Seed", "Motion/Seed", "Motion/File", "Motion/Spectrum file", "Mesh/Numbers:Seed")  # another problem each, of the same kind
 
@@ -40,6 +41,12 @@ class Axis:
     def name(self):
         """Unique among the axes of a study."""
         return self.key + (":" + self.entry if self.entry else "")
+
+    @property
+    def title(self):
+        """Short name with its unit."""
+        unit = next((unit for name, unit in UNITS.items() if fnmatch.fnmatchcase(self.name, name)), "")
+        return self.short + (" [%s]" % unit if unit else "")
 
     def override(self, level, base):
         """-s of one level; base: the scene's parameters, of whose Mesh/Numbers the others stay."""

@@ -6,6 +6,7 @@ import os
 import sys
 
 from hybrid_run import UserError
+from hybrid_run.parameters import parse_parameters
 from hybrid_tools import style
 from hybrid_tools.arguments import Arguments
 from hybrid_tools.study import axes, plan, program, report, runner, study_file, tables, workflow
@@ -100,7 +101,8 @@ def make_study(words):
 
 def check(study):
     """Ask the program about every level and effect. @raises UserError with what it refuses."""
-    study.base = program.parameters(study.scene, study.common)
+    study.text = program.parameters_text(study.scene, study.common)
+    study.base = parse_parameters(study.text.splitlines())
     for axis in study.axes:
         for level in range(len(axis.labels)):
             program.parameters(study.scene, study.common + [axis.override(level, study.base)])
@@ -136,10 +138,9 @@ def read_study(words):
 def save(study):
     """plan.json, and the scene with every parameter: what the runs are computed from, whatever becomes of its file."""
     os.makedirs(study.directory, exist_ok=True)
-    if os.path.abspath(study.scene) != scene_of(study):
-        text = program.parameters_text(study.scene, study.common)
+    if study.text:
         with open(scene_of(study), "w", encoding="utf-8") as file:
-            file.write(text)
+            file.write(study.text)
     write_json(os.path.join(study.directory, "plan.json"), study.to_json())
 
 
@@ -210,8 +211,8 @@ def main(words):
         return 0
     locked = runner.lock(study.directory)
     is_whole = compute(study, settings, words)
-    if is_whole and study.seeds is None and tables.scattered(Analysis(study, with_runs(study, settings))):
-        print("something does not converge: %d seeds of the finest run" % AUTOMATIC_SEEDS)
+    if is_whole and study.seeds is None and tables.needs_seeds(Analysis(study, with_runs(study, settings))):
+        print("something does not converge, or to and fro: %d seeds of the finest run" % AUTOMATIC_SEEDS)
         study.seeds = AUTOMATIC_SEEDS
         save(study)
         settings = study.settings(study.seeds)

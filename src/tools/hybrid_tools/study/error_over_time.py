@@ -4,6 +4,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import FuncFormatter, NullFormatter
+from matplotlib.transforms import Bbox
 
 from hybrid_tools import style
 from hybrid_tools.study import tables
@@ -22,17 +23,35 @@ def percent(value, _=None):
 
 
 def logarithmic(axes, x, y):
-    """Axes with plain numbers that leave room about the points."""
+    """Axes with plain numbers that leave room about the points; times within a factor of three are on a plain axis."""
     for axis, values, words, name in ((axes.xaxis, x, plain, "x"), (axes.yaxis, y, percent, "y")):
-        getattr(axes, "set_%sscale" % name)("log")
         low, high = min(values), max(values)
+        if name == "x" and high < 3 * low:
+            width = max(high - low, 0.1 * high)
+            axes.set_xlim(low - 0.1 * width, high + 0.25 * width)
+            continue
+        getattr(axes, "set_%sscale" % name)("log")
         room = max((high / low) ** 0.12, 1.4)
         getattr(axes, "set_%slim" % name)(low / room, high * room)
-        few = high / low < 30
-        ticks = [m * 10.0**k for k in range(-9, 9) for m in ((1, 2, 5) if few else (1,)) if low / room <= m * 10.0**k <= high * room]
-        axis.set_ticks(ticks)
+        steps = (1, 2, 5) if high / low < 300 else (1,)
+        axis.set_ticks([m * 10.0**k for k in range(-9, 9) for m in steps if low / room <= m * 10.0**k <= high * room])
         axis.set_major_formatter(FuncFormatter(words))
         axis.set_minor_formatter(NullFormatter())
+
+
+def write_labels(figure, axes, entries):
+    """Words beside points [(x, y, words)], where they cover neither points nor each other; those without a place are left out."""
+    figure.canvas.draw()
+    points = [axes.transData.transform((x, y)) for x, y, _ in entries]
+    taken = [Bbox.from_bounds(x - 6, y - 6, 12, 12) for x, y in points]
+    for (x, y, words), place in zip(entries, points):
+        for dx, dy, side in ((7, 5, "left"), (7, -12, "left"), (-7, 5, "right"), (-7, -12, "right"), (7, 16, "left"), (-7, 16, "right")):
+            label = axes.annotate(words, (x, y), xytext=(dx, dy), textcoords="offset points", ha=side, fontsize=7.5, color=style.TEXT)
+            box = label.get_window_extent()
+            if axes.bbox.x0 <= box.x0 and box.x1 <= axes.bbox.x1 and not any(box.overlaps(other) for other in taken):
+                taken.append(box)
+                break
+            label.remove()
 
 
 def families(study):
@@ -41,7 +60,7 @@ def families(study):
 
 
 def label_of(study, setting, ladders):
-    return ", ".join("%s %s" % (study.axes[k].short, study.axes[k].labels[setting.levels[k]]) for k in ladders)
+    return ", ".join(study.axes[k].labels[setting.levels[k]] for k in ladders)
 
 
 def draw(analysis, directory):
@@ -63,13 +82,12 @@ def draw(analysis, directory):
     logarithmic(axes, [r.cost for r, _ in found], [e for _, e in found] + ([study.tolerance] if study.tolerance else []))
     if study.tolerance:
         axes.axhline(study.tolerance, color=style.TENSILE, lw=1.0, ls="--", label="tolerance %.3g %%" % (100 * study.tolerance))
-    labelled = front if len(found) > MOST_LABELS else [result for result, _ in found]
-    ladders = study.axes_of("ladder") or own
-    for result in labelled:
-        axes.annotate(label_of(study, result.setting, ladders), (result.cost, max(analysis.error(result)[0], FLOOR)), xytext=(6, 5),
-                      textcoords="offset points", fontsize=7.5, color=style.TEXT)
+    labelled = front if len(found) > MOST_LABELS else front + [result for result, _ in found if result not in front]
     axes.set_xlabel("processor time [s]")
     axes.set_ylabel("largest error [%]")
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
+    ladders = study.axes_of("ladder") or own
+    names = "labels: " + ", ".join(study.axes[k].title for k in ladders)
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), title=names, title_fontsize=8)
     style.title(figure, "What accuracy costs: " + (study.base.get("Title") or "study"))
+    write_labels(figure, axes, [(r.cost, max(analysis.error(r)[0], FLOOR), label_of(study, r.setting, ladders)) for r in labelled])
     style.save(figure, directory, "error_over_time")

@@ -51,11 +51,11 @@ def draw_panel(axes, analysis, ladder):
     if not rows:
         return
     sizes, errors = [s for _, x, _ in rows for s in x], [e for _, _, y in rows for e in y]
-    if max(sizes) > min(sizes):
+    if max(sizes) > min(sizes) and any(row.convergence.verdict != "does not converge" for row, _, _ in rows):
         for order in (1, 2):
             slope(axes, order, sizes, 1.5 * max(errors))
     logarithmic(axes, sizes, errors + [1.5 * max(errors)])
-    axes.set_xlabel(ladder.axis.short)
+    axes.set_xlabel(ladder.axis.title)
     axes.set_ylabel("error [%]")
     axes.set_title(tables.ladder_title(analysis, ladder))
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))

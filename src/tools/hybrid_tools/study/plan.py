@@ -31,7 +31,7 @@ class Study:
     """scene: path. common: -s of every run. effects: {name: overrides}. closed_forms: {quantity: number or path of a CSV}.
 
     base: parameters of the scene with the common overrides. seeds: copies of the finest run; None: as needed. tolerance: error asked for, or None.
-    quantities: patterns of what counts for the error; empty: everything.
+    quantities: patterns of what counts for the error; empty: everything. text: the scene with all parameters, of a new plan.
     """
 
     scene: str
@@ -44,6 +44,7 @@ class Study:
     seeds: int = None
     tolerance: float = None
     quantities: list = field(default_factory=list)
+    text: str = ""
 
     def __post_init__(self):
         name_shortly(self.axes)

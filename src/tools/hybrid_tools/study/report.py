@@ -8,6 +8,7 @@ import numpy as np
 
 from hybrid_tools.study import tables
 
+KINDS = {"closed form": "the closed form", "Richardson": "Richardson's value", "finest run": "the finest run"}
 MOST_ROWS = 30  # of a table in the terminal; files have all
 SEED = "seeds: the finest run again with Young's moduli larger by millionths"
 
@@ -41,18 +42,22 @@ def sentence(analysis):
     study, tolerance = analysis.study, analysis.study.tolerance
     if tolerance is None:
         return ""
-    found = [(result, error) for result, error in tables.judged_runs(analysis)]
+    found = tables.judged_runs(analysis)
     within = [result for result, error in found if error <= tolerance]
     wanted = "an error below %.3g %%" % (100 * tolerance)
+    if not found:
+        why = "nothing that is judged converges" if tables.scattered(analysis) else "no run has both an error and a time"
+        return "No setting of this study has %s: %s." % (wanted, why)
     if not within:
-        best = min(found, key=lambda pair: pair[1], default=None)
-        rest = "; the smallest known error is %s, of %s" % (tables.part(best[1]), study.describe(best[0].setting)) if best else ""
-        return "No setting of this study has %s%s." % (wanted, rest)
+        best = min(found, key=lambda pair: pair[1])
+        return "No setting of this study has %s; the smallest known error is %s, of %s." % (wanted, tables.part(best[1]), study.describe(best[0].setting))
     cheapest = min(within, key=lambda result: result.cost)
-    finest, text = analysis.of(study.finest), ""
+    finest, share = analysis.of(study.finest), ""
     if finest and finest is not cheapest and finest.cost:
-        text = ", %.2g %% of the finest run" % (100 * cheapest.cost / finest.cost)
-    return "The cheapest setting with %s is %s; it costs %.3g s of processor time%s." % (wanted, study.describe(cheapest.setting), cheapest.cost, text)
+        share = ", %.2g %% of the finest run" % (100 * cheapest.cost / finest.cost)
+    error, worst = analysis.error(cheapest)
+    return "The cheapest setting with %s is %s; it costs %.3g s of processor time%s. Its largest error is %s, of %s, against %s." % (
+        wanted, study.describe(cheapest.setting), cheapest.cost, share, tables.part(error), worst, KINDS[analysis.errors(cheapest)[worst][1]])
 
 
 def chaos(analysis):
@@ -99,7 +104,7 @@ def text(analysis):
         lines += ["  %8s s  %8s  %-28s %s" % (tables.seconds(r.cost), tables.part(analysis.error(r)[0]), analysis.study.describe(r.setting), analysis.error(r)[1])
                   for r in front]
     failed = [result for result in analysis.results.values() if result.run.state == "failed"]
-    lines += [""] * bool(failed) + ["failed    %s: %s" % (analysis.study.describe(r.setting), r.run.manifest.get("reason")) for r in failed]
+    lines += [""] * bool(failed) + ["failed    %s: %s" % (analysis.study.describe(r.setting), r.run.manifest.get("reason", "").split(";")[0]) for r in failed]
     lines += [""] + ["verdict   " + line for line in chaos(analysis)] + ["verdict   " + sentence(analysis)] * bool(sentence(analysis))
     return "\n".join(lines).rstrip()
 

@@ -18,6 +18,7 @@ from hybrid_tools.study.run_directory import RunDirectory
 
 DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl(2)
 POLL = 0.05  # [s]
+OTHER_LOAD = 0.15  # of all cores: with more, a run was not alone
 PATIENCE = 20.0  # for the children of a study that was killed [s]
 
 libc = ctypes.CDLL(None)
@@ -55,19 +56,30 @@ def available_memory():
         return free
 
 
+def busy_time():
+    """Processor time that this machine has spent on anything [s]."""
+    with open("/proc/stat", encoding="ascii") as lines:
+        user, nice, system, _, _, irq, softirq = map(int, lines.readline().split()[1:8])
+    return (user + nice + system + irq + softirq) / os.sysconf("SC_CLK_TCK")
+
+
+def own_time():
+    """Of it, that of this process and of its runs that have ended [s]."""
+    times = os.times()
+    return times.user + times.system + times.children_user + times.children_system
+
+
 class Child:
     """A run that is going on."""
 
     def __init__(self, run, scene, taken):
         self.run, self.threads = run, run.manifest.get("threads", 1)
         self.locked = lock(run.path)
-        load = os.getloadavg()[0]
-        if taken == "alone" and load > 0.5 * len(os.sched_getaffinity(0)):
-            taken = "beside other work"
+        self.taken, self.before = taken, (time.monotonic(), busy_time() - own_time())
         resumed = run.manifest.get("resumed", 0) + (1 if run.has_begun() else 0)
         words = run.words(scene)
         self.was_resumed = words[0] == "--resume"
-        run.update(state="running", taken=taken, load=round(load, 2), resumed=resumed, program=program.version(), reason="")
+        run.update(state="running", taken=taken, resumed=resumed, program=program.version(), reason="")
         self.console = os.path.join(run.path, "console.txt")
         with open(self.console, "wb") as console:
             # pylint: disable=subprocess-popen-preexec-fn (one thread; no other way to ask for the signal)
@@ -80,9 +92,18 @@ class Child:
         if code is None:
             return False
         os.close(self.locked)
+        if self.taken == "alone":
+            self.judge_time()
         with open(self.console, encoding="utf-8", errors="replace") as console:
             self.run.take_result(code, console.read())
         return True
+
+
+    def judge_time(self):
+        """Whether the run had the machine for itself."""
+        begin, others = self.before
+        load = max(0.0, busy_time() - own_time() - others) / max(time.monotonic() - begin, 1e-3)
+        self.run.update(other_load=round(load, 2), taken="alone" if load < OTHER_LOAD * os.cpu_count() else "beside other work")
 
 
 class Runner:
@@ -145,7 +166,7 @@ class Runner:
     def report(self, run, count, total):
         manifest = run.manifest
         seconds = manifest.get("processor_time_s")
-        words = {"done": "%8.4g s" % seconds if seconds is not None else "", "failed": "failed: %s" % manifest.get("reason", "")}
+        words = {"done": "%8.4g s" % seconds if seconds is not None else "", "failed": "failed: %s" % manifest.get("reason", "").split(";")[0]}
         self.tell("[%*d/%d] %s  %s" % (len(str(total)), count, total, words.get(run.state, manifest.get("reason", "")), title(manifest)))
 
 

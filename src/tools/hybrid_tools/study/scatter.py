@@ -22,17 +22,17 @@ def draw(analysis, directory):
     for panel, (ladder, row) in zip(axes.flat, found):
         labels = [ladder.axis.labels[result.setting.levels[ladder.index]] for result in ladder.results]
         copies = [copy.values[row.quantity].value for copy in analysis.copies(ladder.results[-1].setting.levels)[1:] if row.quantity in copy.values]
-        panel.plot(range(len(labels)), [value.value for value in row.values], "o-", color=style.HORIZONTAL, label="levels")
+        panel.plot(range(len(labels)), [value.value for value in row.values], "o--", lw=0.8, color=style.HORIZONTAL)
         if copies:
             labels.append("seeds")
-            panel.plot(np.full(len(copies), len(labels) - 1), copies, "D", color=style.VERTICAL, mec="white", ms=6, label="seeds of the finest")
+            panel.plot(np.full(len(copies), len(labels) - 1), copies, "D", color=style.VERTICAL, mec="white", ms=6)
         panel.set_xticks(range(len(labels)), labels)
         panel.set_xlim(-0.4, len(labels) - 0.6)
         panel.margins(y=0.15)
-        panel.set_xlabel(ladder.axis.short)
+        panel.set_xlabel(ladder.axis.title)
         unit = quantities.unit(row.quantity)
-        panel.set_ylabel("%s%s" % (row.quantity.split("/")[1], "" if unit == "-" else " [%s]" % unit))
-        panel.set_title(row.quantity.split("/")[0])
+        panel.set_ylabel("" if unit == "-" else "[%s]" % unit)
+        panel.set_title(row.quantity.replace("/", ": "))
     for panel in axes.flat[len(found) :]:
         panel.set_visible(False)
     style.title(figure, "What does not converge: " + (analysis.study.base.get("Title") or "study"))

@@ -11,7 +11,7 @@ from hybrid_tools.study import quantities
 from hybrid_tools.study.quantities import Number
 from hybrid_tools.table import Cell, Column, Table
 
-NO_ORDER = {"does not converge": "does not converge", "disorder": "irregular", "equal": "equal", "two levels": "-", "one level": "-"}
+NO_ORDER = {"does not converge": "does not converge", "irregular": "irregular", "equal": "equal", "two levels": "-", "one level": "-"}
 
 
 def part(value):
@@ -98,6 +98,9 @@ def errors(ladder):
         order = row.order if np.isfinite(row.order) else None
         table.add(monitor, quantity + (", L2" if quantity in quantities.UNITS else ""), *shown,
                   Cell(order, NO_ORDER.get(row.convergence.verdict, "-")) if order is None else order, row.kind)
+    failed = [result.values["joints/failed"].value for result in ladder.results]
+    if any(failed):
+        table.add("joints", "failed (number)", *(Cell(int(number), "%d" % number) for number in failed), None, "")
     table.add("processor time", "s", *(Cell(result.cost, seconds(result.cost)) for result in ladder.results), None, "")
     return table
 
@@ -109,6 +112,12 @@ def order_words(value):
 def scattered(analysis):
     """[(ladder, row)] of what does not converge."""
     return [(ladder, row) for ladder in ladders(analysis) for row in ladder.rows.values() if row.convergence.verdict == "does not converge"]
+
+
+def needs_seeds(analysis):
+    """Whether copies of the finest run would tell what its levels cannot."""
+    rows = [row for ladder in ladders(analysis) for row in ladder.rows.values()]
+    return any(row.convergence.is_doubtful or row.convergence.verdict == "does not converge" for row in rows)
 
 
 def scatter(analysis):
