@@ -1,19 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """hybrid study: runs a scene with varied parameters and says what accuracy costs in time. See doc/study.md."""
 
-import importlib
 import os
 import sys
 
 from hybrid_run import UserError
 from hybrid_run.parameters import parse_parameters
-from hybrid_tools import style
 from hybrid_tools.arguments import Arguments
-from hybrid_tools.study import axes, plan, program, report, runner, study_file, tables, workflow
-from hybrid_tools.study.analysis import Analysis
+from hybrid_tools.study import axes, plan, program, runner, study_file, workflow
 from hybrid_tools.study.run_directory import RunDirectory, read_json, write_json
 
-FIGURES = ("error_over_time", "orders", "costs", "scatter")
 AUTOMATIC_SEEDS = 3
 
 EXAMPLES = """\
@@ -148,20 +144,6 @@ def scene_of(study):
     return os.path.join(study.directory, "scene.prm")
 
 
-def collect(study, settings):
-    """Tables, figures and words of what there is."""
-    style.apply()
-    analysis = Analysis(study, [(setting, RunDirectory(study.directory, setting.name)) for setting in settings])
-    folder = report.write(analysis)
-    figures = os.path.join(study.directory, "figures")
-    os.makedirs(figures, exist_ok=True)
-    for name in FIGURES:
-        importlib.import_module("hybrid_tools.study." + name).draw(analysis, figures)
-    print(report.text(analysis))
-    print("files     %s, %s" % (os.path.relpath(folder), os.path.relpath(figures)))
-    return analysis
-
-
 def compute(study, settings, words):
     """Compute what is missing. @return whether it was not interrupted."""
     runs = runner.plan_runs(study, settings)
@@ -206,24 +188,22 @@ def main(words):
         runner.estimate(runs, scene_of(study))
         print("wrote %s, %d runs" % (os.path.relpath(workflow.write(study, runs)), len(runs)))
         return 0
+    from hybrid_tools.study import collection  # only now: it draws
+
     if words.collect:
-        collect(study, settings)
+        collection.collect(study, settings)
         return 0
     locked = runner.lock(study.directory)
     is_whole = compute(study, settings, words)
-    if is_whole and study.seeds is None and tables.needs_seeds(Analysis(study, with_runs(study, settings))):
+    if is_whole and study.seeds is None and collection.needs_seeds(study, settings):
         print("something does not converge, or to and fro: %d seeds of the finest run" % AUTOMATIC_SEEDS)
         study.seeds = AUTOMATIC_SEEDS
         save(study)
         settings = study.settings(study.seeds)
         is_whole = compute(study, settings, words)
-    analysis = collect(study, settings)
+    analysis = collection.collect(study, settings)
     os.close(locked)
     if not is_whole:
         print("interrupted; to go on: hybrid study %s" % os.path.relpath(study.directory), file=sys.stderr)
         return 130
     return 1 if any(result.run.state == "failed" for result in analysis.results.values()) else 0
-
-
-def with_runs(study, settings):
-    return [(setting, RunDirectory(study.directory, setting.name)) for setting in settings]

@@ -118,5 +118,5 @@ def parse_tolerance(text):
     except (AttributeError, ValueError):
         value = -1.0
     if not 0 < value < 10:
-        raise UserError("--tolerance is a part above 0, such as 2% or 0.02, not '%s'" % text)
+        raise UserError("--tolerance is a part above 0, such as 2%% or 0.02, not '%s'" % text)
     return value
