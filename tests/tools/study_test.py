@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT
 
 from hybrid_run import UserError, convergence
-from hybrid_tools.study import axes, plan, quantities, study_file
+from hybrid_tools.study import analysis, axes, plan, quantities, study_file, tables
 from hybrid_tools.study.run_directory import RunDirectory, reason_of
 
 SCENES = ROOT / "parameters/verification"
@@ -80,10 +80,10 @@ def test_the_pareto_front_is_what_nothing_beats():
 
 
 def test_a_peak_between_two_steps_is_found():
-    t = np.arange(0.02, 1.4, 0.05)
+    t = np.arange(0.023, 1.4, 0.05)  # the peak is in the middle between two of them
     values = np.column_stack([3 * np.sin(2.1 * t), 4 * np.sin(2.1 * t)])
-    assert quantities.peak(t, values) == pytest.approx(5, rel=1e-6)
-    assert np.linalg.norm(values, axis=1).max() < 5 * (1 - 1e-5)
+    assert quantities.peak(t, values) == pytest.approx(5, rel=1e-4)
+    assert np.linalg.norm(values, axis=1).max() < 5 * (1 - 1e-3)
 
 
 # What is varied.
@@ -91,7 +91,8 @@ def test_a_peak_between_two_steps_is_found():
 
 def test_values_with_commas_and_equal_signs():
     axis = axes.parse_axis("Mesh/Numbers=Resolution/h = 2|8|4")
-    assert (axis.name, axis.labels, axis.kind, axis.sizes, axis.reference) == ("Mesh/Numbers:Resolution/h", ["8", "4", "2"], "ladder", [8, 4, 2], 2)
+    assert (axis.name, axis.labels, axis.kind) == ("Mesh/Numbers:Resolution/h", ["8", "4", "2"], "ladder")
+    assert (axis.sizes, axis.reference) == ([8, 4, 2], 2)
     assert axis.override(0, {"Mesh/Numbers": "Width = 10; Resolution/h = 1"}) == "Mesh/Numbers=Width = 10; Resolution/h = 8"
     axis = axes.parse_axis("Bedding planes/Names=|a, b|a, b, c")
     assert axis.labels == ["", "a, b", "a, b, c"] and axis.kind == "options" and axis.override(1, {}) == "Bedding planes/Names=a, b"
@@ -114,11 +115,12 @@ def test_a_tolerance_is_a_part():
 
 def test_a_study_file_is_read_and_its_mistakes_are_told(tmp_path):
     path = tmp_path / "study.toml"
-    path.write_text('scene = "a.prm"\ntolerance = "2%"\n[vary]\n"Time/Time step" = [1e-3, 2e-3]\n[closed_form]\n"a/displacement" = "a.csv"\n')
+    path.write_text('scene = "a.prm"\ntolerance = "2%"\n[vary]\n"Time/Time step" = [1e-3, 2e-3]\n'
+                    '[closed_form]\n"a/displacement" = "a.csv"\n')
     content = study_file.read(str(path))
     assert content["scene"] == str(tmp_path / "a.prm") and content["closed_form"] == {"a/displacement": str(tmp_path / "a.csv")}
-    for text, message in (("scene = 3", "wrong kind"), ("secne = 'a'", "unknown entry"), ("tolerance = 1", "no entry 'scene'"), ("a = [", "study.toml"),
-                          ("scene = 'a'\n[vary]\nb = 3", "list of values")):
+    for text, message in (("scene = 3", "wrong kind"), ("secne = 'a'", "unknown entry"), ("tolerance = 1", "no entry 'scene'"),
+                          ("a = [", "study.toml"), ("scene = 'a'\n[vary]\nb = 3", "list of values")):
         path.write_text(text)
         with pytest.raises(UserError, match=message):
             study_file.read(str(path))
@@ -149,8 +151,9 @@ def test_what_a_run_said_last_is_its_reason(tmp_path):
 
 def test_trapezoidal_is_of_second_order_and_dissipative_of_first(hybrid, tmp_path):
     directory = tmp_path / "study"
-    result = hybrid("study", SCENES / "rayleigh_decrement.prm", "--vary", "Time/Scheme=trapezoidal,dissipative", "--vary", "Time/Time step=8e-3,4e-3,2e-3",
-                    "-s", "Motion/Frequency=1.5", "-s", "Time/End time=4", "--directory", directory, "--tolerance", "0.5%")
+    result = hybrid("study", SCENES / "rayleigh_decrement.prm", "--vary", "Time/Scheme=trapezoidal,dissipative",
+                    "--vary", "Time/Time step=8e-3,4e-3,2e-3", "-s", "Motion/Frequency=1.5", "-s", "Time/End time=4",
+                    "--directory", directory, "--tolerance", "0.5%")
     assert result.returncode == 0, result.stderr
     found = orders(directory)
     for quantity in ("displacement", "velocity", "peak displacement", "peak acceleration"):
@@ -162,7 +165,8 @@ def test_trapezoidal_is_of_second_order_and_dissipative_of_first(hybrid, tmp_pat
     assert errors["trapezoidal", "8e-3"] / errors["trapezoidal", "4e-3"] == pytest.approx(4, rel=0.15)
     within = [run for run in runs if float(run["error"]) < 0.005]
     cheapest = min(within, key=lambda run: float(run["processor time [s]"]))
-    assert "cheapest setting with an error below 0.5 %% is Scheme %s, Time step %s" % (cheapest["Scheme"], cheapest["Time step"]) in result.stdout
+    setting = "Scheme %s, Time step %s" % (cheapest["Scheme"], cheapest["Time step"])
+    assert "cheapest setting with an error below 0.5 % is " + setting in result.stdout
     assert {path.name for path in (directory / "figures").iterdir()} == {"error_over_time.png", "orders.png", "costs.png"}
     times = [float(run["processor time [s]"]) for run in runs if run["Pareto front"] == "yes"]
     assert times and min(times) == min(float(run["processor time [s]"]) for run in runs)
@@ -217,7 +221,8 @@ end
 
 def test_chaos_has_no_order_but_scatter(hybrid, tmp_path):
     directory = tmp_path / "study"
-    result = hybrid("study", falling_triangles(tmp_path), "--vary", "Time/Time step=2e-3,1e-3,5e-4", "--directory", directory, "--tolerance", "1%")
+    result = hybrid("study", falling_triangles(tmp_path), "--vary", "Time/Time step=2e-3,1e-3,5e-4", "--directory", directory,
+                    "--tolerance", "1%")
     assert result.returncode == 0, result.stderr
     assert "3 seeds of the finest run" in result.stdout and "do not converge along Time step" in result.stdout
     order, _, verdict = orders(directory)["Time step", "high/velocity"]
@@ -252,8 +257,9 @@ def test_a_study_that_is_killed_goes_on_in_the_middle_of_a_run(hybrid, tmp_path)
 def test_a_grid_side_by_side_with_an_effect_and_a_level_that_fails(hybrid, tmp_path):
     scene = tmp_path / "grid.toml"
     scene.write_text('scene = "%s"\nset = ["Time/End time=0.1"]\nseeds = 0\n[vary]\n"Mesh/Numbers" = ["Resolution/h = 5", 2.5]\n'
-                     '"Time/Time step" = [4e-3, 2e-3]\n[effects]\n"no cohesion" = ["Materials/rock/Cohesion=0", "Materials/rock/Tensile strength=0",'
-                     ' "Materials/rock/Friction angle=0", "Model/Blocks=loose", "Model/Bedrock=rigid"]\n"viscous" = ["Continuum/Sides=viscous"]\n'
+                     '"Time/Time step" = [4e-3, 2e-3]\n[effects]\n"viscous" = ["Continuum/Sides=viscous"]\n'
+                     '"no cohesion" = ["Materials/rock/Cohesion=0", "Materials/rock/Tensile strength=0",'
+                     ' "Materials/rock/Friction angle=0", "Model/Blocks=loose", "Model/Bedrock=rigid"]\n'
                      % (SCENES / "coupled_column.prm"))
     directory = tmp_path / "study"
     result = hybrid("study", scene, "--jobs", "2", "--directory", directory)
@@ -267,42 +273,80 @@ def test_a_grid_side_by_side_with_an_effect_and_a_level_that_fails(hybrid, tmp_p
     assert all(manifest["memory_mb"] > 50 for manifest in manifests(directory))
 
 
-def test_a_closed_form_is_the_reference(hybrid, tmp_path):
+def made_up(directory, error, failed=()):
+    """A study of runs whose results are formulas: error(h, dt) of a number whose true value is 1."""
+    varied = [axes.parse_axis("Mesh/Numbers=Resolution/h = 4|2|1"), axes.parse_axis("Time/Time step=4e-3,2e-3,1e-3")]
+    study = plan.Study("scene.prm", str(directory), [], varied, base={"Title": "made up"})
+    runs = []
+    for setting in study.settings():
+        run = RunDirectory(str(directory), setting.name)
+        h, dt = (axis.sizes[level] for axis, level in zip(varied, setting.levels))
+        run.update(state="failed" if (h, dt) in failed else "done", processor_time_s=1 / h / dt)
+        runs.append((setting, run, {"a/peak displacement": quantities.Number(1 + error(h, dt))}))
+    return study, runs
+
+
+def analysed(monkeypatch, study, runs):
+    found = {run.path: values for _, run, values in runs}
+    monkeypatch.setattr(quantities, "end_of", lambda path: 1.0)
+    monkeypatch.setattr(quantities, "read", lambda path, end: found[path])
+    return analysis.Analysis(study, [(setting, run) for setting, run, _ in runs])
+
+
+def test_errors_of_a_grid_are_those_of_the_formula(tmp_path, monkeypatch):
+    def error(h, dt):
+        return 0.01 * h**2 + 3 * dt
+
+    found = analysed(monkeypatch, *made_up(tmp_path, error))
+    for result in found.done:
+        h, dt = (axis.sizes[level] for axis, level in zip(found.study.axes, result.setting.levels))
+        assert found.error(result)[0] == pytest.approx(error(h, dt), rel=1e-6)
+    assert [row.order for ladder in tables.ladders(found) for row in ladder.rows.values()] == pytest.approx([2, 1])
+    assert {kind for kind in (found.errors(result)["a/peak displacement"][1] for result in found.done)} == {"Richardson"}
+    settings = [found.study.describe(result.setting) for result in tables.pareto(found)]
+    assert settings[0] == "h 4, Time step 4e-3" and settings[-1] == "h 1, Time step 1e-3"
+
+
+def test_without_its_finest_run_a_study_takes_the_next(tmp_path, monkeypatch):
+    found = analysed(monkeypatch, *made_up(tmp_path, lambda h, dt: 0.01 * h**2 + 3 * dt, failed={(1, 1e-3), (2, 1e-3), (4, 1e-3)}))
+    assert len(found.done) == 6 and found.study.describe(found.finest(found.study.finest).setting) == "h 1, Time step 2e-3"
+    coarse = found.error(found.of((0, 0)))[0]
+    assert coarse == pytest.approx(abs(1 + 0.16 + 0.012 - 1.016) / 1.016, rel=1e-6)
+    assert [tables.ladder_title(found, ladder) for ladder in tables.ladders(found)] == ["h (Time step 2e-3)", "Time step (h 1)"]
+    assert len(tables.runs(found).rows) == 9
+
+
+def test_a_workflow_computes_one_run_at_a_time_and_a_closed_form_is_the_reference(hybrid, tmp_path):
     a, phi = math.radians(30), math.radians(15)
     slide = 0.5 * 9.81 * (math.sin(a) - math.cos(a) * math.tan(phi)) * 0.5**2
     directory = tmp_path / "study"
     result = hybrid("study", SCENES / "incline.prm", "--vary", "Time/Time step=4e-3,2e-3", "--closed-form", "block/final displacement=%r" % slide,
-                    "-s", "Time/End time=0.5", "--quantities", "block/final*", "--tolerance", "0.3%", "--directory", directory)
-    assert result.returncode == 0, result.stderr
-    errors = [row for row in table(directory, "values") if row["error"]]
-    assert {row["reference"] for row in errors} == {"closed form"} and all(float(row["error"]) < 3e-3 for row in errors) and len(errors) == 2
-    assert "against the closed form" in result.stdout
-
-
-def test_a_workflow_computes_one_run_at_a_time(hybrid, tmp_path):
-    directory = tmp_path / "study"
-    result = hybrid("study", SCENES / "incline.prm", "--vary", "Time/Time step=4e-3,2e-3", "-s", "Time/End time=0.1", "--directory", directory, "--snakemake")
+                    "-s", "Time/End time=0.5", "--quantities", "block/final*", "--tolerance", "0.3%", "--directory", directory, "--snakemake")
     assert result.returncode == 0, result.stderr
     text = (directory / "Snakefile").read_text()
     runs = json.loads(text[text.index("RUNS = ") + 7 : text.index("\n\n\nrule all")])
     assert len(runs) == 2 and all(run["mem_mb"] > 50 and run["threads"] == 1 for run in runs.values())
     assert hybrid("study", directory, "--only", list(runs)[0]).returncode == 0
-    assert hybrid("study", directory, "--collect").returncode == 0
+    collected = hybrid("study", directory, "--collect")
+    assert collected.returncode == 0 and "against the closed form" in collected.stdout
     assert sorted(run["state"] for run in table(directory)) == ["done", "planned"]
     assert next(manifest for manifest in manifests(directory) if manifest["state"] == "done")["taken"] == "by a scheduler"
+    errors = [row for row in table(directory, "values") if row["error"]]
+    assert [row["reference"] for row in errors] == ["closed form"] and float(errors[0]["error"]) < 3e-3
 
 
 @pytest.mark.parametrize("words, message", [
     (["scene.prm", "--vary", "Time/Time stepp=1,2"], "Time stepp"),
     (["scene.prm", "--vary", "Time/Time step=1e-3,-1"], "Time step"),
-    (["scene.prm", "--vary", "Time/Time step=1e-3,2e-3", "--tolerance", "two"], "tolerance"),
     (["scene.prm", "--vary", "Time/Time step=1e-3,2e-3", "--finest", "Blocks/Tolerance=1"], "not varied"),
     (["scene.prm", "--variy", "a=1"], "did you mean '--vary'"),
+    (["scene.prm"], "nothing is varied"),
     (["."], "plan.json"),
     (["nothing.toml"], "nothing.toml"),
 ])
 def test_mistakes_are_one_line(hybrid, tmp_path, words, message):
     (tmp_path / "scene.prm").write_text("include %s\n" % (SCENES / "incline.prm"))
     result = hybrid("study", *words, cwd=tmp_path)
-    assert result.returncode == 2 and message in result.stderr and result.stderr.startswith("error: ") and len(result.stderr.splitlines()) == 1
+    assert result.returncode == 2 and message in result.stderr
+    assert result.stderr.startswith("error: ") and len(result.stderr.splitlines()) == 1
     assert not pathlib.Path(tmp_path / "output").exists()

@@ -47,7 +47,8 @@ class Convergence:
     """What a ladder of levels does.
 
     verdict: "converges" (differences fall); "equal" (they are rounding); "irregular" (they are small or fall, but to and fro);
-    "does not converge" (they are notable, and do not fall or are no larger than those of runs that differ by next to nothing); "two levels"; "one level".
+    "does not converge" (they are notable, and do not fall or are no larger than those of runs that differ by next to nothing);
+    "two levels"; "one level".
     orders: of each three successive levels. is_clean: Richardson's value can be trusted. fine, coarse: last and first of the differences.
     is_doubtful: notable, to and fro, and nobody knows how far runs scatter that differ by next to nothing.
     """
@@ -68,9 +69,9 @@ class Convergence:
 def assess(sizes, differences, directions=None, scatter=None):
     """Whether levels converge.
 
-    differences: norms |f_k - f_(k+1)| of successive levels over a norm of the finest. directions: cosine between each two successive differences
-    (numbers: their signs, +1 or -1; values that scatter at random have -0.5 on average). scatter: largest difference among runs of the finest level
-    that differ by next to nothing, over the same norm; None: there are none.
+    differences: norms |f_k - f_(k+1)| of successive levels over a norm of the finest. directions: cosine between each two successive
+    differences (numbers: their signs, +1 or -1; values that scatter at random have -0.5 on average). scatter: largest difference among
+    runs of the finest level that differ by next to nothing, over the same norm; None: there are none.
     """
     differences = np.asarray(differences, float)
     if len(differences) == 0:

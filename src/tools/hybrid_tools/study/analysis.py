@@ -130,22 +130,33 @@ class Analysis:
             self._ladders[index, fixed] = Ladder(axis, index, fixed, results, rows) if rows else None
         return self._ladders[index, fixed]
 
+    def finest(self, fixed):
+        """The run at these levels; if it is not done, that of the finest levels of the ladders that is."""
+        ladders = self.study.axes_of("ladder")
+        others = [result for result in self.done if not result.setting.effect and not result.setting.seed
+                  and all(level == wanted for k, (level, wanted) in enumerate(zip(result.setting.levels, fixed)) if k not in ladders)]
+        return self.of(fixed) or max(others, key=lambda result: sum(result.setting.levels[k] for k in ladders), default=None)
+
     def best(self, fixed):
-        """{quantity: (value, kind, whether it converges)} at the finest of all ladders: closed form, Richardson's of each ladder, or the finest run."""
+        """{quantity: (value, kind, whether it converges)} at the finest of all ladders; kind as in Row."""
         if fixed in self._best:
             return self._best[fixed]
-        finest, found = self.of(fixed), {}
-        ladders = [self.ladder(index, fixed) for index in self.study.axes_of("ladder") if len(self.study.axes[index].labels) > 1]
+        finest, found = self.finest(fixed), {}
+        levels = finest.setting.levels if finest else fixed
+        ladders = [self.ladder(index, levels) for index in self.study.axes_of("ladder") if len(self.study.axes[index].labels) > 1]
         for name in self.names:
             rows = [ladder.rows[name] for ladder in ladders if ladder and name in ladder.rows]
             converges = all(row.convergence.verdict != "does not converge" for row in rows)
             if name in self.closed:
                 found[name] = (self.closed[name], "closed form", converges)
             elif finest and name in finest.values:
-                clean = [row for row in rows if row.convergence.is_clean]
-                parts = [(1.0 - len(clean), finest.values[name])] + [(1.0, row.reference) for row in clean]
-                is_whole = clean and len(clean) == len(ladders)
-                found[name] = (Blend(parts) if clean else finest.values[name], "Richardson" if is_whole else "finest run", converges)
+                clean = [ladder.rows[name] for ladder in ladders if ladder and ladder.results[-1] is finest and name in ladder.rows
+                         and ladder.rows[name].convergence.is_clean]
+                if clean and len(clean) == len(ladders):
+                    parts = [(1.0 - len(clean), finest.values[name])] + [(1.0, row.reference) for row in clean]
+                    found[name] = (Blend(parts), "Richardson", converges)
+                else:
+                    found[name] = (finest.values[name], "finest run", converges)
         self._best[fixed] = found
         return found
 
@@ -155,13 +166,13 @@ class Analysis:
         return tuple(level if index in own else axis.reference for index, (axis, level) in enumerate(zip(self.study.axes, levels)))
 
     def errors(self, result):
-        """{quantity: (error [-], kind of the reference)} of a run; without what does not converge, and what has no other reference than itself."""
+        """{quantity: (error [-], kind of the reference)} of a run, without what does not converge; None where it is its own reference."""
         fixed = self.reference_levels(result.setting.levels)
         found = {}
         for name, (reference, kind, converges) in self.best(fixed).items():
             if not self.judged(name) or not converges or name not in result.values:
                 continue
-            is_itself = kind == "finest run" and result is self.of(fixed)
+            is_itself = kind == "finest run" and result is self.finest(fixed)
             found[name] = (None if is_itself else distance(result.values[name], reference), kind)
         return found
 
@@ -216,7 +227,8 @@ def make_row(name, sizes, values, closed, copies):
     scale = norm(samples[-1], weights) or max(norm(sample, weights) for sample in samples) or 1.0
     steps = [a - b for a, b in zip(samples, samples[1:])]
     norms = [norm(step, weights) / scale for step in steps]
-    directions = [float((weights[:, None] * a * b).sum()) / max(norm(a, weights) * norm(b, weights), 1e-300) for a, b in zip(steps, steps[1:])]
+    directions = [float((weights[:, None] * a * b).sum()) / max(norm(a, weights) * norm(b, weights), 1e-300)
+                  for a, b in zip(steps, steps[1:])]
     spread = convergence.scatter([np.sqrt(weights)[:, None] * copy.at(times) for copy in copies], scale) if len(copies) > 1 else None
     found = convergence.assess(sizes, norms, directions, spread)
     if sizes is None:

@@ -18,7 +18,8 @@ REFINED = {
 }
 UNITS = {"Time/Time step": "s", "Mesh/Numbers:Resolution/*": "m"}
 GROWING = ("Continuum/Degree", "Blocks/Penalty ratio")  # finer where they are larger
-SAMPLES = ("Heterogeneity/Seed", "Motion/Seed", "Motion/File", "Motion/Spectrum file", "Mesh/Numbers:Seed")  # another problem each, of the same kind
+# Another problem each, of the same kind.
+SAMPLES = ("Heterogeneity/Seed", "Motion/Seed", "Motion/File", "Motion/Spectrum file", "Mesh/Numbers:Seed")
 
 
 @dataclass
@@ -77,7 +78,8 @@ def make_axis(key, values):
     if key == "Mesh/Numbers":
         entries = {value.partition("=")[0].strip() for value in values if "=" in value}
         if len(entries) != 1 or any(";" in value for value in values):
-            raise UserError("--vary of Mesh/Numbers takes one number, as in \"Mesh/Numbers=Resolution/h = 8|4|2\", not '%s'" % "|".join(values))
+            raise UserError("--vary of Mesh/Numbers takes one number, as in \"Mesh/Numbers=Resolution/h = 8|4|2\", not '%s'"
+                            % "|".join(values))
         entry = entries.pop()
         values = [value.partition("=")[2].strip() if "=" in value else value for value in values]
     if key.lower().endswith("file"):

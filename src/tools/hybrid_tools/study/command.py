@@ -22,20 +22,30 @@ EXAMPLES = """\
 """
 
 
+ABOUT = "What accuracy costs in time: a scene with varied parameters. Repeat the command to go on; nothing is computed twice."
+SETTING = '"Section/Name=value"'
+
+
 def arguments():
-    found = Arguments("study", "What accuracy costs in time: a scene with varied parameters. Repeat the command to go on; nothing is computed twice.", EXAMPLES)
+    found = Arguments("study", ABOUT, EXAMPLES)
     add = found.add_argument
     add("what", metavar="SCENE.prm|STUDY.toml|DIRECTORY", help="a scene, a study file, or the directory of a study")
-    add("--vary", action="append", default=[], metavar='"Section/Name=a,b"', help="values of one parameter, | instead of commas where values have commas; "
-        "several make a grid")
-    add("--effect", action="append", default=[], metavar='"Section/Name=value"', help="one more run of the finest setting with this; NAME: A=a | B=b for several")
-    add("-s", dest="set", action="append", default=[], metavar='"Section/Name=value"', help="of every run")
-    add("--finest", action="append", default=[], metavar='"Section/Name=value"', help="the value that the others are compared with, where the tool cannot know")
-    add("--closed-form", action="append", default=[], metavar='"monitor/quantity=value"', help="true value, SI units, or CSV of a history: time, x, y")
+    add("--vary", action="append", default=[], metavar='"Section/Name=a,b"',
+        help="values of one parameter, with | instead of commas where values have commas; several parameters make a grid")
+    add("--effect", action="append", default=[], metavar=SETTING,
+        help="one more run of the finest setting with this; \"NAME: A=a | B=b\" for several parameters")
+    add("-s", dest="set", action="append", default=[], metavar=SETTING, help="of every run")
+    add("--finest", action="append", default=[], metavar=SETTING,
+        help="the value that the others are compared with, where the tool cannot know")
+    add("--closed-form", action="append", default=[], metavar='"monitor/quantity=value"',
+        help="true value in SI units, or a CSV file of a history: time, x, y")
     add("--quantities", metavar="PATTERNS", help="what the error counts, such as \"crest/*,slip/*\"; default: everything that converges")
     add("--tolerance", metavar="2%%", help="ask for the cheapest setting with a smaller error")
-    add("--seeds", type=int, metavar="N", help="the finest run N times more with Young's moduli larger by millionths; default: %d if something does not converge" % AUTOMATIC_SEEDS)
-    add("--jobs", type=int, default=1, metavar="N", help="runs side by side, as far as cores and memory allow; default 1: times are taken alone")
+    add("--seeds", type=int, metavar="N",
+        help="the finest run N times more with Young's moduli larger by millionths; default: %d if something does not converge"
+        % AUTOMATIC_SEEDS)
+    add("--jobs", type=int, default=1, metavar="N",
+        help="runs side by side, as far as cores and memory allow; default 1: times are taken alone")
     add("--pictures", action="store_true", help="runs write pictures for ParaView, which their times then include")
     add("--directory", metavar="DIRECTORY", help="of the study; default output/NAME-study")
     add("--retry", action="store_true", help="compute runs that failed again")
@@ -73,6 +83,9 @@ def make_study(words):
     own = content_of_words(words)
     content = study_file.read(words.what) if words.what.endswith(".toml") else {"scene": words.what}
     varied = [axes.make_axis(key, values) for key, values in content.get("vary", {}).items()] + own["vary"]
+    effects = dict(content.get("effects", {}), **own["effects"])
+    if not varied and not effects and not (words.seeds or content.get("seeds")):
+        raise UserError("nothing is varied: give --vary, --effect or --seeds")
     names = [axis.name for axis in varied]
     for name in names:
         if names.count(name) > 1:
@@ -87,9 +100,11 @@ def make_study(words):
     common = content.get("set", []) + own["set"]
     if not words.pictures and not any(text.startswith("Output/Picture interval") for text in common):
         common.append(plan.PICTURES_OFF)
-    directory = words.directory or content.get("directory") or os.path.join("output", os.path.splitext(os.path.basename(words.what))[0] + "-study")
-    study = plan.Study(scene, os.path.abspath(directory), common, varied, dict(content.get("effects", {}), **own["effects"]),
-                       dict(content.get("closed_form", {}), **own["closed_form"]), seeds=content.get("seeds"), quantities=content.get("quantities", []),
+    name = os.path.splitext(os.path.basename(words.what))[0] + "-study"
+    directory = os.path.abspath(words.directory or content.get("directory") or os.path.join("output", name))
+    study = plan.Study(scene, directory, common, varied, effects,
+                       dict(content.get("closed_form", {}), **own["closed_form"]), seeds=content.get("seeds"),
+                       quantities=content.get("quantities", []),
                        tolerance=plan.parse_tolerance(content["tolerance"]) if "tolerance" in content else None)
     check(study)
     return study
@@ -115,8 +130,9 @@ def read_study(words):
         content = read_json(os.path.join(words.what, "plan.json"))
         if not content:
             raise UserError("'%s' holds no plan.json; give a scene, a study file or the directory of a study" % words.what)
-        if words.vary or words.effect or words.set or words.finest or words.closed_form or words.directory:
-            raise UserError("--vary, --effect, -s, --finest, --closed-form and --directory go with a scene or a study file, not with the directory of a study")
+        if words.vary or words.effect or words.set or words.finest or words.closed_form or words.directory or words.pictures:
+            raise UserError("'%s' is a study: --vary, --effect, -s, --finest, --closed-form, --pictures and --directory go with a scene or "
+                            "a study file" % words.what)
         study = plan.from_json(dict(content, directory=os.path.abspath(words.what)))
     else:
         study = make_study(words)

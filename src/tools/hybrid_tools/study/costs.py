@@ -25,7 +25,8 @@ def draw(analysis, directory):
     right.barh(places, changes, color=style.VERTICAL, height=0.6)
     for place, row, change in zip(places, rows, changes):
         if place:
-            right.text(change, place, " %s%s" % (tables.part(row[3]), ", " + row[4].replace("/", ", ") if row[4] else ""), va="center", fontsize=8)
+            words = " %s%s" % (tables.part(row[3]), ", " + tables.in_words(row[4]) if row[4] else "")
+            right.text(change, place, words, va="center", fontsize=8)
     right.set_xlim(0, 1.9 * max(max(changes), 1e-3))
     right.set_xlabel("largest change of a result [%]")
     for axes in (left, right):

@@ -47,7 +47,7 @@ def draw_panel(axes, analysis, ladder):
     rows = [entry for entry in rows if entry[1]]
     for (row, x, y), mark, colour in zip(rows, MARKS, COLOURS):
         axes.plot(x, y, mark + ("--" if row.convergence.verdict == "does not converge" else "-"), color=colour, ms=5, lw=1.1,
-                  label="%s: %s (%s)" % (row.quantity.replace("/", ", "), words(row), row.kind))
+                  label="%s, %s (%s)" % (tables.in_words(row.quantity), words(row), row.kind))
     if not rows:
         return
     sizes, errors = [s for _, x, _ in rows for s in x], [e for _, _, y in rows for e in y]

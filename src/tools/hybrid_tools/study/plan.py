@@ -30,7 +30,7 @@ class Setting:
 class Study:
     """scene: path. common: -s of every run. effects: {name: overrides}. closed_forms: {quantity: number or path of a CSV}.
 
-    base: parameters of the scene with the common overrides. seeds: copies of the finest run; None: as needed. tolerance: error asked for, or None.
+    base: parameters of the scene with the common overrides. seeds: copies of the finest run; None: as needed. tolerance: error, or None.
     quantities: patterns of what counts for the error; empty: everything. text: the scene with all parameters, of a new plan.
     """
 
@@ -100,7 +100,8 @@ class Study:
 
     def to_json(self):
         """What study.json holds."""
-        axes = [{"key": a.key, "entry": a.entry, "labels": a.labels, "kind": a.kind, "sizes": a.sizes, "reference": a.reference} for a in self.axes]
+        members = ("key", "entry", "labels", "kind", "sizes", "reference")
+        axes = [{name: getattr(axis, name) for name in members} for axis in self.axes]
         names = ("scene", "directory", "common", "effects", "closed_forms", "seeds", "tolerance", "quantities", "base")
         return dict({name: getattr(self, name) for name in names}, axes=axes)
 

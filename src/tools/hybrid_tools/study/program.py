@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The program itself, asked about a scene: its parameters, the memory that it takes, its version."""
 
+import functools
 import os
 import re
 import subprocess
@@ -47,6 +48,7 @@ def memory(scene, overrides=()):
     return float(found.group(1)) if found else 0.0
 
 
+@functools.lru_cache
 def version():
     """{"version": ..., "commit": ...} of the program."""
     text = ask("--version")

@@ -18,7 +18,8 @@ def head(analysis):
     study = analysis.study
     states = [result.run.state for result in analysis.results.values()]
     counts = ", ".join("%d %s" % (states.count(state), state) for state in ("done", "failed", "running", "planned") if state in states)
-    lines = ["hybrid study  %s: %d %s, %s" % (study.base.get("Title") or os.path.basename(study.scene), len(states), "run" if len(states) == 1 else "runs", counts)]
+    title = study.base.get("Title") or os.path.basename(study.scene)
+    lines = ["hybrid study  %s: %d %s, %s" % (title, len(states), "run" if len(states) == 1 else "runs", counts)]
     for axis in study.axes:
         labels = [os.path.basename(label) or "none" for label in axis.labels]
         what = {"ladder": "coarse to fine", "samples": "samples", "options": "compared with %s" % labels[axis.reference]}[axis.kind]
@@ -50,14 +51,15 @@ def sentence(analysis):
         return "No setting of this study has %s: %s." % (wanted, why)
     if not within:
         best = min(found, key=lambda pair: pair[1])
-        return "No setting of this study has %s; the smallest known error is %s, of %s." % (wanted, tables.part(best[1]), study.describe(best[0].setting))
+        return "No setting of this study has %s; the smallest known error is %s, of %s." % (
+            wanted, tables.part(best[1]), study.describe(best[0].setting))
     cheapest = min(within, key=lambda result: result.cost)
-    finest, share = analysis.of(study.finest), ""
+    finest, share = analysis.finest(study.finest), ""
     if finest and finest is not cheapest and finest.cost:
         share = ", %.2g %% of the finest run" % (100 * cheapest.cost / finest.cost)
     error, worst = analysis.error(cheapest)
     return "The cheapest setting with %s is %s; it costs %.3g s of processor time%s. Its largest error is %s, of %s, against %s." % (
-        wanted, study.describe(cheapest.setting), cheapest.cost, share, tables.part(error), worst, KINDS[analysis.errors(cheapest)[worst][1]])
+        wanted, study.describe(cheapest.setting), cheapest.cost, share, tables.part(error), tables.in_words(worst), KINDS[analysis.errors(cheapest)[worst][1]])
 
 
 def chaos(analysis):
@@ -68,10 +70,10 @@ def chaos(analysis):
     lines = []
     for ladder, rows in found.values():
         worst = max(rows, key=lambda row: row.convergence.fine)
-        lines.append("%d of %d quantities do not converge along %s, most of all %s: the two finest runs differ by %s, the coarsest by %s; %s" % (
-            len(rows), len(ladder.rows), tables.ladder_title(analysis, ladder), worst.quantity, tables.part(worst.convergence.fine),
-            tables.part(worst.convergence.coarse), "seeds differ by %s" % tables.part(worst.scatter) if worst.scatter is not None
-            else "--seeds 4 shows how far they scatter"))
+        seeds = "--seeds 4 shows how far they scatter" if worst.scatter is None else "seeds differ by %s" % tables.part(worst.scatter)
+        lines.append("%d of %d quantities do not converge along %s, most of all %s: the two finest runs differ by %s, the coarsest by %s; %s"
+                     % (len(rows), len(ladder.rows), tables.ladder_title(analysis, ladder), tables.in_words(worst.quantity),
+                        tables.part(worst.convergence.fine), tables.part(worst.convergence.coarse), seeds))
     return lines
 
 
@@ -93,7 +95,8 @@ def text(analysis):
     for ladder in tables.ladders(analysis):
         table, more = shown_rows(tables.errors(ladder))
         lines += ["", "error along " + tables.ladder_title(analysis, ladder), table.text()] + [more] * bool(more)
-    for title, table in (("cost of options and effects, against the finest run", tables.options(analysis)), ("over samples", tables.samples(analysis))):
+    for title, table in (("cost of options and effects, against the finest run", tables.options(analysis)),
+                         ("over samples", tables.samples(analysis))):
         if table.rows:
             lines += ["", title, table.text()]
     if tables.scattered(analysis):
@@ -101,10 +104,13 @@ def text(analysis):
     front = tables.pareto(analysis)
     if len(front) > 1:
         lines += ["", "Pareto front: time and largest error"]
-        lines += ["  %8s s  %8s  %-28s %s" % (tables.seconds(r.cost), tables.part(analysis.error(r)[0]), analysis.study.describe(r.setting), analysis.error(r)[1])
-                  for r in front]
+        for result in front:
+            error, worst = analysis.error(result)
+            setting = analysis.study.describe(result.setting)
+            lines.append("  %8s s  %8s  %-28s %s" % (tables.seconds(result.cost), tables.part(error), setting, tables.in_words(worst)))
     failed = [result for result in analysis.results.values() if result.run.state == "failed"]
-    lines += [""] * bool(failed) + ["failed    %s: %s" % (analysis.study.describe(r.setting), r.run.manifest.get("reason", "").split(";")[0]) for r in failed]
+    lines += [""] * bool(failed)
+    lines += ["failed    %s: %s" % (analysis.study.describe(r.setting), r.run.manifest.get("reason", "").split(";")[0]) for r in failed]
     lines += [""] + ["verdict   " + line for line in chaos(analysis)] + ["verdict   " + sentence(analysis)] * bool(sentence(analysis))
     return "\n".join(lines).rstrip()
 
@@ -117,12 +123,15 @@ def write(analysis):
                         ("scatter", tables.scatter(analysis))):
         if table.rows:
             table.write(folder, name)
-    for k, ladder in enumerate(tables.ladders(analysis), 1):
+    ladders = tables.ladders(analysis)
+    for k, ladder in enumerate(ladders, 1):
         tables.errors(ladder).write(folder, "errors_%d" % k, {"along": tables.ladder_title(analysis, ladder)})
-    verdict = {"tolerance": analysis.study.tolerance, "sentence": sentence(analysis), "does_not_converge": chaos(analysis), "compared_until_s": analysis.end,
-               "pareto_front": [os.path.basename(result.run.path) for result in tables.pareto(analysis)], "left_out": analysis.small,
-               "orders": [{"along": tables.ladder_title(analysis, ladder), "quantity": row.quantity, "order": row.order if np.isfinite(row.order) else None,
-                           "reference": row.kind, "verdict": row.convergence.verdict} for ladder in tables.ladders(analysis) for row in ladder.rows.values()]}
+    orders = [{"along": tables.ladder_title(analysis, ladder), "quantity": row.quantity, "reference": row.kind,
+               "order": row.order if np.isfinite(row.order) else None, "verdict": row.convergence.verdict}
+              for ladder in ladders for row in ladder.rows.values()]
+    verdict = {"tolerance": analysis.study.tolerance, "sentence": sentence(analysis), "does_not_converge": chaos(analysis),
+               "compared_until_s": analysis.end, "pareto_front": [os.path.basename(result.run.path) for result in tables.pareto(analysis)],
+               "left_out": analysis.small, "orders": orders}
     with open(os.path.join(folder, "verdict.json"), "w", encoding="utf-8") as file:
         json.dump(verdict, file, indent=2)
     return folder

@@ -75,7 +75,7 @@ class RunDirectory:
         if exit_code == 0 and summary.get("finished"):
             self.update(state="done", reason="", processor_time_s=summary.get("processor_time_s"), wall_time_s=summary["wall_time_s"],
                         peak_memory_mb=summary["peak_memory_mb"], steps=summary["steps"], exit_code=0)
-        elif exit_code in (130, 143) or (exit_code == 1 and not summary):
+        elif exit_code in (130, 143):
             self.update(state="planned", reason="interrupted", exit_code=exit_code)
         elif exit_code < 0:
             self.update(state="failed", reason="killed by signal %d" % -exit_code, exit_code=exit_code)

@@ -166,7 +166,8 @@ class Runner:
     def report(self, run, count, total):
         manifest = run.manifest
         seconds = manifest.get("processor_time_s")
-        words = {"done": "%8.4g s" % seconds if seconds is not None else "", "failed": "failed: %s" % manifest.get("reason", "").split(";")[0]}
+        words = {"done": "%8.4g s" % seconds if seconds is not None else "",
+                 "failed": "failed: %s" % manifest.get("reason", "").split(";")[0]}
         self.tell("[%*d/%d] %s  %s" % (len(str(total)), count, total, words.get(run.state, manifest.get("reason", "")), title(manifest)))
 
 

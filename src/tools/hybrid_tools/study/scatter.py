@@ -21,7 +21,8 @@ def draw(analysis, directory):
                                 constrained_layout=True)
     for panel, (ladder, row) in zip(axes.flat, found):
         labels = [ladder.axis.labels[result.setting.levels[ladder.index]] for result in ladder.results]
-        copies = [copy.values[row.quantity].value for copy in analysis.copies(ladder.results[-1].setting.levels)[1:] if row.quantity in copy.values]
+        copies = [copy.values[row.quantity].value for copy in analysis.copies(ladder.results[-1].setting.levels)[1:]
+                  if row.quantity in copy.values]
         panel.plot(range(len(labels)), [value.value for value in row.values], "o--", lw=0.8, color=style.HORIZONTAL)
         if copies:
             labels.append("seeds")

@@ -21,6 +21,12 @@ def part(value):
     return "more" if np.isinf(value) else "0 %" if value == 0 else "%.2g %%" % (100 * value) if value < 1 else "%.0f %%" % (100 * value)
 
 
+def in_words(name):
+    """crest: displacement, L2."""
+    monitor, quantity = name.split("/")
+    return "%s: %s%s" % (monitor, quantity, ", L2" if quantity in quantities.UNITS else "")
+
+
 def seconds(value):
     return "-" if value is None else "%.3g" % value
 
@@ -33,14 +39,15 @@ def runs(analysis):
     """Every run: what it varies, how it ended, what it took, its largest error; what is on the Pareto front."""
     study = analysis.study
     columns = [Column(axis.short) for axis in study.axes]
-    columns += [Column("effect")] * bool(study.effects) + [Column("seed")] * any(seed for _, _, seed in analysis.results)
+    has_seeds = any(seed for _, _, seed in analysis.results)
+    columns += [Column("effect")] * bool(study.effects) + [Column("seed")] * has_seeds
     columns += [Column("state"), Column("processor time", "s", seconds), Column("times"), Column("error", "", part), Column("largest in"),
                 Column("Pareto front"), Column("reason"), Column("directory")]
     table, front = Table(columns), {id(result) for result in pareto(analysis)}
     for result in analysis.results.values():
         setting, manifest = result.setting, result.run.manifest
         error, worst = analysis.error(result) if result.values and not setting.effect and not setting.seed else (None, "")
-        own = [setting.effect or "-"] * bool(study.effects) + [str(setting.seed)] * (columns[-9].name == "seed")
+        own = [setting.effect or "-"] * bool(study.effects) + [str(setting.seed)] * has_seeds
         table.add(*level_columns(study, setting.levels), *own, result.run.state, result.cost, times_of(manifest), error, worst,
                   "yes" if id(result) in front else "", manifest.get("reason", ""), os.path.relpath(result.run.path, study.directory))
     return table
@@ -73,7 +80,8 @@ def ladders(analysis):
             fixed = list(study.finest)
             for k, level in zip(options, levels):
                 fixed[k] = level
-            ladder = analysis.ladder(index, tuple(fixed))
+            finest = analysis.finest(tuple(fixed))
+            ladder = analysis.ladder(index, finest.setting.levels) if finest else None
             if ladder:
                 found.append(ladder)
     return found
@@ -81,15 +89,16 @@ def ladders(analysis):
 
 def ladder_title(analysis, ladder):
     """Time step (h 4, Scheme trapezoidal)"""
-    others = ["%s %s" % (axis.short, label) for k, (axis, label) in enumerate(zip(analysis.study.axes, level_columns(analysis.study, ladder.fixed)))
-              if k != ladder.index]
+    labels = level_columns(analysis.study, ladder.fixed)
+    others = ["%s %s" % (axis.short, labels[k]) for k, axis in enumerate(analysis.study.axes) if k != ladder.index]
     return ladder.axis.short + (" (%s)" % ", ".join(others) if others else "")
 
 
 def errors(ladder):
     """Errors of the levels of a ladder, observed orders, the reference; the last row is the time."""
     labels = [ladder.axis.labels[result.setting.levels[ladder.index]] for result in ladder.results]
-    columns = [Column("monitor"), Column("quantity")] + [Column("%s %s" % (ladder.axis.short, label), "", part, head=label) for label in labels]
+    columns = [Column("monitor"), Column("quantity")]
+    columns += [Column("%s %s" % (ladder.axis.short, label), "", part, head=label) for label in labels]
     table = Table(columns + [Column("order", "", order_words), Column("reference")])
     for row in ladder.rows.values():
         monitor, quantity = row.quantity.split("/")
@@ -122,9 +131,10 @@ def needs_seeds(analysis):
 
 def scatter(analysis):
     """What does not converge, and its values over the copies of the finest run (seeds)."""
-    table = Table([Column("monitor"), Column("quantity"), Column("along"), Column("coarse runs differ by", "", part), Column("fine runs differ by", "", part),
-                   Column("seeds differ by", "", part), Column("seeds", "", "%d"), Column("mean"), Column("standard deviation"), Column("least"),
-                   Column("largest"), Column("unit")])
+    table = Table([Column("monitor"), Column("quantity"), Column("along"), Column("coarse runs differ by", "", part, head="coarse differ"),
+                   Column("fine runs differ by", "", part, head="fine differ"), Column("seeds differ by", "", part, head="seeds differ"),
+                   Column("seeds", "", "%d"), Column("mean"), Column("standard deviation", head="std"), Column("least"), Column("largest"),
+                   Column("unit")])
     for ladder, row in scattered(analysis):
         copies = [copy.values[row.quantity] for copy in analysis.copies(ladder.results[-1].setting.levels) if row.quantity in copy.values]
         numbers = [copy.value for copy in copies if isinstance(copy, Number)] if len(copies) > 1 else []
@@ -142,23 +152,24 @@ def statistics(numbers):
 def samples(analysis):
     """Values over seeds of materials or motions, and over records, with all else at its finest."""
     study = analysis.study
-    table = Table([Column("monitor"), Column("quantity"), Column("over"), Column("runs", "", "%d"), Column("mean"), Column("standard deviation"),
-                   Column("least"), Column("largest"), Column("unit")])
+    table = Table([Column("monitor"), Column("quantity"), Column("over"), Column("runs", "", "%d"), Column("mean"),
+                   Column("standard deviation", head="std"), Column("least"), Column("largest"), Column("unit")])
     for index in study.axes_of("samples"):
         levels = [study.finest[:index] + (k,) + study.finest[index + 1 :] for k in range(len(study.axes[index].labels))]
         results = [result for result in map(analysis.of, levels) if result]
         for name in analysis.names if len(results) > 1 else ():
             values = [result.values[name] for result in results if name in result.values]
             if name not in analysis.small and isinstance(values[0], Number):
-                table.add(*name.split("/"), study.axes[index].short, len(values), *statistics([v.value for v in values]), quantities.unit(name))
+                numbers = statistics([value.value for value in values])
+                table.add(*name.split("/"), study.axes[index].short, len(values), *numbers, quantities.unit(name))
     return table
 
 
 def options(analysis):
     """Each option and each effect against the finest run: its time, and what it changes most."""
-    study, reference = analysis.study, analysis.of(analysis.study.finest)
-    table = Table([Column("option or effect"), Column("processor time", "s", seconds), Column("times as much", "", "%.2f"), Column("changes at most", "", part),
-                   Column("in")])
+    study, reference = analysis.study, analysis.finest(analysis.study.finest)
+    table = Table([Column("option or effect"), Column("processor time", "s", seconds), Column("times as much", "", "%.2f"),
+                   Column("changes at most", "", part), Column("in")])
     if reference is None:
         return table
     others = [("%s = %s" % (study.axes[index].short, label), study.finest[:index] + (k,) + study.finest[index + 1 :], "")
@@ -184,5 +195,6 @@ def values(analysis):
         known = analysis.errors(result) if not result.setting.effect and not result.setting.seed else {}
         for name, value in result.values.items():
             error, kind = known.get(name, (None, ""))
-            table.add(study.describe(result.setting), name, value.value if isinstance(value, Number) else None, quantities.unit(name), error, kind)
+            number = value.value if isinstance(value, Number) else None
+            table.add(study.describe(result.setting), name, number, quantities.unit(name), error, kind)
     return table
