@@ -212,10 +212,10 @@ def weights_at(times):
 
 
 def distance(value, reference, times=None):
-    """Norm of the difference over that of the reference [-]; infinite if only the reference is zero."""
+    """Norm of the difference over that of the reference, or over the value's floor [-]; infinite if only the reference is zero."""
     times = common_times([value]) if times is None else times
     weights, wanted = weights_at(times), reference.at(times)
-    difference, size = norm(value.at(times) - wanted, weights), norm(wanted, weights)
+    difference, size = norm(value.at(times) - wanted, weights), max(norm(wanted, weights), value.floor, reference.floor)
     return 0.0 if difference == 0 else difference / size if size > 0 else np.inf
 
 
@@ -224,7 +224,7 @@ def make_row(name, sizes, values, closed, copies):
     times = common_times(values)
     weights = weights_at(times)
     samples = [value.at(times) for value in values]
-    scale = norm(samples[-1], weights) or max(norm(sample, weights) for sample in samples) or 1.0
+    scale = max(norm(samples[-1], weights), values[-1].floor) or max(norm(sample, weights) for sample in samples) or 1.0
     steps = [a - b for a, b in zip(samples, samples[1:])]
     norms = [norm(step, weights) / scale for step in steps]
     directions = [float((weights[:, None] * a * b).sum()) / max(norm(a, weights) * norm(b, weights), 1e-300)

@@ -13,11 +13,11 @@ COLOURS = ("#1f5a94", "#d98b2b", "#3c8d5a", "#8a5fa8", "#c8202f", "#6f6a60")
 
 
 def chosen(ladder):
-    """Of each kind of quantity the one with the largest error, as many as a panel takes."""
+    """Of each kind of quantity the one with the largest error, as many as a panel takes; two known errors make a line."""
     worst = {}
     for row in ladder.rows.values():
         kind = row.quantity.split("/")[1]
-        if np.isfinite(row.errors[0]) and (kind not in worst or row.errors[0] > worst[kind].errors[0]):
+        if len(points(ladder, row)[0]) > 1 and (kind not in worst or row.errors[0] > worst[kind].errors[0]):
             worst[kind] = row
     return list(worst.values())[:MOST]
 
@@ -44,12 +44,9 @@ def words(row):
 
 def draw_panel(axes, analysis, ladder):
     rows = [(row, *points(ladder, row)) for row in chosen(ladder)]
-    rows = [entry for entry in rows if entry[1]]
     for (row, x, y), mark, colour in zip(rows, MARKS, COLOURS):
         axes.plot(x, y, mark + ("--" if row.convergence.verdict == "does not converge" else "-"), color=colour, ms=5, lw=1.1,
                   label="%s, %s (%s)" % (tables.in_words(row.quantity), words(row), row.kind))
-    if not rows:
-        return
     sizes, errors = [s for _, x, _ in rows for s in x], [e for _, _, y in rows for e in y]
     if max(sizes) > min(sizes) and any(row.convergence.verdict != "does not converge" for row, _, _ in rows):
         for order in (1, 2):

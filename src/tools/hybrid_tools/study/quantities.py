@@ -14,9 +14,10 @@ COUNTS = ("joints/failed",)  # whole numbers: shown, but no error is made of the
 
 @dataclass
 class Number:
-    """A value that is sampled as a history of one sample."""
+    """A value that is sampled as a history of one sample. floor: errors are parts of this if it is larger."""
 
     value: float
+    floor: float = 0.0
 
     def at(self, times):  # pylint: disable=unused-argument (as History)
         return np.array([[self.value]])
@@ -27,8 +28,15 @@ class Number:
     time = None
 
 
+def left(value, highest):
+    """What is left at the end: its error is a part of the peak where it is below a tenth of that."""
+    return Number(float(value), float(highest) if abs(value) < 0.1 * highest else 0.0)
+
+
 class History:
     """Columns over time, by cubic splines between the steps."""
+
+    floor = 0.0
 
     def __init__(self, time, values):
         self.time, self.values = np.asarray(time, float), np.asarray(values, float)
@@ -60,6 +68,10 @@ class Blend:
     @property
     def time(self):
         return self.parts[0][1].time
+
+    @property
+    def floor(self):
+        return max(value.floor for _, value in self.parts)
 
 
 def norm(values, weights):
@@ -103,7 +115,7 @@ def read(directory, end):
     if run.has("slip/mean"):
         for name in ("mean", "largest"):
             slip = cut(History(run.time, run.history("slip/" + name).reshape(-1, 1)), end)
-            found["slip/%s left" % name] = Number(float(slip.values[-1, 0]))
+            found["slip/%s left" % name] = left(slip.values[-1, 0], np.abs(slip.values).max())
     if run.has("section/blocks_displacement"):
         found["blocks/final displacement"] = Number(float(np.linalg.norm(run.blocks.displacement, axis=1).mean()))
     joints = run.summary.get("joints", {})
@@ -119,12 +131,13 @@ def of_monitor(run, name, monitor, end):
     if run.base in run.monitors:
         velocity = velocity - run.monitors[run.base].velocity
     velocity = cut(History(run.time, velocity), end)
-    found = {"displacement": displacement, "velocity": velocity, "peak displacement": Number(peak(displacement.time, displacement.values))}
+    highest = peak(displacement.time, displacement.values)
+    found = {"displacement": displacement, "velocity": velocity, "peak displacement": Number(highest)}
     for quantity in ("velocity", "acceleration"):
         time, values = monitor.filtered(quantity)
         inside = time <= end * (1 + 1e-9)
         found["peak " + quantity] = Number(peak(time[inside], values[inside]))
-    found["final displacement"] = Number(float(np.linalg.norm(displacement.values[-1])))
+    found["final displacement"] = left(np.linalg.norm(displacement.values[-1]), highest)
     return {"%s/%s" % (name, quantity): value for quantity, value in found.items()}
 
 

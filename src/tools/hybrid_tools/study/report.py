@@ -7,6 +7,7 @@ import os
 import numpy as np
 
 from hybrid_tools.study import tables
+from hybrid_tools.study.run_directory import clipped
 
 KINDS = {"closed form": "the closed form", "Richardson": "Richardson's value", "finest run": "the finest run"}
 MOST_ROWS = 30  # of a table in the terminal; files have all
@@ -110,7 +111,7 @@ def text(analysis):
             lines.append("  %8s s  %8s  %-28s %s" % (tables.seconds(result.cost), tables.part(error), setting, tables.in_words(worst)))
     failed = [result for result in analysis.results.values() if result.run.state == "failed"]
     lines += [""] * bool(failed)
-    lines += ["failed    %s: %s" % (analysis.study.describe(r.setting), r.run.manifest.get("reason", "").split(";")[0]) for r in failed]
+    lines += ["failed    %s: %s" % (analysis.study.describe(r.setting), clipped(r.run.manifest.get("reason", ""))) for r in failed]
     lines += [""] + ["verdict   " + line for line in chaos(analysis)] + ["verdict   " + sentence(analysis)] * bool(sentence(analysis))
     return "\n".join(lines).rstrip()
 

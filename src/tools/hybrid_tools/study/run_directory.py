@@ -87,6 +87,11 @@ class RunDirectory:
         return self.state in ("planned", "running") or (self.state == "failed" and (again or self.manifest.get("exit_code", 0) < 0))
 
 
+def clipped(reason, most=160):
+    """The beginning of a sentence that is too long for a line of the terminal."""
+    return reason if len(reason) <= most else reason[: most - 3].rsplit(" ", 1)[0] + " ..."
+
+
 def reason_of(console):
     """The sentence in which hybrid says why it ended."""
     lines = [line.strip() for line in console.splitlines() if line.strip()]

@@ -14,7 +14,7 @@ import time
 
 from hybrid_run import UserError
 from hybrid_tools.study import program
-from hybrid_tools.study.run_directory import RunDirectory
+from hybrid_tools.study.run_directory import RunDirectory, clipped
 
 DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl(2)
 POLL = 0.05  # [s]
@@ -167,7 +167,7 @@ class Runner:
         manifest = run.manifest
         seconds = manifest.get("processor_time_s")
         words = {"done": "%8.4g s" % seconds if seconds is not None else "",
-                 "failed": "failed: %s" % manifest.get("reason", "").split(";")[0]}
+                 "failed": "failed: %s" % clipped(manifest.get("reason", ""))}
         self.tell("[%*d/%d] %s  %s" % (len(str(total)), count, total, words.get(run.state, manifest.get("reason", "")), title(manifest)))
 
 
