@@ -252,6 +252,9 @@ def test_a_study_that_is_killed_goes_on_in_the_middle_of_a_run(hybrid, tmp_path)
     log = next(directory.glob("runs/*4e-4*/log.txt")).read_text()
     assert "Resumed from the checkpoint" in log
     assert {run["Time step"]: "resumed" in run["times"] for run in table(directory)} == {"4e-3": False, "4e-4": True}
+    result = hybrid("--resume", coarse.parent, "-s", "Time/End time=1.61")  # a run that goes on adds to what it took before
+    took = next(manifest["processor_time_s"] for manifest in manifests(directory) if "4e-3" in manifest["name"])
+    assert result.returncode == 0 and json.loads(coarse.read_text())["processor_time_s"] > took + 0.02
 
 
 def test_a_grid_side_by_side_with_an_effect_and_a_level_that_fails(hybrid, tmp_path):

@@ -20,13 +20,22 @@ def needs_seeds(study, settings):
     return tables.needs_seeds(analyse(study, settings))
 
 
+def remove_earlier(folder, names):
+    """Of what was written before there may be less now."""
+    for file in os.listdir(folder) if os.path.isdir(folder) else ():
+        if file.split(".")[0].rstrip("0123456789") in names:
+            os.remove(os.path.join(folder, file))
+
+
 def collect(study, settings):
     """Write and print everything. @return the analysis."""
     style.apply()
     analysis = analyse(study, settings)
-    folder = report.write(analysis)
     figures = os.path.join(study.directory, "figures")
     os.makedirs(figures, exist_ok=True)
+    remove_earlier(figures, [figure.__name__.split(".")[-1] for figure in FIGURES])
+    remove_earlier(os.path.join(study.directory, "tables"), report.TABLES)
+    folder = report.write(analysis)
     for figure in FIGURES:
         figure.draw(analysis, figures)
     print(report.text(analysis))

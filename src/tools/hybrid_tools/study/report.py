@@ -10,6 +10,7 @@ from hybrid_tools.study import tables
 from hybrid_tools.study.run_directory import clipped
 
 KINDS = {"closed form": "the closed form", "Richardson": "Richardson's value", "finest run": "the finest run"}
+TABLES = ("runs", "values", "options", "samples", "scatter", "errors_", "verdict")  # files of write()
 MOST_ROWS = 30  # of a table in the terminal; files have all
 SEED = "seeds: the finest run again with Young's moduli larger by millionths"
 
