@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT
 
 from hybrid_run import UserError, convergence
-from hybrid_tools.study import analysis, axes, plan, quantities, study_file, tables
+from hybrid_tools.study import analysis, axes, plan, quantities, report, study_file, tables
 from hybrid_tools.study.run_directory import RunDirectory, reason_of
 
 SCENES = ROOT / "parameters/verification"
@@ -306,8 +306,22 @@ def test_errors_of_a_grid_are_those_of_the_formula(tmp_path, monkeypatch):
         assert found.error(result)[0] == pytest.approx(error(h, dt), rel=1e-6)
     assert [row.order for ladder in tables.ladders(found) for row in ladder.rows.values()] == pytest.approx([2, 1])
     assert {kind for kind in (found.errors(result)["a/peak displacement"][1] for result in found.done)} == {"Richardson"}
-    settings = [found.study.describe(result.setting) for result in tables.pareto(found)]
+    settings = [entry.name(found.study) for entry in tables.pareto(found)]
     assert settings[0] == "h 4, Time step 4e-3" and settings[-1] == "h 1, Time step 1e-3"
+
+
+def test_samples_share_a_setting(tmp_path, monkeypatch):
+    study = plan.Study("scene.prm", str(tmp_path), [], [axes.parse_axis("Motion/Seed=1,2"), axes.parse_axis("Time/Time step=2e-3,1e-3")],
+                       base={}, tolerance=0.4)
+    runs = []
+    for setting in study.settings():
+        run, (seed, step) = RunDirectory(str(tmp_path), setting.name), setting.levels
+        run.update(state="done", processor_time_s=10.0 * (1 + step) + seed)
+        runs.append((setting, run, {"a/peak displacement": quantities.Number((1 + seed) * (1.0 if step else 1.1 + 0.2 * seed))}))
+    found = analysed(monkeypatch, study, runs)
+    (entry,) = tables.judged(found)
+    assert entry.error == pytest.approx(0.3) and entry.cost == pytest.approx(10.5) and entry.name(study) == "Time step 2e-3 (2 samples)"
+    assert "is Time step 2e-3 (2 samples); it costs 10.5 s" in report.sentence(found)
 
 
 def test_without_its_finest_run_a_study_takes_the_next(tmp_path, monkeypatch):

@@ -54,40 +54,36 @@ def write_labels(figure, axes, entries):
             label.remove()
 
 
-def families(study):
-    """What has a mark of its own: the combinations of options and samples."""
-    return [k for kind in ("options", "samples") for k in study.axes_of(kind)]
-
-
-def label_of(study, setting, ladders):
-    return ", ".join(study.axes[k].labels[setting.levels[k]] for k in ladders)
+def label_of(study, setting, axes):
+    return ", ".join(study.axes[k].labels[setting.levels[k]] for k in axes)
 
 
 def draw(analysis, directory):
     """error_over_time.png; nothing if fewer than two settings have an error and a time."""
-    found = [(result, max(error, FLOOR)) for result, error in tables.judged_runs(analysis)]
+    study, found = analysis.study, tables.judged(analysis)
     if len(found) < 2:
         return
-    study, front = analysis.study, tables.pareto(analysis)
+    front = tables.pareto(analysis)
     figure, axes = plt.subplots(figsize=(8.5, 5.2), constrained_layout=True)
-    groups, own = {}, families(study)
-    for result, error in found:
-        key = ", ".join(tables.level_columns(study, result.setting.levels)[k] for k in own) or "setting"
-        groups.setdefault(key, []).append((result.cost, error))
-    steps = [(result.cost, max(analysis.error(result)[0], FLOOR)) for result in front]
-    axes.plot(*zip(*steps), color=style.TEXT, lw=1.2, label="Pareto front", zorder=2)
+    groups, own = {}, study.axes_of("options")
+    for entry in found:
+        key = ", ".join(tables.level_columns(study, entry.setting.levels)[k] for k in own) or "setting"
+        groups.setdefault(key, []).append((entry.cost, max(entry.error, FLOOR)))
+    axes.plot([entry.cost for entry in front], [max(entry.error, FLOOR) for entry in front], color=style.TEXT, lw=1.2, label="Pareto front", zorder=2)
     colours = plt.get_cmap("viridis")(np.linspace(0.1, 0.8, len(groups)))
     for (name, points), mark, colour in zip(groups.items(), MARKS * len(groups), colours):
         axes.plot(*zip(*points), mark, color=colour, ms=6, mec="white", mew=0.6, label=name, zorder=3)
-    logarithmic(axes, [r.cost for r, _ in found], [e for _, e in found] + ([study.tolerance] if study.tolerance else []))
+    tolerances = [study.tolerance] if study.tolerance else []
+    logarithmic(axes, [entry.cost for entry in found], [max(entry.error, FLOOR) for entry in found] + tolerances)
     if study.tolerance:
         axes.axhline(study.tolerance, color=style.TENSILE, lw=1.0, ls="--", label="tolerance %.3g %%" % (100 * study.tolerance))
-    labelled = front if len(found) > MOST_LABELS else front + [result for result, _ in found if result not in front]
+    first = {id(entry) for entry in front}
+    labelled = front if len(found) > MOST_LABELS else front + [entry for entry in found if id(entry) not in first]
     axes.set_xlabel("processor time [s]")
     axes.set_ylabel("largest error [%]")
     ladders = study.axes_of("ladder") or own
     names = "labels: " + ", ".join(study.axes[k].title for k in ladders)
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), title=names, title_fontsize=8)
     style.title(figure, "What accuracy costs: " + (study.base.get("Title") or "study"))
-    write_labels(figure, axes, [(r.cost, max(analysis.error(r)[0], FLOOR), label_of(study, r.setting, ladders)) for r in labelled])
+    write_labels(figure, axes, [(e.cost, max(e.error, FLOOR), label_of(study, e.setting, ladders)) for e in labelled])
     style.save(figure, directory, "error_over_time")

@@ -45,23 +45,21 @@ def sentence(analysis):
     study, tolerance = analysis.study, analysis.study.tolerance
     if tolerance is None:
         return ""
-    found = tables.judged_runs(analysis)
-    within = [result for result, error in found if error <= tolerance]
+    found = tables.judged(analysis)
+    within = [entry for entry in found if entry.error <= tolerance]
     wanted = "an error below %.3g %%" % (100 * tolerance)
     if not found:
         why = "nothing that is judged converges" if tables.scattered(analysis) else "no run has both an error and a time"
         return "No setting of this study has %s: %s." % (wanted, why)
     if not within:
-        best = min(found, key=lambda pair: pair[1])
-        return "No setting of this study has %s; the smallest known error is %s, of %s." % (
-            wanted, tables.part(best[1]), study.describe(best[0].setting))
-    cheapest = min(within, key=lambda result: result.cost)
+        best = min(found, key=lambda entry: entry.error)
+        return "No setting of this study has %s; the smallest known error is %s, of %s." % (wanted, tables.part(best.error), best.name(study))
+    cheapest = min(within, key=lambda entry: entry.cost)
     finest, share = analysis.finest(study.finest), ""
-    if finest and finest is not cheapest and finest.cost:
+    if finest and finest not in cheapest.results and finest.cost:
         share = ", %.2g %% of the finest run" % (100 * cheapest.cost / finest.cost)
-    error, worst = analysis.error(cheapest)
     return "The cheapest setting with %s is %s; it costs %.3g s of processor time%s. Its largest error is %s, of %s, against %s." % (
-        wanted, study.describe(cheapest.setting), cheapest.cost, share, tables.part(error), tables.in_words(worst), KINDS[analysis.errors(cheapest)[worst][1]])
+        wanted, cheapest.name(study), cheapest.cost, share, tables.part(cheapest.error), tables.in_words(cheapest.worst), KINDS[cheapest.kind])
 
 
 def chaos(analysis):
@@ -106,10 +104,8 @@ def text(analysis):
     front = tables.pareto(analysis)
     if len(front) > 1:
         lines += ["", "Pareto front: time and largest error"]
-        for result in front:
-            error, worst = analysis.error(result)
-            setting = analysis.study.describe(result.setting)
-            lines.append("  %8s s  %8s  %-28s %s" % (tables.seconds(result.cost), tables.part(error), setting, tables.in_words(worst)))
+        lines += ["  %8s s  %8s  %-28s %s" % (tables.seconds(entry.cost), tables.part(entry.error), entry.name(analysis.study),
+                                              tables.in_words(entry.worst)) for entry in front]
     failed = [result for result in analysis.results.values() if result.run.state == "failed"]
     lines += [""] * bool(failed)
     lines += ["failed    %s: %s" % (analysis.study.describe(r.setting), clipped(r.run.manifest.get("reason", ""))) for r in failed]
@@ -132,7 +128,7 @@ def write(analysis):
                "order": row.order if np.isfinite(row.order) else None, "verdict": row.convergence.verdict}
               for ladder in ladders for row in ladder.rows.values()]
     verdict = {"tolerance": analysis.study.tolerance, "sentence": sentence(analysis), "does_not_converge": chaos(analysis),
-               "compared_until_s": analysis.end, "pareto_front": [os.path.basename(result.run.path) for result in tables.pareto(analysis)],
+               "compared_until_s": analysis.end, "pareto_front": [entry.name(analysis.study) for entry in tables.pareto(analysis)],
                "left_out": analysis.small, "orders": orders}
     with open(os.path.join(folder, "verdict.json"), "w", encoding="utf-8") as file:
         json.dump(verdict, file, indent=2)

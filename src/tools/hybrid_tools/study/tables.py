@@ -3,6 +3,7 @@
 
 import itertools
 import os
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -43,7 +44,7 @@ def runs(analysis):
     columns += [Column("effect")] * bool(study.effects) + [Column("seed")] * has_seeds
     columns += [Column("state"), Column("processor time", "s", seconds), Column("times"), Column("error", "", part), Column("largest in"),
                 Column("Pareto front"), Column("reason"), Column("directory")]
-    table, front = Table(columns), {id(result) for result in pareto(analysis)}
+    table, front = Table(columns), {id(result) for entry in pareto(analysis) for result in entry.results}
     for result in analysis.results.values():
         setting, manifest = result.setting, result.run.manifest
         error, worst = analysis.error(result) if result.values and not setting.effect and not setting.seed else (None, "")
@@ -58,17 +59,48 @@ def times_of(manifest):
     return manifest.get("taken", "") + (", resumed" if manifest.get("resumed") else "")
 
 
-def judged_runs(analysis):
-    """Runs of the grid that have a cost and a known error: [(result, error)]."""
-    grid = [r for r in analysis.done if not r.setting.effect and not r.setting.seed and r.cost is not None]
-    found = [(result, analysis.error(result)[0]) for result in grid]
-    return [(result, error) for result, error in found if error is not None]
+@dataclass
+class Judged:
+    """A setting whose error and time are known. With samples: the largest error and the mean time over them.
+
+    results: its runs, one for each sample. worst: the quantity with the largest error, kind: what that refers to.
+    """
+
+    results: list
+    cost: float
+    error: float
+    worst: str
+    kind: str
+
+    @property
+    def setting(self):
+        return self.results[0].setting
+
+    def name(self, study):
+        """Words for it, without the sample."""
+        words = [axis.short + " " + level for axis, level in zip(study.axes, level_columns(study, self.setting.levels)) if axis.kind != "samples"]
+        return (", ".join(words) or "scene") + (" (%d samples)" % len(self.results) if len(self.results) > 1 else "")
+
+
+def judged(analysis):
+    """Settings of the grid with a known error and time, in the order of the plan."""
+    samples, groups = analysis.study.axes_of("samples"), {}
+    for result in analysis.done:
+        if not result.setting.effect and not result.setting.seed and result.cost is not None and analysis.error(result)[0] is not None:
+            groups.setdefault(tuple(level for k, level in enumerate(result.setting.levels) if k not in samples), []).append(result)
+    found = []
+    for results in groups.values():
+        worst = max(results, key=lambda result: analysis.error(result)[0])
+        error, quantity = analysis.error(worst)
+        kind = analysis.errors(worst)[quantity][1]
+        found.append(Judged(results, float(np.mean([result.cost for result in results])), error, quantity, kind))
+    return found
 
 
 def pareto(analysis):
-    """Runs that no other beats in both time and error, by rising time."""
-    found = judged_runs(analysis)
-    return [found[k][0] for k in convergence.pareto([result.cost for result, _ in found], [error for _, error in found])]
+    """Settings that no other beats in both time and error, by rising time."""
+    found = judged(analysis)
+    return [found[k] for k in convergence.pareto([entry.cost for entry in found], [entry.error for entry in found])]
 
 
 def ladders(analysis):
