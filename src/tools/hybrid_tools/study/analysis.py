@@ -77,21 +77,18 @@ class Analysis:
         for entry in study.closed_forms.items() if self.done else ():
             self.closed.update({name: value for name, value in quantities.closed_form(entry, self.end).items()
                                 if name not in self.closed and (name == entry[0] or name not in study.closed_forms)})
-        self.names = self._names()
+        self.names = list(dict.fromkeys(name for result in self.done for name in result.values))
         for name in study.closed_forms:
             if self.done and name not in self.names:
                 raise UserError("there is no quantity '%s' that the closed form is for; there are %s" % (name, ", ".join(self.names)))
         self.small = self._small()
         self._ladders, self._best = {}, {}
 
-    def _names(self):
-        return list(dict.fromkeys(name for result in self.done for name in result.values))
-
     def _small(self):
         """What is far below the largest of its unit: nothing is asked of a monitor that hardly moves, or of slip within elastic joints."""
         sizes, largest = {}, {}
         for name in self.names:
-            sizes[name] = max((root_mean_square(result.values[name]) for result in self.done if name in result.values), default=0.0)
+            sizes[name] = max(root_mean_square(result.values[name]) for result in self.done if name in result.values)
             largest[quantities.unit(name)] = max(largest.get(quantities.unit(name), 0.0), sizes[name])
         return [name for name, size in sizes.items() if size <= SMALL * largest[quantities.unit(name)]
                 and name not in self.closed and name not in quantities.COUNTS]

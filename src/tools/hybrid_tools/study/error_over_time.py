@@ -69,7 +69,8 @@ def draw(analysis, directory):
     for entry in found:
         key = ", ".join(tables.level_columns(study, entry.setting.levels)[k] for k in own) or "setting"
         groups.setdefault(key, []).append((entry.cost, max(entry.error, FLOOR)))
-    axes.plot([entry.cost for entry in front], [max(entry.error, FLOOR) for entry in front], color=style.TEXT, lw=1.2, label="Pareto front", zorder=2)
+    corners = [(entry.cost, max(entry.error, FLOOR)) for entry in front]
+    axes.plot(*zip(*corners), color=style.TEXT, lw=1.2, label="Pareto front", zorder=2)
     colours = plt.get_cmap("viridis")(np.linspace(0.1, 0.8, len(groups)))
     for (name, points), mark, colour in zip(groups.items(), MARKS * len(groups), colours):
         axes.plot(*zip(*points), mark, color=colour, ms=6, mec="white", mew=0.6, label=name, zorder=3)
@@ -77,8 +78,8 @@ def draw(analysis, directory):
     logarithmic(axes, [entry.cost for entry in found], [max(entry.error, FLOOR) for entry in found] + tolerances)
     if study.tolerance:
         axes.axhline(study.tolerance, color=style.TENSILE, lw=1.0, ls="--", label="tolerance %.3g %%" % (100 * study.tolerance))
-    first = {id(entry) for entry in front}
-    labelled = front if len(found) > MOST_LABELS else front + [entry for entry in found if id(entry) not in first]
+    first = {entry.setting.levels for entry in front}
+    labelled = front if len(found) > MOST_LABELS else front + [entry for entry in found if entry.setting.levels not in first]
     axes.set_xlabel("processor time [s]")
     axes.set_ylabel("largest error [%]")
     ladders = study.axes_of("ladder") or own

@@ -78,7 +78,8 @@ class Judged:
 
     def name(self, study):
         """Words for it, without the sample."""
-        words = [axis.short + " " + level for axis, level in zip(study.axes, level_columns(study, self.setting.levels)) if axis.kind != "samples"]
+        labels = level_columns(study, self.setting.levels)
+        words = [axis.short + " " + label for axis, label in zip(study.axes, labels) if axis.kind != "samples"]
         return (", ".join(words) or "scene") + (" (%d samples)" % len(self.results) if len(self.results) > 1 else "")
 
 
