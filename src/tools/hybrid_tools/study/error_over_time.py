@@ -39,11 +39,18 @@ def logarithmic(axes, x, y):
         axis.set_minor_formatter(NullFormatter())
 
 
-def write_labels(figure, axes, entries):
-    """Words beside points [(x, y, words)], where they cover neither points nor each other; those without a place are left out."""
+def along(corners):
+    """Boxes along a line [pixels]."""
+    fractions = np.linspace(0, 1, 60)
+    points = [a + fraction * (b - a) for a, b in zip(corners, corners[1:]) for fraction in fractions]
+    return [Bbox.from_bounds(x - 1, y - 1, 2, 2) for x, y in points]
+
+
+def write_labels(figure, axes, entries, line):
+    """Words beside points [(x, y, words)], where they cover neither points, the line nor each other; those without a place are left out."""
     figure.canvas.draw()
     points = [axes.transData.transform((x, y)) for x, y, _ in entries]
-    taken = [Bbox.from_bounds(x - 6, y - 6, 12, 12) for x, y in points]
+    taken = [Bbox.from_bounds(x - 6, y - 6, 12, 12) for x, y in points] + along(axes.transData.transform(line))
     for (x, y, words), place in zip(entries, points):
         for dx, dy, side in ((7, 5, "left"), (7, -12, "left"), (-7, 5, "right"), (-7, -12, "right"), (7, 16, "left"), (-7, 16, "right")):
             label = axes.annotate(words, (x, y), xytext=(dx, dy), textcoords="offset points", ha=side, fontsize=7.5, color=style.TEXT)
@@ -86,5 +93,5 @@ def draw(analysis, directory):
     names = "labels: " + ", ".join(study.axes[k].title for k in ladders)
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), title=names, title_fontsize=8)
     style.title(figure, "What accuracy costs: " + (study.base.get("Title") or "study"))
-    write_labels(figure, axes, [(e.cost, max(e.error, FLOOR), label_of(study, e.setting, ladders)) for e in labelled])
+    write_labels(figure, axes, [(e.cost, max(e.error, FLOOR), label_of(study, e.setting, ladders)) for e in labelled], corners)
     style.save(figure, directory, "error_over_time")
