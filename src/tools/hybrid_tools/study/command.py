@@ -40,7 +40,7 @@ def arguments():
     add("--closed-form", action="append", default=[], metavar='"monitor/quantity=value"',
         help="true value in SI units, or a CSV file of a history: time, x, y")
     add("--quantities", metavar="PATTERNS", help="what the error counts, such as \"crest/*,slip/*\"; default: everything that converges")
-    add("--tolerance", metavar="2%%", help="ask for the cheapest setting with a smaller error")
+    add("--tolerance", metavar="2%", help="ask for the cheapest setting with a smaller error")
     add("--seeds", type=int, metavar="N",
         help="the finest run N times more with Young's moduli larger by millionths; default: %d if something does not converge"
         % AUTOMATIC_SEEDS)
