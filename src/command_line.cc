@@ -48,7 +48,7 @@ namespace hybrid
        "go on with a run that was stopped or killed, from its last checkpoint"},
       {"--print-parameters",
        Action::print_parameters,
-       "every parameter with default, range, unit and help"},
+       "every parameter with default, range, unit and help; of a scene, if one is named, its values"},
       {"--version", Action::version, "version, commit, and the libraries it was built with"}};
 
 
@@ -184,7 +184,10 @@ namespace hybrid
                                  "--check, --resume, --print-parameters and --version");
               result.action = flag.action;
             }
-      if (result.action == Action::print_parameters || result.action == Action::version)
+      const bool needs_no_target =
+        result.action == Action::version ||
+        (result.action == Action::print_parameters && result.target.empty());
+      if (needs_no_target)
         return;
       for (const std::string &text : result.overrides)
         if (text.find('=') == std::string::npos || text[0] == '=')

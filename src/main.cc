@@ -221,7 +221,10 @@ main(int argc, char **argv)
             std::cout << output::version_text();
             return 0;
           case Action::print_parameters:
-            scene::print_all_parameters(std::cout);
+            if (command.target.empty())
+              scene::print_all_parameters(std::cout);
+            else
+              std::cout << scene::read_scene(command.target, command.overrides).used_prm;
             return 0;
           case Action::tool:
             return run_tool(command.tool, command.words);

@@ -28,7 +28,24 @@ namespace hybrid
         summary.resolved_by_part[output::name(part.part)] = part.resolved;
       summary.motion_frequency = resolutions.wanted;
     }
+
+
+
+    double seconds(const timeval &time)
+    {
+      return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    }
   } // namespace
+
+
+
+  double Simulation::Run::processor_time() const
+  {
+    rusage usage;
+    if (getrusage(RUSAGE_SELF, &usage) != 0)
+      return earlier_processor_time;
+    return earlier_processor_time + seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  }
 
 
 
@@ -171,8 +188,9 @@ namespace hybrid
         summary.contact_search            = {search.steps, search.searches, search.lists};
         summary.timings["contact_search"] = search.time;
       }
-    summary.wall_time   = run.wall_time();
-    summary.peak_memory = peak_memory();
+    summary.wall_time      = run.wall_time();
+    summary.processor_time = run.processor_time();
+    summary.peak_memory    = peak_memory();
     output::write_summary(summary, model.scene.output.directory + "/summary.json");
 
     run_report.end(summary, status);

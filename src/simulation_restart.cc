@@ -38,9 +38,10 @@ namespace hybrid
       model.continuum->serialize_rest(archive);
     if (run.solver != nullptr)
       archive(*run.solver);
-    double        wall_time  = run.wall_time();
-    std::uint64_t log_length = log.file_length();
-    archive(run.step, run.clock, wall_time, log_length);
+    double        wall_time      = run.wall_time();
+    double        processor_time = run.processor_time();
+    std::uint64_t log_length     = log.file_length();
+    archive(run.step, run.clock, wall_time, processor_time, log_length);
     output::Summary &summary                          = run.summary;
     auto &[cuts, retries, moved_too_far, unconverged] = summary.wasted;
     archive(summary.steps, summary.iterations, summary.timings);
@@ -48,7 +49,8 @@ namespace hybrid
     archive(run.recorder, run.energy);
     if (!archive.is_reading())
       return;
-    run.earlier_wall_time = wall_time;
+    run.earlier_wall_time      = wall_time;
+    run.earlier_processor_time = processor_time;
     log.resume_file(model.scene.output.directory + "/log.txt", log_length);
   }
 

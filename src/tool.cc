@@ -3,6 +3,7 @@
 #include <hybrid/tool.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 
@@ -51,6 +52,7 @@ namespace hybrid
       if (posix_spawn(&process, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0)
         throw InputError("cannot start '" + words[0] +
                          "', the Python that the program was built with");
+      std::signal(SIGINT, SIG_IGN); // Ctrl-C reaches the tool too, which ends in its own way
       int status = 0;
       while (waitpid(process, &status, 0) < 0)
         if (errno != EINTR)
@@ -68,6 +70,7 @@ namespace hybrid
       {"compare", "runs side by side: table, verdict, figures"},
       {"animate", "a film of a run (mp4 or gif): blocks where they move, joints that fail"},
       {"report", "a page (HTML) that says what happened in a run, or in several"},
+      {"study", "what accuracy costs in time: a scene with varied parameters"},
     };
     return all;
   }

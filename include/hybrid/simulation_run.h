@@ -36,10 +36,13 @@ namespace hybrid
     output::EnergyWatch               energy;
     const SteadyClock::time_point     start             = SteadyClock::now();
     double                            earlier_wall_time = 0.; ///< before the run was resumed [s]
+    double                            earlier_processor_time = 0.; ///< the same, see Summary [s]
 
     double wall_time() const
     {
       return earlier_wall_time + seconds_since(start);
     }
+
+    double processor_time() const;
   };
 } // namespace hybrid

@@ -67,6 +67,7 @@ namespace hybrid::output
                          {"steps", summary.steps},
                          {"simulated_time_s", summary.simulated_time},
                          {"wall_time_s", summary.wall_time},
+                         {"processor_time_s", summary.processor_time},
                          {"peak_memory_mb", summary.peak_memory},
                          {"blocks", summary.blocks},
                          {"continuum_unknowns", summary.continuum_unknowns},

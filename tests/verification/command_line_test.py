@@ -175,6 +175,10 @@ def check_good_ways():
     every.write_text(result.stdout, encoding="utf-8")
     result = run("--check", every, "-s", f"Mesh/File={SOURCE / 'meshes/half_blocks.geo'}")
     require(result.returncode == 0, "--print-parameters reads back", result)
+    result = run("--print-parameters", good, "-s", "Time/End time=0.125")
+    require(result.returncode == 0 and "= 0.125" in result.stdout and not result.stderr, "--print-parameters of a scene", result)
+    result = run("--print-parameters", "missing.prm")
+    require(result.returncode == 2 and "missing.prm" in result.stderr and not result.stdout, "--print-parameters of no scene", result)
 
     result = run(good, "-s", "Output/Directory=done", "-s", "Time/End time=0.02")
     require(result.returncode == 0 and not result.stderr, "a run", result)

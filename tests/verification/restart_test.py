@@ -27,7 +27,7 @@ TOPPLING = ["Mesh/Numbers=Angle = 20; Columns = 4; Rows = 4; Base above = 20", "
 FINE = ["Mesh/Numbers=Resolution/h = 0.35", "Time/End time=0.01"]
 ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
 # Of summary.json, besides steps/wall_time of run.h5; a run that goes on makes its list of near blocks anew.
-WALL = {"wall_time_s", "peak_memory_mb", "timings_s", "contact_search"}
+WALL = {"wall_time_s", "processor_time_s", "peak_memory_mb", "timings_s", "contact_search"}
 complaints = []
 
 

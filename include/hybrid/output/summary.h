@@ -71,6 +71,7 @@ namespace hybrid::output
     long        steps              = 0;  ///< accepted
     double      simulated_time     = 0.; ///< [s]
     double      wall_time          = 0.; ///< [s]
+    double      processor_time     = 0.; ///< of all threads, with the start of the program [s]
     double      peak_memory        = 0.; ///< resident, of this process [MB]
     long        blocks             = 0;
     long        continuum_unknowns = 0;

@@ -10,6 +10,7 @@
 Units are SI (m, s, Pa; forces and energies per metre of thickness). A pair is [x, y]: x horizontal, y up.
 """
 
+from . import convergence
 from .errors import MissingData, NotInScene, UserError
 from .monitor import Monitor
 from .parameters import read_parameters
@@ -17,5 +18,5 @@ from .response_spectrum import pseudo_acceleration
 from .run import Run
 from .spectra import fourier_amplitude, konno_ohmachi, spectral_ratio
 
-__all__ = ["MissingData", "Monitor", "NotInScene", "Run", "UserError", "fourier_amplitude", "konno_ohmachi", "pseudo_acceleration",
+__all__ = ["MissingData", "Monitor", "NotInScene", "Run", "UserError", "convergence", "fourier_amplitude", "konno_ohmachi", "pseudo_acceleration",
            "read_parameters", "spectral_ratio"]

@@ -10,17 +10,22 @@ def read_parameters(path):
 
     A name that a scene gives several times (numbered subsections apart) has its last value.
     """
-    values, sections = {}, []
     with open(path, encoding="utf-8") as lines:
-        for line in joined(lines):
-            words = line.split("#")[0].strip()
-            if words.startswith("subsection "):
-                sections.append(words[len("subsection "):].strip())
-            elif words == "end":
-                sections.pop()
-            elif words.startswith("set "):
-                name, _, value = words[len("set "):].partition("=")
-                values["/".join(sections + [" ".join(name.split())])] = re.sub(r"\s+", " ", value).strip()
+        return parse_parameters(lines)
+
+
+def parse_parameters(lines):
+    """The same of the lines of such a file."""
+    values, sections = {}, []
+    for line in joined(lines):
+        words = line.split("#")[0].strip()
+        if words.startswith("subsection "):
+            sections.append(words[len("subsection "):].strip())
+        elif words == "end":
+            sections.pop()
+        elif words.startswith("set "):
+            name, _, value = words[len("set "):].partition("=")
+            values["/".join(sections + [" ".join(name.split())])] = re.sub(r"\s+", " ", value).strip()
     return values
 
 

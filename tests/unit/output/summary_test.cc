@@ -19,6 +19,7 @@ namespace hybrid::output
       summary.steps              = 12000;
       summary.simulated_time     = 12.;
       summary.wall_time          = 0.1;
+      summary.processor_time     = 0.2;
       summary.blocks             = 1326;
       summary.continuum_unknowns = 24106;
       summary.interface_unknowns = 478;
@@ -47,7 +48,7 @@ def refuse(name):
 s = json.load(open('summary.json'), parse_constant=refuse)
 assert s['finished'] is True and s['title'] == 'slope "A"\n\\'
 assert (s['steps'], s['blocks'], s['continuum_unknowns'], s['interface_unknowns']) == (12000, 1326, 24106, 478)
-assert (s['simulated_time_s'], s['wall_time_s'], s['energy_residual']) == (12., 0.1, 1.25e-4)
+assert (s['simulated_time_s'], s['wall_time_s'], s['processor_time_s'], s['energy_residual']) == (12., 0.1, 0.2, 1.25e-4)
 assert (s['cuts'], s['retries'], s['cuts_moved_too_far']) == (3, 2, 1)
 assert (s['iterations'], s['unconverged_iterations']) == (36000, 80)
 assert s['contact_search'] == {'steps': 12003, 'searches': 40, 'lists': 2}

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One run of a study: a directory with a manifest, beside what hybrid writes there."""
+
+import json
+import os
+
+STATES = ("planned", "running", "done", "failed")
+
+
+def write_json(path, content):
+    """Atomically: a reader, and who goes on after a kill, never sees half a file."""
+    with open(path + ".new", "w", encoding="utf-8") as file:
+        json.dump(content, file, indent=2)
+        file.write("\n")
+    os.replace(path + ".new", path)
+
+
+def read_json(path):
+    """Content of a file; {} if there is none, or no JSON in it."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            return json.load(file)
+    except (OSError, ValueError):
+        return {}
+
+
+class RunDirectory:
+    """What is known of a run. manifest: see doc/study.md."""
+
+    def __init__(self, study_directory, name):
+        self.path = os.path.join(study_directory, "runs", name)
+        self.manifest = read_json(self._manifest_path)
+
+    @property
+    def _manifest_path(self):
+        return os.path.join(self.path, "manifest.json")
+
+    @property
+    def state(self):
+        return self.manifest.get("state", "planned")
+
+    @property
+    def summary(self):
+        """summary.json; {} while there is none."""
+        return read_json(os.path.join(self.path, "summary.json"))
+
+    def plan(self, study, setting):
+        """Make the directory and its manifest, unless they are there."""
+        varied = {axis.name: axis.labels[level] for axis, level in zip(study.axes, setting.levels)}
+        if not self.manifest:
+            self.update(name=setting.name, varied=varied, effect=setting.effect, seed=setting.seed,
+                        overrides=study.common + setting.overrides, state="planned", reason="")
+
+    def update(self, **values):
+        os.makedirs(self.path, exist_ok=True)
+        self.manifest.update(values)
+        write_json(self._manifest_path, self.manifest)
+
+    def has_begun(self):
+        """Whether hybrid has left something that --resume goes on from."""
+        return os.path.exists(os.path.join(self.path, "params.used.prm"))
+
+    def words(self, scene):
+        """What hybrid is called with to compute the run, or to go on with it."""
+        if self.has_begun():
+            return ["--resume", self.path]
+        words = [scene, "--force"]
+        for override in self.manifest["overrides"] + ["Output/Directory=" + self.path]:
+            words += ["-s", override]
+        return words
+
+    def take_result(self, exit_code=0, console=""):
+        """State after hybrid has ended."""
+        summary = self.summary
+        if exit_code == 0 and summary.get("finished"):
+            self.update(state="done", reason="", processor_time_s=summary.get("processor_time_s"), wall_time_s=summary["wall_time_s"],
+                        peak_memory_mb=summary["peak_memory_mb"], steps=summary["steps"], exit_code=0)
+        elif exit_code in (130, 143):
+            self.update(state="planned", reason="interrupted", exit_code=exit_code)
+        elif exit_code < 0:
+            self.update(state="failed", reason="killed by signal %d" % -exit_code, exit_code=exit_code)
+        else:
+            self.update(state="failed", reason=reason_of(console), exit_code=exit_code, processor_time_s=summary.get("processor_time_s"))
+
+    def is_to_run(self, again=False):
+        """Whether it is to be computed. What was killed is tried again; what failed by itself would fail again."""
+        return self.state in ("planned", "running") or (self.state == "failed" and (again or self.manifest.get("exit_code", 0) < 0))
+
+
+def clipped(reason, most=160):
+    """The beginning of a sentence that is too long for a line of the terminal."""
+    return reason if len(reason) <= most else reason[: most - 3].rsplit(" ", 1)[0] + " ..."
+
+
+def reason_of(console):
+    """The sentence in which hybrid says why it ended."""
+    lines = [line.strip() for line in console.splitlines() if line.strip()]
+    for mark in ("error: ", "Warning: stopped", "warning: stopped"):
+        for line in reversed(lines):
+            if line.startswith(mark):
+                return line.split(": ", 1)[1]
+    for line in reversed(lines):
+        if line.lower().startswith("warning: "):
+            return line.split(": ", 1)[1]
+    return lines[-1] if lines else "it said nothing"

@@ -1,0 +1,369 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""hybrid study: orders against known ones, chaos, kills, failing levels, grids, study files, mistakes."""
+import csv
+import json
+import math
+import os
+import pathlib
+import signal
+import subprocess
+import time
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+from hybrid_run import UserError, convergence
+from hybrid_tools.study import analysis, axes, plan, quantities, report, study_file, tables
+from hybrid_tools.study.run_directory import RunDirectory, reason_of
+
+SCENES = ROOT / "parameters/verification"
+
+
+def table(directory, name="runs"):
+    with open(directory / "tables" / (name + ".csv"), encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def orders(directory):
+    """{(ladder, quantity): (order, reference, verdict)}"""
+    found = json.loads((directory / "tables/verdict.json").read_text())["orders"]
+    return {(entry["along"], entry["quantity"]): (entry["order"], entry["reference"], entry["verdict"]) for entry in found}
+
+
+def manifests(directory):
+    return [json.loads(path.read_text()) for path in sorted(directory.glob("runs/*/manifest.json"))]
+
+
+# Orders, extrapolation, chaos: closed forms.
+
+
+@pytest.mark.parametrize("sizes", [(4, 2, 1), (1, 0.5, 0.2), (3, 2, 1.5)])
+@pytest.mark.parametrize("p", [0.6, 1.0, 2.0, 4.0])
+def test_order_and_limit_of_a_power_law(sizes, p):
+    values = [7 + 0.3 * h**p for h in sizes]
+    differences = np.abs(np.diff(values))
+    assert convergence.order(sizes, differences) == pytest.approx(p, rel=1e-9)
+    factor = convergence.correction(sizes[1:], p)
+    assert values[2] + factor * (values[2] - values[1]) == pytest.approx(7, rel=1e-12)
+    found = convergence.assess(sizes, differences / 7, [1.0])
+    assert found.verdict == "converges" and found.is_clean and found.order == pytest.approx(p)
+    assert convergence.order_of_errors(sizes[:2], [0.3 * h**p for h in sizes[:2]]) == pytest.approx(p)
+
+
+def test_levels_that_do_not_converge_have_no_order():
+    def verdict(differences, directions, scatter=None):
+        found = convergence.assess([8, 4, 2, 1][-1 - len(differences):], differences, directions, scatter)
+        assert found.verdict == "converges" or math.isnan(found.order)
+        return found.verdict, found.is_doubtful
+
+    assert verdict([0.05, 0.02, 0.06], [1, 1]) == ("does not converge", False)  # fine runs differ by more than coarse ones
+    assert verdict([0.08, 0.04, 0.02], [1, 1], scatter=0.03) == ("does not converge", False)  # no more than next to nothing does
+    assert verdict([0.08, 0.04, 0.02], [1, -1]) == ("irregular", True)
+    assert verdict([0.08, 0.04, 0.02], [1, -1], scatter=1e-6) == ("irregular", False)
+    assert verdict([0.002, 0.001, 0.0011], [1, 1]) == ("irregular", False)
+    assert verdict([0.0, 1e-12, 0.0], [1, 1]) == ("equal", False)
+    assert verdict([0.08, 0.04, 0.02], [1, 1], scatter=1e-6) == ("converges", False)
+    assert not convergence.assess([8, 4, 2, 1], [0.3, 0.04, 0.02], [1, 1]).is_clean  # orders 2.9 and 1: not steady
+    rng = np.random.default_rng(1)
+    for _ in range(20):  # histories drawn at random
+        samples = rng.standard_normal((4, 400))
+        steps = np.diff(samples, axis=0)
+        directions = [a @ b / np.linalg.norm(a) / np.linalg.norm(b) for a, b in zip(steps, steps[1:])]
+        found = convergence.assess([8, 4, 2, 1], np.linalg.norm(steps, axis=1) / np.linalg.norm(samples[-1]), directions)
+        assert math.isnan(found.order) and (found.is_doubtful or found.verdict == "does not converge")
+
+
+def test_the_pareto_front_is_what_nothing_beats():
+    assert convergence.pareto([1, 2, 3, 4, 2], [9, 5, 6, 1, 4]) == [0, 4, 3]
+    assert convergence.pareto([], []) == []
+
+
+def test_a_peak_between_two_steps_is_found():
+    t = np.arange(0.023, 1.4, 0.05)  # the peak is in the middle between two of them
+    values = np.column_stack([3 * np.sin(2.1 * t), 4 * np.sin(2.1 * t)])
+    assert quantities.peak(t, values) == pytest.approx(5, rel=1e-4)
+    assert np.linalg.norm(values, axis=1).max() < 5 * (1 - 1e-3)
+
+
+# What is varied.
+
+
+def test_values_with_commas_and_equal_signs():
+    axis = axes.parse_axis("Mesh/Numbers=Resolution/h = 2|8|4")
+    assert (axis.name, axis.labels, axis.kind) == ("Mesh/Numbers:Resolution/h", ["8", "4", "2"], "ladder")
+    assert (axis.sizes, axis.reference) == ([8, 4, 2], 2)
+    assert axis.override(0, {"Mesh/Numbers": "Width = 10; Resolution/h = 1"}) == "Mesh/Numbers=Width = 10; Resolution/h = 8"
+    axis = axes.parse_axis("Bedding planes/Names=|a, b|a, b, c")
+    assert axis.labels == ["", "a, b", "a, b, c"] and axis.kind == "options" and axis.override(1, {}) == "Bedding planes/Names=a, b"
+    assert axes.parse_axis("Continuum/Degree=3,1,2").labels == ["1", "2", "3"]
+    assert axes.parse_axis("Heterogeneity/Seed=1,2").kind == "samples"
+    assert axes.parse_axis("Blocks/Penalty ratio=10,40").sizes == [0.1, 0.025]
+    axis = axes.sort_levels(axes.parse_axis("Blocks/Shear ratio=1,0.25,0.5"), "0.25")
+    assert axis.kind == "ladder" and axis.labels == ["1", "0.5", "0.25"]
+    for wrong in ("Time/Time step", "=1,2", "Time/Time step=1e-3,1e-3", "Mesh/Numbers=1|2", "Output/Directory=a,b"):
+        with pytest.raises(UserError):
+            axes.parse_axis(wrong)
+
+
+def test_a_tolerance_is_a_part():
+    assert plan.parse_tolerance("2%") == plan.parse_tolerance("0.02") == 0.02
+    for wrong in ("", "two", "-1%", "0"):
+        with pytest.raises(UserError, match="tolerance"):
+            plan.parse_tolerance(wrong)
+
+
+def test_a_study_file_is_read_and_its_mistakes_are_told(tmp_path):
+    path = tmp_path / "study.toml"
+    path.write_text('scene = "a.prm"\ntolerance = "2%"\n[vary]\n"Time/Time step" = [1e-3, 2e-3]\n'
+                    '[closed_form]\n"a/displacement" = "a.csv"\n')
+    content = study_file.read(str(path))
+    assert content["scene"] == str(tmp_path / "a.prm") and content["closed_form"] == {"a/displacement": str(tmp_path / "a.csv")}
+    for text, message in (("scene = 3", "wrong kind"), ("secne = 'a'", "unknown entry"), ("tolerance = 1", "no entry 'scene'"),
+                          ("a = [", "study.toml"), ("scene = 'a'\n[vary]\nb = 3", "list of values")):
+        path.write_text(text)
+        with pytest.raises(UserError, match=message):
+            study_file.read(str(path))
+
+
+def test_a_closed_form_of_a_history_has_its_peak_and_its_end(tmp_path):
+    t = np.linspace(0.01, 1, 100)
+    np.savetxt(tmp_path / "a.csv", np.column_stack([t, t**2, 0 * t]), delimiter=",", header="time, x, y")
+    found = quantities.closed_form(("a/displacement", str(tmp_path / "a.csv")), 0.5)
+    assert found["a/final displacement"].value == pytest.approx(0.25, rel=1e-4)
+    assert found["a/displacement"].at(np.array([0.303]))[0, 0] == pytest.approx(0.303**2, rel=1e-4)
+    with pytest.raises(UserError, match="up to 2 s"):
+        quantities.closed_form(("a/displacement", str(tmp_path / "a.csv")), 2.0)
+
+
+def test_what_a_run_said_last_is_its_reason(tmp_path):
+    assert reason_of("card\nwarning: a\nwarning: stopped at t = 1 s: b\nStopped: 1 step\n") == "stopped at t = 1 s: b"
+    assert reason_of("warning: a\nerror: no file\n") == "no file"
+    run = RunDirectory(str(tmp_path), "a")
+    run.take_result(-9)
+    assert run.state == "failed" and run.is_to_run()
+    run.take_result(3, "error: disk full")
+    assert run.state == "failed" and run.manifest["reason"] == "disk full" and not run.is_to_run() and run.is_to_run(again=True)
+
+
+# With the program.
+
+
+def test_trapezoidal_is_of_second_order_and_dissipative_of_first(hybrid, tmp_path):
+    directory = tmp_path / "study"
+    result = hybrid("study", SCENES / "rayleigh_decrement.prm", "--vary", "Time/Scheme=trapezoidal,dissipative",
+                    "--vary", "Time/Time step=8e-3,4e-3,2e-3", "-s", "Motion/Frequency=1.5", "-s", "Time/End time=4",
+                    "--directory", directory, "--tolerance", "0.5%")
+    assert result.returncode == 0, result.stderr
+    found = orders(directory)
+    for quantity in ("displacement", "velocity", "peak displacement", "peak acceleration"):
+        assert found["Time step (Scheme trapezoidal)", "top/" + quantity][0] == pytest.approx(2, abs=0.1)
+        assert found["Time step (Scheme dissipative)", "top/" + quantity][0] == pytest.approx(1, abs=0.2)
+    runs = table(directory)
+    assert len(runs) == 6 and all(run["state"] == "done" and float(run["processor time [s]"]) > 0 for run in runs)
+    errors = {(run["Scheme"], run["Time step"]): float(run["error"]) for run in runs}
+    assert errors["trapezoidal", "8e-3"] / errors["trapezoidal", "4e-3"] == pytest.approx(4, rel=0.15)
+    within = [run for run in runs if float(run["error"]) < 0.005]
+    cheapest = min(within, key=lambda run: float(run["processor time [s]"]))
+    setting = "Scheme %s, Time step %s" % (cheapest["Scheme"], cheapest["Time step"])
+    assert "cheapest setting with an error below 0.5 % is " + setting in result.stdout
+    assert {path.name for path in (directory / "figures").iterdir()} == {"error_over_time.png", "orders.png", "costs.png"}
+    times = [float(run["processor time [s]"]) for run in runs if run["Pareto front"] == "yes"]
+    assert times and min(times) == min(float(run["processor time [s]"]) for run in runs)
+    again = hybrid("study", directory, "--tolerance", "0.00001%")
+    assert "6 of 6 runs are there already" in again.stdout and "No setting of this study has an error below 1e-05 %" in again.stdout
+    assert table(directory) == runs
+
+
+TRIANGLES = [(-0.9, 2.2, 0.0), (0.7, 2.6, 0.6), (-0.2, 3.6, 1.2), (0.8, 4.4, 0.3), (-0.8, 5.2, 0.9), (0.1, 6.0, 0.2)]
+
+
+def falling_triangles(directory):
+    """A few loose triangles that fall into a bin with steep sides."""
+    lines = ["block,x,y"]
+    for block, (x, y, turned) in enumerate(TRIANGLES):
+        lines += ["%d,%.4f,%.4f" % (block, x + 0.4 * math.cos(turned + k), y + 0.4 * math.sin(turned + k)) for k in (0, 2.2, 4.1)]
+    (directory / "blocks.csv").write_text("\n".join(lines) + "\n")
+    (directory / "bin.csv").write_text("x,y\n-4,9\n-1.2,0\n1.2,0\n4,9\n")
+    scene = directory / "chaos.prm"
+    scene.write_text("""set Title = triangles
+subsection Time
+  set End time = 1.4
+  set Time step = 0.001
+end
+subsection Mesh
+  set Polygons file = blocks.csv
+  set Surface file = bin.csv
+end
+subsection Model
+  set Bedrock = rigid
+  set Blocks = loose
+end
+subsection Materials
+  set Names = rock
+  subsection rock
+    set Density = 2220
+    set Young modulus = 5e9
+  end
+end
+subsection Blocks
+  set Material = rock
+end
+subsection Gravity
+  set Static stage = none
+end
+subsection Monitors
+  set Points = high: 0.1, 6
+end
+""")
+    return scene
+
+
+def test_chaos_has_no_order_but_scatter(hybrid, tmp_path):
+    directory = tmp_path / "study"
+    result = hybrid("study", falling_triangles(tmp_path), "--vary", "Time/Time step=2e-3,1e-3,5e-4", "--directory", directory,
+                    "--tolerance", "1%")
+    assert result.returncode == 0, result.stderr
+    assert "3 seeds of the finest run" in result.stdout and "do not converge along Time step" in result.stdout
+    order, _, verdict = orders(directory)["Time step", "high/velocity"]
+    assert order is None and verdict == "does not converge"
+    row = next(row for row in table(directory, "scatter") if row["quantity"] == "velocity")
+    assert int(row["seeds"]) == 4 and float(row["seeds differ by"]) > 1000 * 3e-6  # of moduli that differ by 3e-6 at most
+    assert len(table(directory)) == 6 and (directory / "figures/scatter.png").exists()
+    assert "high/velocity" not in {row["quantity"] for row in table(directory, "values") if row["error"]}
+
+
+def test_a_study_that_is_killed_goes_on_in_the_middle_of_a_run(hybrid, tmp_path):
+    directory = tmp_path / "study"
+    words = ["study", SCENES / "bonded_bar.prm", "--vary", "Time/Time step=4e-3,4e-4", "--directory", directory]
+    with subprocess.Popen([os.environ["HYBRID_PROGRAM"], *map(str, words)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as study:
+        until = time.monotonic() + 120
+        while not any(" steps/s" in path.read_text() for path in directory.glob("runs/*4e-4*/console.txt")):
+            assert time.monotonic() < until and study.poll() is None
+            time.sleep(0.02)
+        study.send_signal(signal.SIGKILL)
+    coarse = next(directory.glob("runs/*4e-3*/summary.json"))
+    before = coarse.stat().st_mtime_ns
+    result = hybrid(*words)
+    assert result.returncode == 0, result.stderr
+    assert "1 of 2 runs are there already" in result.stdout and coarse.stat().st_mtime_ns == before
+    fine = next(manifest for manifest in manifests(directory) if "4e-4" in manifest["name"])
+    assert fine["state"] == "done" and fine["resumed"] == 1
+    log = next(directory.glob("runs/*4e-4*/log.txt")).read_text()
+    assert "Resumed from the checkpoint" in log
+    assert {run["Time step"]: "resumed" in run["times"] for run in table(directory)} == {"4e-3": False, "4e-4": True}
+    result = hybrid("--resume", coarse.parent, "-s", "Time/End time=1.61")  # a run that goes on adds to what it took before
+    took = next(manifest["processor_time_s"] for manifest in manifests(directory) if "4e-3" in manifest["name"])
+    assert result.returncode == 0 and json.loads(coarse.read_text())["processor_time_s"] > took + 0.02
+
+
+def test_a_grid_side_by_side_with_an_effect_and_a_level_that_fails(hybrid, tmp_path):
+    scene = tmp_path / "grid.toml"
+    scene.write_text('scene = "%s"\nset = ["Time/End time=0.1"]\nseeds = 0\n[vary]\n"Mesh/Numbers" = ["Resolution/h = 5", 2.5]\n'
+                     '"Time/Time step" = [4e-3, 2e-3]\n[effects]\n"viscous" = ["Continuum/Sides=viscous"]\n'
+                     '"no cohesion" = ["Materials/rock/Cohesion=0", "Materials/rock/Tensile strength=0",'
+                     ' "Materials/rock/Friction angle=0", "Model/Blocks=loose", "Model/Bedrock=rigid"]\n'
+                     % (SCENES / "coupled_column.prm"))
+    directory = tmp_path / "study"
+    result = hybrid("study", scene, "--jobs", "2", "--directory", directory)
+    runs = table(directory)
+    assert len(runs) == 6 and {run["times"] for run in runs} == {"side by side"}
+    failed = [run for run in runs if run["state"] == "failed"]
+    assert [run["effect"] for run in failed] == ["no cohesion"] and failed[0]["reason"] and result.returncode == 1
+    assert {along for along, _ in orders(directory)} == {"h (Time step 0.002)", "Time step (h 2.5)"}
+    costs = {row["option or effect"]: row for row in table(directory, "options")}
+    assert float(costs["viscous"]["times as much"]) > 0 and costs["no cohesion"]["in"] == "not done"
+    assert all(manifest["memory_mb"] > 50 for manifest in manifests(directory))
+
+
+def made_up(directory, error, failed=()):
+    """A study of runs whose results are formulas: error(h, dt) of a number whose true value is 1."""
+    varied = [axes.parse_axis("Mesh/Numbers=Resolution/h = 4|2|1"), axes.parse_axis("Time/Time step=4e-3,2e-3,1e-3")]
+    study = plan.Study("scene.prm", str(directory), [], varied, base={"Title": "made up"})
+    runs = []
+    for setting in study.settings():
+        run = RunDirectory(str(directory), setting.name)
+        h, dt = (axis.sizes[level] for axis, level in zip(varied, setting.levels))
+        run.update(state="failed" if (h, dt) in failed else "done", processor_time_s=1 / h / dt)
+        runs.append((setting, run, {"a/peak displacement": quantities.Number(1 + error(h, dt))}))
+    return study, runs
+
+
+def analysed(monkeypatch, study, runs):
+    found = {run.path: values for _, run, values in runs}
+    monkeypatch.setattr(quantities, "end_of", lambda path: 1.0)
+    monkeypatch.setattr(quantities, "read", lambda path, end: found[path])
+    return analysis.Analysis(study, [(setting, run) for setting, run, _ in runs])
+
+
+def test_errors_of_a_grid_are_those_of_the_formula(tmp_path, monkeypatch):
+    def error(h, dt):
+        return 0.01 * h**2 + 3 * dt
+
+    found = analysed(monkeypatch, *made_up(tmp_path, error))
+    for result in found.done:
+        h, dt = (axis.sizes[level] for axis, level in zip(found.study.axes, result.setting.levels))
+        assert found.error(result)[0] == pytest.approx(error(h, dt), rel=1e-6)
+    assert [row.order for ladder in tables.ladders(found) for row in ladder.rows.values()] == pytest.approx([2, 1])
+    assert {kind for kind in (found.errors(result)["a/peak displacement"][1] for result in found.done)} == {"Richardson"}
+    settings = [entry.name(found.study) for entry in tables.pareto(found)]
+    assert settings[0] == "h 4, Time step 4e-3" and settings[-1] == "h 1, Time step 1e-3"
+
+
+def test_samples_share_a_setting(tmp_path, monkeypatch):
+    study = plan.Study("scene.prm", str(tmp_path), [], [axes.parse_axis("Motion/Seed=1,2"), axes.parse_axis("Time/Time step=2e-3,1e-3")],
+                       base={}, tolerance=0.4)
+    runs = []
+    for setting in study.settings():
+        run, (seed, step) = RunDirectory(str(tmp_path), setting.name), setting.levels
+        run.update(state="done", processor_time_s=10.0 * (1 + step) + seed)
+        runs.append((setting, run, {"a/peak displacement": quantities.Number((1 + seed) * (1.0 if step else 1.1 + 0.2 * seed))}))
+    found = analysed(monkeypatch, study, runs)
+    (entry,) = tables.judged(found)
+    assert entry.error == pytest.approx(0.3) and entry.cost == pytest.approx(10.5) and entry.name(study) == "Time step 2e-3 (2 samples)"
+    assert "is Time step 2e-3 (2 samples); it costs 10.5 s" in report.sentence(found)
+
+
+def test_without_its_finest_run_a_study_takes_the_next(tmp_path, monkeypatch):
+    found = analysed(monkeypatch, *made_up(tmp_path, lambda h, dt: 0.01 * h**2 + 3 * dt, failed={(1, 1e-3), (2, 1e-3), (4, 1e-3)}))
+    assert len(found.done) == 6 and found.study.describe(found.finest(found.study.finest).setting) == "h 1, Time step 2e-3"
+    coarse = found.error(found.of((0, 0)))[0]
+    assert coarse == pytest.approx(abs(1 + 0.16 + 0.012 - 1.016) / 1.016, rel=1e-6)
+    assert [tables.ladder_title(found, ladder) for ladder in tables.ladders(found)] == ["h (Time step 2e-3)", "Time step (h 1)"]
+    assert len(tables.runs(found).rows) == 9
+
+
+def test_a_workflow_computes_one_run_at_a_time_and_a_closed_form_is_the_reference(hybrid, tmp_path):
+    a, phi = math.radians(30), math.radians(15)
+    slide = 0.5 * 9.81 * (math.sin(a) - math.cos(a) * math.tan(phi)) * 0.5**2
+    directory = tmp_path / "study"
+    result = hybrid("study", SCENES / "incline.prm", "--vary", "Time/Time step=4e-3,2e-3", "--closed-form", "block/final displacement=%r" % slide,
+                    "-s", "Time/End time=0.5", "--quantities", "block/final*", "--tolerance", "0.3%", "--directory", directory, "--snakemake")
+    assert result.returncode == 0, result.stderr
+    text = (directory / "Snakefile").read_text()
+    runs = json.loads(text[text.index("RUNS = ") + 7 : text.index("\n\n\nrule all")])
+    assert len(runs) == 2 and all(run["mem_mb"] > 50 and run["threads"] == 1 for run in runs.values())
+    assert hybrid("study", directory, "--only", list(runs)[0]).returncode == 0
+    collected = hybrid("study", directory, "--collect")
+    assert collected.returncode == 0 and "against the closed form" in collected.stdout
+    assert sorted(run["state"] for run in table(directory)) == ["done", "planned"]
+    assert next(manifest for manifest in manifests(directory) if manifest["state"] == "done")["taken"] == "by a scheduler"
+    errors = [row for row in table(directory, "values") if row["error"]]
+    assert [row["reference"] for row in errors] == ["closed form"] and float(errors[0]["error"]) < 3e-3
+
+
+@pytest.mark.parametrize("words, message", [
+    (["scene.prm", "--vary", "Time/Time stepp=1,2"], "Time stepp"),
+    (["scene.prm", "--vary", "Time/Time step=1e-3,-1"], "Time step"),
+    (["scene.prm", "--vary", "Time/Time step=1e-3,2e-3", "--finest", "Blocks/Tolerance=1"], "not varied"),
+    (["scene.prm", "--variy", "a=1"], "did you mean '--vary'"),
+    (["scene.prm"], "nothing is varied"),
+    (["."], "plan.json"),
+    (["nothing.toml"], "nothing.toml"),
+])
+def test_mistakes_are_one_line(hybrid, tmp_path, words, message):
+    (tmp_path / "scene.prm").write_text("include %s\n" % (SCENES / "incline.prm"))
+    result = hybrid("study", *words, cwd=tmp_path)
+    assert result.returncode == 2 and message in result.stderr
+    assert result.stderr.startswith("error: ") and len(result.stderr.splitlines()) == 1
+    assert not pathlib.Path(tmp_path / "output").exists()
