@@ -78,7 +78,7 @@ namespace hybrid
   void RunReport::memory(const bool warning_only) const
   {
     const auto estimate =
-      output::estimate_memory(model.scene, model.blocks.get(), model.continuum.get());
+      output::estimate_memory(model.scene, model.mesh, model.blocks.get(), model.continuum.get());
     if (!warning_only)
       log.info(output::describe(estimate));
     const std::string warning = output::memory_warning(estimate, output::available_memory());

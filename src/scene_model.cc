@@ -6,6 +6,7 @@
 #include <hybrid/dda/step/initial_state.h>
 #include <hybrid/output/mesh_progress.h>
 #include <hybrid/output/probes.h>
+#include <hybrid/output/sample_line.h>
 #include <hybrid/scene/checks/mesh_check.h>
 #include <hybrid/scene/mesh/edge_chain.h>
 #include <hybrid/scene_model.h>
@@ -117,5 +118,7 @@ namespace hybrid
           probes.add(hole.top + k / (hole.samples - 1.) * (hole.bottom - hole.top),
                      hole.name + " sample " + std::to_string(k));
       }
+    for (const output::SampleLine &line : output::sample_lines(scene, mesh))
+      output::add_line_probes(line, probes);
   }
 } // namespace hybrid

@@ -39,8 +39,8 @@ namespace hybrid
     /// A bedrock of blocks and what it stands on.
     void make_bedrock_blocks();
 
-    /// Every monitor and borehole lies in the model: found before anything is written. @throws
-    /// InputError.
+    /// Every monitor, borehole and line lies in the model: found before anything is written.
+    /// @throws InputError.
     void check_points() const;
   };
 } // namespace hybrid

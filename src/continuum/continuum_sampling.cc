@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -93,6 +94,39 @@ namespace hybrid::continuum
     return {nearest.cell,
             impl->nodes->values(nearest.local),
             (impl->nodes->map(nearest.cell, nearest.local) - position).norm()};
+  }
+
+
+  Continuum::Point Continuum::point_beside(const Vec2  &position,
+                                           const Vec2  &direction,
+                                           const double reach,
+                                           double      &alignment) const
+  {
+    constexpr double least = 0.9; // cosine of 25 degrees
+    int              best  = -1;
+    alignment              = least;
+    for (std::size_t c = 0; c < impl->rock.cells.size(); ++c)
+      for (int i = 0; i < 4; ++i)
+        {
+          const auto  &cell = impl->rock.cells[c]; // counter-clockwise: rock to the left of a -> b
+          const Vec2  &a = impl->rock.nodes[cell[i]], &b = impl->rock.nodes[cell[(i + 1) % 4]];
+          const Vec2   along = b - a, from = position - a;
+          const double length = along.norm(), at = from.dot(along) / length;
+          if (at < -reach || at > length + reach || std::abs(cross(along, from)) > reach * length)
+            continue;
+          const double cosine = along.dot(direction) / length;
+          if (cosine > alignment)
+            {
+              alignment = cosine;
+              best      = static_cast<int>(c);
+            }
+        }
+    if (best < 0)
+      {
+        alignment = 0.;
+        return {};
+      }
+    return {best, impl->nodes->values(local_coordinates(*impl->nodes, best, position))};
   }
 
 

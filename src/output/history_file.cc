@@ -179,7 +179,8 @@ namespace hybrid::output
   int HistoryFile::add_series(const std::string &path,
                               const std::string &unit,
                               const std::size_t  columns,
-                              const std::string &description)
+                              const std::string &description,
+                              const Precision    precision)
   {
     assert(columns > 0);
     Series series;
@@ -190,7 +191,7 @@ namespace hybrid::output
     if (exists(path))
       open_series(series);
     else
-      series.dataset = create_series(series, unit, description);
+      series.dataset = create_series(series, unit, description, precision);
     all_series.push_back(std::move(series));
     return static_cast<int>(all_series.size()) - 1;
   }
@@ -199,7 +200,8 @@ namespace hybrid::output
 
   std::int64_t HistoryFile::create_series(const Series      &series,
                                           const std::string &unit,
-                                          const std::string &description)
+                                          const std::string &description,
+                                          const Precision    precision)
   {
     const Handle  space(make_dataspace(0, series.columns, true), H5Sclose, "make a data space");
     const Handle  links(make_link_properties(), H5Pclose, "make link properties");
@@ -207,8 +209,9 @@ namespace hybrid::output
     const hsize_t chunk[] = {series.capacity, series.columns};
     H5Pset_chunk(creation, series.columns == 1 ? 1 : 2, chunk);
     H5Pset_obj_track_times(creation, false); // equal runs give equal bytes
+    const hid_t type = precision == Precision::single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
     const hid_t dataset =
-      H5Dcreate2(file, series.path.c_str(), H5T_IEEE_F64LE, space, links, creation, H5P_DEFAULT);
+      H5Dcreate2(file, series.path.c_str(), type, space, links, creation, H5P_DEFAULT);
     check(dataset < 0 ? -1 : 0, "create data set " + series.path + " in " + file_name);
     write_text(dataset, "unit", unit);
     write_text(dataset, "description", description);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/step/memory_estimate.h>
+#include <hybrid/output/line_recorder.h>
 #include <hybrid/output/memory_estimate.h>
 
 #include <algorithm>
@@ -43,6 +44,7 @@ namespace hybrid::output
 
 
   MemoryEstimate estimate_memory(const scene::SceneParameters &scene,
+                                 const scene::SectionMesh     &mesh,
                                  const dda::Model             *blocks,
                                  const continuum::Continuum   *continuum)
   {
@@ -50,7 +52,10 @@ namespace hybrid::output
     estimate.built     = resident_memory();
     estimate.continuum = continuum != nullptr ? continuum->estimated_memory() : 0.;
     estimate.blocks    = blocks != nullptr ? dda::estimated_memory(*blocks) : 0.;
-    estimate.histories = sizeof(double) * history_numbers(scene);
+    const double rows  = scene.time.end_time / LineRecorder::interval(scene);
+    // as the others, in run.h5 and once more while it is flushed
+    const double lines = 2. * sizeof(float) * rows * LineRecorder::numbers_per_row(scene, mesh);
+    estimate.histories = sizeof(double) * history_numbers(scene) + lines;
     return estimate;
   }
 

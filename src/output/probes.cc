@@ -200,6 +200,46 @@ namespace hybrid::output
 
 
 
+  std::pair<int, double> Probes::block_beside(const Vec2 &x, const Vec2 &direction) const
+  {
+    constexpr double       least = 0.9; // cosine of 25 degrees
+    const double           reach = rounding * section;
+    std::pair<int, double> best{-1, least};
+    for (int b = 0; model != nullptr && b < model->n_blocks(); ++b)
+      for (int v = model->initial.offset[b]; v < model->initial.offset[b + 1]; ++v)
+        {
+          const Vec2  &a     = model->initial.vertices[v];
+          const Vec2   along = model->initial.vertices[model->initial.next(v)] - a, from = x - a;
+          const double length = along.norm(), at = from.dot(along) / length;
+          if (at < -reach || at > length + reach || std::abs(cross(along, from)) > reach * length)
+            continue;
+          const double cosine = along.dot(direction) / length; // the block is to the left
+          if (cosine > best.second)
+            best = {b, cosine};
+        }
+    return best;
+  }
+
+
+
+  int Probes::add_beside(const Vec2 &x, const Vec2 &direction)
+  {
+    Probe      probe;
+    const auto block = block_beside(x, direction);
+    double     rock  = 0.;
+    if (continuum != nullptr)
+      probe.point = continuum->point_beside(x, direction, rounding * section, rock);
+    if (block.first >= 0 && block.second >= rock)
+      attach(probe, block.first, x);
+    else if (probe.point.cell < 0 &&
+             (direction.x() > 0. || height_above_base(x) > rounding * section))
+      return -1;
+    probes.push_back(probe);
+    return static_cast<int>(probes.size()) - 1;
+  }
+
+
+
   Vec2 Probes::position(const dda::DdaState &state, const Probe &probe) const
   {
     Vec2 x = Vec2::Zero();

@@ -20,6 +20,7 @@ namespace hybrid::output
               run.scene.bedding.slips ? run.blocks : nullptr,
               run.scene.bedding.names)
     , slip(run.blocks, downhill)
+    , lines(run.scene, run.mesh, probes)
     , ledger(run.continuum != nullptr,
              {run.scene.continuum.boundary_springs,
               run.scene.has_bedrock_blocks(),
@@ -42,6 +43,7 @@ namespace hybrid::output
     add_boreholes();
     bedding.add_series(file);
     slip.add_series(file);
+    lines.add_series(file);
   }
 
 
@@ -131,6 +133,7 @@ namespace hybrid::output
           reference_centroids.push_back(block.centroid);
         peak_displacement.assign(reference_centroids.size(), 0.);
       }
+    lines.start(state);
     record_energy(state);
     const std::vector<std::string> names = ledger.names();
     for (std::size_t k = 0; k < names.size(); ++k)
@@ -258,6 +261,7 @@ namespace hybrid::output
     record_total_force(state);
     update_peaks(state);
     slip.record(state.blocks, file);
+    lines.record(state, dt, file);
 
     const double early = 1e-9 * dt;
     if (now >= next_audit - early)

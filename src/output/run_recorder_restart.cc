@@ -6,7 +6,7 @@ namespace hybrid::output
 {
   void RunRecorder::serialize(restart::Archive &archive)
   {
-    archive(file, pictures, probes, ledger, slip, reference_centroids, peak_displacement);
+    archive(file, pictures, probes, ledger, slip, lines, reference_centroids, peak_displacement);
     archive(next_picture, next_audit, last_picture, last_audit);
     if (!archive.is_reading())
       return;

@@ -208,6 +208,18 @@ namespace hybrid::continuum
     /// than a part of a cell and @p reach [m] count as far from everything.
     Point point(const Vec2 &position, double reach = 0.) const;
 
+    /**
+     * The point at an initial position in a cell that has a face through it, with the rock to the
+     * left of @p direction: the side of a bedding plane that runs along this unit vector.
+     * @param reach that the position may be beside the face [m]
+     * @param alignment cosine of the angle between face and direction; 0 and no cell if there is no
+     * face within 25 degrees.
+     */
+    Point point_beside(const Vec2 &position,
+                       const Vec2 &direction,
+                       double      reach,
+                       double     &alignment) const;
+
     Sample sample(const ContinuumState &state, const Point &point) const;
 
     /// Plain arrays for pictures: one linear quadrilateral per sub-cell of each cell.

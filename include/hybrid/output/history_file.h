@@ -35,6 +35,13 @@ namespace hybrid::output
       resume ///< an existing file; its series go on where they ended, or where truncate() cuts them
     };
 
+    /// Of the numbers in the file.
+    enum class Precision
+    {
+      full,  ///< 8 bytes
+      single ///< 4 bytes, 7 digits: histories of many points
+    };
+
     /// @throws InputError if the file cannot be created or opened.
     explicit HistoryFile(const std::string &name, Mode mode = Mode::create);
 
@@ -54,7 +61,8 @@ namespace hybrid::output
     int add_series(const std::string &path,
                    const std::string &unit,
                    std::size_t        columns,
-                   const std::string &description);
+                   const std::string &description,
+                   Precision          precision = Precision::full);
 
     /// Add one row, @p values[0 ... columns).
     void append(int series, const double *values);
@@ -111,8 +119,10 @@ namespace hybrid::output
 
     void write_buffer(Series &series);
 
-    std::int64_t
-    create_series(const Series &series, const std::string &unit, const std::string &description);
+    std::int64_t create_series(const Series      &series,
+                               const std::string &unit,
+                               const std::string &description,
+                               Precision          precision);
 
     /// Open an existing series and set its number of rows. @throws InputError if its shape differs.
     void open_series(Series &series);

@@ -25,6 +25,7 @@ namespace hybrid::output
 
   /// Of a scene whose model has just been built. Parts that are nullptr take nothing.
   MemoryEstimate estimate_memory(const scene::SceneParameters &scene,
+                                 const scene::SectionMesh     &mesh,
                                  const dda::Model             *blocks,
                                  const continuum::Continuum   *continuum);
 

@@ -42,6 +42,14 @@ namespace hybrid::output
     /// it is farther than a thousandth of the section from everything.
     int add(const Vec2 &x, const std::string &name);
 
+    /**
+     * Follow the point at @p x in the block or the cell that has an edge through it and lies to the
+     * left of @p direction: one side of a plane that runs along this unit vector. Without any,
+     * what is to the right of a direction to +x may be a base that moves as prescribed.
+     * @return its number; -1 if nothing is there.
+     */
+    int add_beside(const Vec2 &x, const Vec2 &direction);
+
     /// Displacements count from the positions in @p state.
     void set_reference(const coupling::CoupledState &state);
 
@@ -69,6 +77,10 @@ namespace hybrid::output
 
     /// The block that a point lies in or on; -1: none.
     int block_at(const Vec2 &x) const;
+
+    /// Block with an edge through @p x along @p direction, to its left, and the cosine between the
+    /// two; -1 if all edges are 25 degrees off or more.
+    std::pair<int, double> block_beside(const Vec2 &x, const Vec2 &direction) const;
 
     /// A block and how far a point is from its outline [m]; infinite without blocks.
     std::pair<int, double> nearest_block(const Vec2 &x) const;

@@ -5,6 +5,7 @@
 #include <hybrid/output/bedding_recorder.h>
 #include <hybrid/output/energy_ledger.h>
 #include <hybrid/output/history_file.h>
+#include <hybrid/output/line_recorder.h>
 #include <hybrid/output/pictures.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/output/slip_recorder.h>
@@ -101,6 +102,7 @@ namespace hybrid::output
     const double               downhill; ///< sign of x downhill; 0: level
     BeddingRecorder            bedding;
     SlipRecorder               slip;
+    LineRecorder               lines;
     EnergyLedger               ledger;
     std::vector<MonitorSeries> monitors;
     std::vector<Profile>       profiles;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace hybrid::scene
 {
@@ -26,6 +27,60 @@ namespace hybrid::scene
         throw InputError("must list the rows of Monitors/File that are monitors");
       for (const auto &point : read_points(monitors.file, names))
         monitors.monitors.push_back({point.first, point.second});
+    }
+
+    void add_line(MonitorParameters &monitors, const std::string &name, std::vector<Vec2> points)
+    {
+      for (const MonitorLine &line : monitors.lines)
+        if (line.name == name)
+          throw InputError("line '" + name + "' is given twice");
+      for (std::size_t k = 0; k + 1 < points.size(); ++k)
+        if (points[k] == points[k + 1])
+          throw InputError("line '" + name + "' has the same point twice in a row");
+      monitors.lines.push_back({name, std::move(points)});
+    }
+
+    void add_lines_of_file(MonitorParameters &monitors)
+    {
+      for (auto &[name, points] : read_polylines(monitors.lines_file))
+        {
+          if (points.size() < 2)
+            throw InputError("line '" + name +
+                             "' of Monitors/Lines file has one point but must "
+                             "have two or more");
+          add_line(monitors, name, std::move(points));
+        }
+    }
+
+    void add_lines(const std::string &text, MonitorParameters &monitors)
+    {
+      for (const std::string &part : split(text, ';'))
+        {
+          if (part.empty()) // after the last ';', or nothing at all
+            continue;
+          const std::size_t colon = part.find(':');
+          const auto        names = parse_names(part.substr(0, colon));
+          if (names.size() != 1)
+            throw InputError("'" + part + "' must have the form 'name' or 'name: x, y, x, y, ...'");
+          std::vector<double> numbers;
+          if (colon != std::string::npos)
+            for (const std::string &word : split(part.substr(colon + 1), ','))
+              {
+                const std::optional<double> number = parse_number(word);
+                if (!number)
+                  throw InputError("'" + word + "' of '" + names[0] + "' must be a number");
+                numbers.push_back(*number);
+              }
+          if (colon != std::string::npos && (numbers.size() < 4 || numbers.size() % 2 != 0))
+            throw InputError("'" + names[0] + "' has " + std::to_string(numbers.size()) +
+                             " numbers but must have x, y of two points or more");
+          std::vector<Vec2> points;
+          for (std::size_t k = 0; k + 1 < numbers.size(); k += 2)
+            points.emplace_back(numbers[k], numbers[k + 1]);
+          add_line(monitors, names[0], std::move(points));
+        }
+      if (!monitors.lines_file.empty())
+        add_lines_of_file(monitors);
     }
 
     void add_boreholes(const std::string &text, MonitorParameters &monitors)
@@ -86,6 +141,29 @@ namespace hybrid::scene
                    "Hz",
                    ParameterRange::at_least(0.),
                    "Zero-phase low-pass for peaks and amplification; 0 is off.");
+    section.file("Lines file",
+                 monitors.lines_file,
+                 "a CSV file name,x,z [m]",
+                 "Polylines along which motion is recorded, as by Lines; rows of one name are one "
+                 "line.");
+    section.value(
+      "Lines",
+      "'name; name: x, y, x, y, ...; ...' [m]",
+      [&monitors](const std::string &text) { add_lines(text, monitors); },
+      "Lines along which displacement and acceleration are recorded: a line of the mesh by its name, "
+      "or a polyline. Bedding planes and the sliding surface have both sides.");
+    section.integer("Line points",
+                    monitors.line_points,
+                    {0, 100000},
+                    "Points of each line, equally far apart; 0: the nodes of the mesh, or the "
+                    "points given. One point is the middle.");
+    section.number(
+      "Line interval",
+      monitors.line_interval,
+      "s",
+      ParameterRange::at_least(0.),
+      "Between recorded rows of lines, rounded to whole steps; 0: every step. Where it "
+      "is longer than a step, accelerations are means since the row before.");
 
     ParameterSection boreholes(table, {"Boreholes"});
     boreholes.integer("Samples", monitors.borehole_samples, {2, 10000}, "Points per borehole.");

@@ -26,6 +26,46 @@ namespace hybrid::scene
         throw InputError("name '" + name + "' must consist of letters, digits, '_', '-' and '.'");
     }
 
+    /// A row of a CSV file "name,x,z".
+    struct PointRow
+    {
+      int         line; ///< of the file
+      std::string name;
+      Vec2        point; ///< [m]
+    };
+
+    /// All rows; a header and # lines are skipped.
+    std::vector<PointRow> read_rows(const std::string &file)
+    {
+      std::ifstream in(file);
+      if (!in)
+        throw InputError("file '" + file + "' cannot be read");
+      std::vector<PointRow> rows;
+      std::string           text;
+      bool                  header_may_come = true;
+      for (int line = 1; std::getline(in, text); ++line)
+        {
+          check_text(text, file, line);
+          text = trim(text.substr(0, text.find('#')));
+          if (text.empty())
+            continue;
+          const std::vector<std::string> fields    = split(text, ',');
+          const bool                     is_header = header_may_come && fields.size() == 3 &&
+                                 !parse_number(fields[1]) && !parse_number(fields[2]);
+          header_may_come = false;
+          if (is_header)
+            continue;
+          const std::optional<double> x =
+            fields.size() == 3 ? parse_number(fields[1]) : std::nullopt;
+          const std::optional<double> z =
+            fields.size() == 3 ? parse_number(fields[2]) : std::nullopt;
+          if (!x || !z)
+            throw InputError(file, line, "row '" + text + "' must have the form name,x,z");
+          rows.push_back({line, fields[0], Vec2(*x, *z)});
+        }
+      return rows;
+    }
+
     /// Skip a '+', which std::from_chars does not take.
     template <typename Number>
     std::optional<Number> parse_whole(const std::string &text)
@@ -142,37 +182,17 @@ namespace hybrid::scene
   std::vector<std::pair<std::string, Vec2>> read_points(const std::string              &file,
                                                         const std::vector<std::string> &names)
   {
-    std::ifstream in(file);
-    if (!in)
-      throw InputError("file '" + file + "' cannot be read");
-
     std::map<std::string, Vec2> found;
     std::vector<std::string>    available;
-    std::string                 text;
-    bool                        header_may_come = true;
-    for (int line = 1; std::getline(in, text); ++line)
+    for (const PointRow &row : read_rows(file))
       {
-        check_text(text, file, line);
-        text = trim(text.substr(0, text.find('#')));
-        if (text.empty())
+        available.push_back(row.name);
+        if (std::count(names.begin(), names.end(), row.name) == 0)
           continue;
-        const std::vector<std::string> fields = split(text, ',');
-        const bool is_header = header_may_come && fields.size() == 3 && !parse_number(fields[1]) &&
-                               !parse_number(fields[2]);
-        header_may_come = false;
-        if (is_header)
-          continue;
-        const std::optional<double> x = fields.size() == 3 ? parse_number(fields[1]) : std::nullopt;
-        const std::optional<double> z = fields.size() == 3 ? parse_number(fields[2]) : std::nullopt;
-        if (!x || !z)
-          throw InputError(file, line, "row '" + text + "' must have the form name,x,z");
-        available.push_back(fields[0]);
-        if (std::count(names.begin(), names.end(), fields[0]) == 0)
-          continue;
-        if (!found.emplace(fields[0], Vec2(*x, *z)).second)
+        if (!found.emplace(row.name, row.point).second)
           throw InputError(file,
-                           line,
-                           "'" + fields[0] + "' stands in several rows: it is not a point");
+                           row.line,
+                           "'" + row.name + "' stands in several rows: it is not a point");
       }
 
     std::vector<std::pair<std::string, Vec2>> points;
@@ -184,5 +204,21 @@ namespace hybrid::scene
         points.emplace_back(name, point->second);
       }
     return points;
+  }
+
+  std::vector<std::pair<std::string, std::vector<Vec2>>> read_polylines(const std::string &file)
+  {
+    std::vector<std::pair<std::string, std::vector<Vec2>>> lines;
+    for (const PointRow &row : read_rows(file))
+      {
+        check_name(row.name);
+        auto line = std::find_if(lines.begin(), lines.end(), [&](const auto &known) {
+          return known.first == row.name;
+        });
+        if (line == lines.end())
+          line = lines.insert(line, {row.name, {}});
+        line->second.push_back(row.point);
+      }
+    return lines;
   }
 } // namespace hybrid::scene

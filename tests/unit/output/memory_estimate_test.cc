@@ -13,9 +13,10 @@ namespace hybrid::output
       scene.time.end_time  = 1.;
       scene.time.time_step = 1e-3;
       scene.monitors.monitors.resize(2);
-      const double once             = estimate_memory(scene, nullptr, nullptr).histories;
-      scene.time.end_time           = 10.;
-      const MemoryEstimate estimate = estimate_memory(scene, nullptr, nullptr);
+      const double once = estimate_memory(scene, scene::SectionMesh(), nullptr, nullptr).histories;
+      scene.time.end_time = 10.;
+      const MemoryEstimate estimate =
+        estimate_memory(scene, scene::SectionMesh(), nullptr, nullptr);
       EXPECT_NEAR(estimate.histories, 10. * once, 1e-6 * once);
       EXPECT_GT(once, 1000. * 8. * 6. * 2.); // the two monitors alone
       EXPECT_GT(estimate.built, 1e6);        // this process

@@ -49,4 +49,8 @@ namespace hybrid::scene
    */
   std::vector<std::pair<std::string, Vec2>> read_points(const std::string              &file,
                                                         const std::vector<std::string> &names);
+
+  /// All polylines of a CSV file "name,x,z" (header and # lines are skipped): rows of one name, in
+  /// their order. @throws InputError with file and line.
+  std::vector<std::pair<std::string, std::vector<Vec2>>> read_polylines(const std::string &file);
 } // namespace hybrid::scene

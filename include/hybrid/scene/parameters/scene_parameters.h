@@ -194,6 +194,13 @@ namespace hybrid::scene
     std::vector<double> measured_mm;    ///< measured downhill displacements there [mm]; only drawn
   };
 
+  /// A named line along which motion is recorded.
+  struct MonitorLine
+  {
+    std::string       name;
+    std::vector<Vec2> points; ///< of the polyline [m]; empty: the mesh's line of this name
+  };
+
   /// Section "Monitors" and section "Boreholes".
   struct MonitorParameters
   {
@@ -203,6 +210,10 @@ namespace hybrid::scene
     std::vector<Borehole> boreholes;
     int                   borehole_samples = 21; ///< points of each borehole
     double filter_frequency = 25.; ///< zero-phase low-pass for peaks and amplification [Hz]; 0: off
+    std::vector<MonitorLine> lines;
+    std::string lines_file;      ///< CSV name,x,z that some of them come from; resolved path
+    int         line_points = 0; ///< equally far apart on each line; 0: the line's own points
+    double line_interval = 5e-3; ///< between their rows [s], rounded to whole steps, at least one
   };
 
   /// Section "Output".
