@@ -25,6 +25,7 @@ namespace hybrid
     constexpr const char *other_files[] = {"blocks.pvd",
                                            "joints.pvd",
                                            "continuum.pvd",
+                                           "peaks.vtu",
                                            "checkpoint/state.bin"};
 
 

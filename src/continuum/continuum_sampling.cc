@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace hybrid::continuum
@@ -86,6 +87,49 @@ namespace hybrid::continuum
   }
 
 
+  std::vector<std::array<int, 4>> Continuum::cells() const
+  {
+    const auto                     &nodes = *impl->nodes;
+    const int                       p = nodes.line.degree(), n = p + 1;
+    std::vector<std::array<int, 4>> result;
+    for (std::size_t c = 0; c < nodes.cells.size(); ++c)
+      {
+        const auto &cell   = nodes.cells[c];
+        const bool  turned = nodes.jacobian(c, Vec2(0.5, 0.5)).determinant() < 0.;
+        for (int j = 0; j < p; ++j)
+          for (int i = 0; i < p; ++i)
+            {
+              std::array<int, 4> corners = {cell[j * n + i],
+                                            cell[j * n + i + 1],
+                                            cell[(j + 1) * n + i + 1],
+                                            cell[(j + 1) * n + i]};
+              if (turned)
+                std::swap(corners[1], corners[3]);
+              result.push_back(corners);
+            }
+      }
+    return result;
+  }
+
+
+  std::vector<Continuum::Facing> Continuum::facing_nodes() const
+  {
+    std::vector<Facing>          result;
+    std::set<std::array<int, 3>> seen;
+    for (const auto &joint : impl->rock.joints)
+      {
+        const auto left = impl->nodes->along(joint.first), right = impl->nodes->along(joint.second);
+        const Vec2 along = impl->rock.nodes[joint.first.b] - impl->rock.nodes[joint.first.a];
+        for (std::size_t k = 0; k < left.size(); ++k)
+          if (left[k] != right[k] &&
+              seen.insert({joint.plane, std::min(left[k], right[k]), std::max(left[k], right[k])})
+                .second)
+            result.push_back({left[k], right[k], along.normalized()});
+      }
+    return result;
+  }
+
+
   Continuum::Point Continuum::point(const Vec2 &position, const double reach) const
   {
     const auto nearest = impl->nearest_cell(position, reach);
@@ -150,9 +194,10 @@ namespace hybrid::continuum
   {
     const auto &nodes = *impl->nodes;
     const auto &x     = nodes.line.nodes();
-    const int   p = nodes.line.degree(), n = p + 1;
+    const int   p     = nodes.line.degree();
     Picture     result;
     result.points = nodes.positions;
+    result.cells  = cells();
     for (std::size_t k = 0; k < nodes.positions.size(); ++k)
       {
         result.displacement.emplace_back(state.displacement[2 * k], state.displacement[2 * k + 1]);
@@ -160,18 +205,9 @@ namespace hybrid::continuum
       }
     for (std::size_t c = 0; c < nodes.cells.size(); ++c)
       {
-        const auto &cell   = nodes.cells[c];
-        const bool  turned = nodes.jacobian(c, Vec2(0.5, 0.5)).determinant() < 0.;
         for (int j = 0; j < p; ++j)
           for (int i = 0; i < p; ++i)
             {
-              std::array<int, 4> corners = {cell[j * n + i],
-                                            cell[j * n + i + 1],
-                                            cell[(j + 1) * n + i + 1],
-                                            cell[(j + 1) * n + i]};
-              if (turned)
-                std::swap(corners[1], corners[3]);
-              result.cells.push_back(corners);
               result.region.push_back(impl->cell_region[c]);
               const Vec2 centre(0.5 * (x[i] + x[i + 1]), 0.5 * (x[j] + x[j + 1]));
               result.stress.push_back(

@@ -2,6 +2,7 @@
 #include <hybrid/dda/step/memory_estimate.h>
 #include <hybrid/output/line_recorder.h>
 #include <hybrid/output/memory_estimate.h>
+#include <hybrid/output/peak_fields.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -56,6 +57,10 @@ namespace hybrid::output
     // as the others, in run.h5 and once more while it is flushed
     const double lines = 2. * sizeof(float) * rows * LineRecorder::numbers_per_row(scene, mesh);
     estimate.histories = sizeof(double) * history_numbers(scene) + lines;
+    if (scene.monitors.has_peak_fields)
+      estimate.histories +=
+        PeakFields::memory((continuum != nullptr ? continuum->node_positions().size() : 0) +
+                           (blocks != nullptr ? blocks->n_blocks() : 0));
     return estimate;
   }
 

@@ -21,6 +21,9 @@ namespace hybrid::output
               run.scene.bedding.names)
     , slip(run.blocks, downhill)
     , lines(run.scene, run.mesh, probes)
+    , peaks(run.scene.monitors.has_peak_fields ? run.blocks : nullptr,
+            run.scene.monitors.has_peak_fields ? run.continuum : nullptr,
+            run.scene.monitors.filter_frequency)
     , ledger(run.continuum != nullptr,
              {run.scene.continuum.boundary_springs,
               run.scene.has_bedrock_blocks(),
@@ -134,6 +137,7 @@ namespace hybrid::output
         peak_displacement.assign(reference_centroids.size(), 0.);
       }
     lines.start(state);
+    peaks.start(state);
     record_energy(state);
     const std::vector<std::string> names = ledger.names();
     for (std::size_t k = 0; k < names.size(); ++k)
@@ -262,6 +266,7 @@ namespace hybrid::output
     update_peaks(state);
     slip.record(state.blocks, file);
     lines.record(state, dt, file);
+    peaks.record(state, dt, base_displacement());
 
     const double early = 1e-9 * dt;
     if (now >= next_audit - early)
@@ -397,6 +402,7 @@ namespace hybrid::output
     if (last_picture != state.time)
       record_picture(state);
     write_section(state);
+    peaks.write(file, parts.scene.output.directory + "/peaks.vtu");
     if (parts.blocks != nullptr)
       {
         write_joints(state);

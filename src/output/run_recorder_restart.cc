@@ -2,22 +2,27 @@
 #include <hybrid/output/run_recorder.h>
 #include <hybrid/restart/archive.h>
 
+#include <cstdio>
+
 namespace hybrid::output
 {
   void RunRecorder::serialize(restart::Archive &archive)
   {
-    archive(file, pictures, probes, ledger, slip, lines, reference_centroids, peak_displacement);
+    archive(
+      file, pictures, probes, ledger, slip, lines, peaks, reference_centroids, peak_displacement);
     archive(next_picture, next_audit, last_picture, last_audit);
     if (!archive.is_reading())
       return;
     read_histories();
     // What was written at an earlier end is no result of the run that goes on.
-    for (const char *table : {"joints",
+    for (const char *table : {"fields",
+                              "joints",
                               "filtered",
                               "section/blocks_points_final",
                               "section/blocks_displacement",
                               "section/blocks_peak_displacement"})
       file.remove(table);
+    std::remove((parts.scene.output.directory + "/peaks.vtu").c_str());
   }
 
 

@@ -196,6 +196,19 @@ namespace hybrid::continuum
     /// All nodes before the first step [m].
     const std::vector<Vec2> &node_positions() const;
 
+    /// Linear quadrilaterals between the nodes that fill the cells.
+    std::vector<std::array<int, 4>> cells() const;
+
+    /// Two nodes at one place on the two sides of a bedding plane, and its tangent.
+    struct Facing
+    {
+      int  left, right;
+      Vec2 tangent;
+    };
+
+    /// Every such pair of nodes once; of planes that end on each other once for each.
+    std::vector<Facing> facing_nodes() const;
+
     /// A material point: nodes of its cell with weights.
     struct Point
     {

@@ -6,6 +6,7 @@
 #include <hybrid/output/energy_ledger.h>
 #include <hybrid/output/history_file.h>
 #include <hybrid/output/line_recorder.h>
+#include <hybrid/output/peak_fields.h>
 #include <hybrid/output/pictures.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/output/slip_recorder.h>
@@ -103,6 +104,7 @@ namespace hybrid::output
     BeddingRecorder            bedding;
     SlipRecorder               slip;
     LineRecorder               lines;
+    PeakFields                 peaks;
     EnergyLedger               ledger;
     std::vector<MonitorSeries> monitors;
     std::vector<Profile>       profiles;

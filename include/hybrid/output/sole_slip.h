@@ -46,6 +46,12 @@ namespace hybrid::output
       return soles[sole].position;
     }
 
+    /// The first vertex of a sole: of its block.
+    int vertex(const int sole) const
+    {
+      return soles[sole].first;
+    }
+
     /// [m]
     double length(const int sole) const
     {

@@ -141,6 +141,10 @@ namespace hybrid::scene
                    "Hz",
                    ParameterRange::at_least(0.),
                    "Zero-phase low-pass for peaks and amplification; 0 is off.");
+    section.toggle("Peak fields",
+                   monitors.has_peak_fields,
+                   "Largest acceleration, velocity, displacement and slip at every node of the "
+                   "bedrock and every block: group fields of run.h5, and peaks.vtu.");
     section.file("Lines file",
                  monitors.lines_file,
                  "a CSV file name,x,z [m]",

@@ -11,12 +11,14 @@ Units are SI (m, s, Pa; forces and energies per metre of thickness). A pair is [
 """
 
 from . import convergence
+from .column import Layer, column_under, motion_in_column, transfer_function
 from .errors import MissingData, NotInScene, UserError
+from .line import Line
 from .monitor import Monitor
 from .parameters import read_parameters
 from .response_spectrum import pseudo_acceleration
 from .run import Run
 from .spectra import fourier_amplitude, konno_ohmachi, spectral_ratio
 
-__all__ = ["MissingData", "Monitor", "NotInScene", "Run", "UserError", "convergence", "fourier_amplitude", "konno_ohmachi", "pseudo_acceleration",
-           "read_parameters", "spectral_ratio"]
+__all__ = ["Layer", "Line", "MissingData", "Monitor", "NotInScene", "Run", "UserError", "column_under", "convergence", "fourier_amplitude",
+           "konno_ohmachi", "motion_in_column", "pseudo_acceleration", "read_parameters", "spectral_ratio", "transfer_function"]

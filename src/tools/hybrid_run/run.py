@@ -9,6 +9,7 @@ import numpy as np
 
 from .blocks import Blocks
 from .errors import MissingData, UserError
+from .line import Line
 from .monitor import Monitor
 from .parameters import parameters_of_run
 from .pictures import Pictures
@@ -36,6 +37,10 @@ class Run:
     @property
     def monitors(self):
         return {name: Monitor(self, name) for name in self.names("monitors")}
+
+    @property
+    def lines(self):
+        return {name: Line(self, name) for name in self.names("lines") if name != "time"}
 
     @property
     def blocks(self):

@@ -210,6 +210,7 @@ namespace hybrid::scene
     std::vector<Borehole> boreholes;
     int                   borehole_samples = 21; ///< points of each borehole
     double filter_frequency = 25.; ///< zero-phase low-pass for peaks and amplification [Hz]; 0: off
+    bool   has_peak_fields  = true; ///< peaks at every node and block
     std::vector<MonitorLine> lines;
     std::string lines_file;      ///< CSV name,x,z that some of them come from; resolved path
     int         line_points = 0; ///< equally far apart on each line; 0: the line's own points

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/peak_fields.h>
+#include <hybrid/output/vtu_writer.h>
+#include <hybrid/restart/archive.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    std::vector<double> flat(const std::vector<Vec2> &points)
+    {
+      std::vector<double> numbers;
+      for (const Vec2 &x : points)
+        numbers.insert(numbers.end(), {x.x(), x.y()});
+      return numbers;
+    }
+
+
+    /// Fields of points, one after the other.
+    struct PointFields
+    {
+      std::vector<double> values[4]; ///< acceleration, velocity, displacement (pairs), slip
+
+      void add(const PeakMotion &peaks, const std::vector<double> &slip, const std::size_t point)
+      {
+        const std::vector<double> *of[] = {&peaks.peak_acceleration(),
+                                           &peaks.peak_velocity(),
+                                           &peaks.peak_displacement()};
+        for (int k = 0; k < 3; ++k)
+          values[k].insert(values[k].end(), {(*of[k])[2 * point], (*of[k])[2 * point + 1]});
+        values[3].push_back(slip[point]);
+      }
+    };
+  } // namespace
+
+
+
+  PeakFields::PeakFields(const dda::Model           *all_blocks,
+                         const continuum::Continuum *bedrock,
+                         const double                corner)
+    : model(all_blocks)
+    , continuum(bedrock)
+    , nodes(corner)
+    , blocks(corner)
+    , soles(all_blocks, 0.)
+  {
+    if (continuum != nullptr)
+      facing = continuum->facing_nodes();
+  }
+
+
+
+  void PeakFields::gather_blocks(const dda::DdaState &state)
+  {
+    displacement.resize(2 * centroids.size());
+    velocity.resize(2 * centroids.size());
+    for (std::size_t b = 0; b < centroids.size(); ++b)
+      for (int c = 0; c < 2; ++c)
+        {
+          displacement[2 * b + c] = state.blocks[b].centroid[c] - centroids[b][c];
+          velocity[2 * b + c]     = state.blocks[b].velocity[c];
+        }
+  }
+
+
+
+  void PeakFields::start(const coupling::CoupledState &state)
+  {
+    if (continuum != nullptr)
+      {
+        const std::size_t n = continuum->node_positions().size();
+        nodes.start(state.continuum.velocity.data(), 2 * n);
+        node_slip.assign(n, 0.);
+      }
+    if (model == nullptr)
+      return;
+    for (const dda::BlockState &block : state.blocks.blocks)
+      centroids.push_back(block.centroid);
+    gather_blocks(state.blocks);
+    blocks.start(velocity.data(), velocity.size());
+    block_slip.assign(centroids.size(), 0.);
+    soles.set_reference(state.blocks);
+  }
+
+
+
+  void PeakFields::record(const coupling::CoupledState &state, const double dt, const Vec2 &base)
+  {
+    if (continuum != nullptr)
+      {
+        const std::vector<double> &u = state.continuum.displacement;
+        nodes.add(u.data(), state.continuum.velocity.data(), dt, base.data());
+        for (const auto &[left, right, tangent] : facing)
+          {
+            const Vec2   jump(u[2 * left] - u[2 * right], u[2 * left + 1] - u[2 * right + 1]);
+            const double slip = std::abs(jump.dot(tangent));
+            node_slip[left]   = std::max(node_slip[left], slip);
+            node_slip[right]  = std::max(node_slip[right], slip);
+          }
+      }
+    if (model == nullptr)
+      return;
+    gather_blocks(state.blocks);
+    blocks.add(displacement.data(), velocity.data(), dt, base.data());
+    const std::vector<double> slip = soles.values(state.blocks);
+    for (std::size_t k = 0; k < slip.size(); ++k)
+      {
+        double &largest = block_slip[model->initial.block_of[soles.vertex(static_cast<int>(k))]];
+        largest         = std::max(largest, std::abs(slip[k]));
+      }
+  }
+
+
+
+  void PeakFields::write_part(HistoryFile               &file,
+                              const std::string         &path,
+                              const PeakMotion          &peaks,
+                              const std::vector<Vec2>   &position,
+                              const std::vector<double> &slip) const
+  {
+    const std::size_t n = position.size();
+    file.write_table(path + "position", "m", flat(position).data(), n, 2, "initial");
+    file.write_table(path + "peak_acceleration",
+                     "m/s2",
+                     peaks.peak_acceleration().data(),
+                     n,
+                     2,
+                     "largest of each component, absolute, low-passed");
+    file.write_table(path + "peak_velocity",
+                     "m/s",
+                     peaks.peak_velocity().data(),
+                     n,
+                     2,
+                     "largest of each component, absolute");
+    file.write_table(path + "peak_displacement",
+                     "m",
+                     peaks.peak_displacement().data(),
+                     n,
+                     2,
+                     "largest of each component, relative to the base");
+    file.write_table(path + "peak_slip", "m", slip.data(), n, 1, "largest magnitude");
+  }
+
+
+
+  void PeakFields::write(HistoryFile &file, const std::string &picture) const
+  {
+    VtuWriter   vtu;
+    PointFields fields;
+    if (continuum != nullptr && !node_slip.empty())
+      {
+        write_part(file, "fields/nodes/", nodes, continuum->node_positions(), node_slip);
+        std::vector<double> cells;
+        for (const Vec2 &x : continuum->node_positions())
+          fields.add(nodes, node_slip, static_cast<std::size_t>(vtu.add_point(x)));
+        for (const auto &cell : continuum->cells())
+          {
+            vtu.add_cell(CellShape::quad, cell.data(), 4);
+            cells.insert(cells.end(), cell.begin(), cell.end());
+          }
+        file.write_table(
+          "fields/nodes/cells", "1", cells.data(), cells.size() / 4, 4, "nodes of quadrilaterals");
+      }
+    if (model != nullptr && !block_slip.empty())
+      {
+        write_part(file, "fields/blocks/", blocks, centroids, block_slip);
+        const dda::Geometry &g = model->initial;
+        for (int b = 0; b < g.n_blocks(); ++b)
+          {
+            std::vector<int> corners;
+            for (int v = g.offset[b]; v < g.offset[b + 1]; ++v)
+              {
+                corners.push_back(vtu.add_point(g.vertices[v]));
+                fields.add(blocks, block_slip, b);
+              }
+            vtu.add_cell(corners.size() == 3 ? CellShape::triangle : CellShape::polygon, corners);
+          }
+      }
+    if (vtu.n_points() == 0)
+      return;
+    vtu.add_point_field("peak acceleration [m/s2]", {"x", "y"}, fields.values[0]);
+    vtu.add_point_field("peak velocity [m/s]", {"x", "y"}, fields.values[1]);
+    vtu.add_point_field("peak displacement [m]", {"x", "y"}, fields.values[2]);
+    vtu.add_point_field("peak slip [m]", fields.values[3]);
+    vtu.write(picture);
+  }
+
+
+
+  void PeakFields::serialize(restart::Archive &archive)
+  {
+    archive(nodes, blocks, soles, node_slip, block_slip, centroids);
+  }
+} // namespace hybrid::output
