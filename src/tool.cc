@@ -71,6 +71,8 @@ namespace hybrid
       {"animate", "a film of a run (mp4 or gif): blocks where they move, joints that fail"},
       {"report", "a page (HTML) that says what happened in a run, or in several"},
       {"study", "what accuracy costs in time: a scene with varied parameters"},
+      {"amplification",
+       "how much lines of a run (bedding planes, the ground) shake over an outcrop"},
     };
     return all;
   }

@@ -20,11 +20,11 @@ class Layer:
     joint: float = np.inf  # stiffness of the joint at its lower face [Pa/m]; infinite: welded
 
 
-def transfer_function(layers, frequency, is_rigid=False):
+def transfer_function(layers, frequency, is_rigid=False, half_space=None):
     """Motion at the top of each layer and, last, at the bottom over the outcrop motion: complex, (len(layers) + 1) x f.
 
-    layers: from the top down. Below them is a half-space like the lowest layer without damping, which takes what comes back; is_rigid: the
-    bottom moves as the outcrop. In each layer u'' = -k^2 u with k^2 = w^2 rho* / G*, rho* = rho (1 - i alpha / w), G* = G (1 + i w beta).
+    layers: from the top down. Below them is a half-space (a Layer; None: like the lowest one), undamped, which takes what comes back;
+    is_rigid: the bottom moves as the outcrop. In each layer u'' = -k^2 u with k^2 = w^2 rho* / G*, rho* = rho (1 - i alpha / w), G* = G (1 + i w beta).
     """
     w = 2 * np.pi * np.asarray(frequency, float)
     u, stress = np.ones(len(w), complex), np.zeros(len(w), complex)  # at the free surface
@@ -39,7 +39,8 @@ def transfer_function(layers, frequency, is_rigid=False):
         if np.isfinite(layer.joint):
             u = u - stress / layer.joint
     motions.append(u)
-    impedance = np.sqrt(layers[-1].density * layers[-1].modulus)
+    rock = half_space or layers[-1]
+    impedance = np.sqrt(rock.density * rock.modulus)
     outcrop = u if is_rigid else u - stress / (1j * w * impedance)  # twice the upgoing wave
     return np.array(motions) / outcrop
 
@@ -66,6 +67,8 @@ def motion_in_column(run, position, frequency, side="on", is_pressure=False):
     """|Transfer function| [-] at a point of the section from the outcrop motion by its 1D column; side: of a joint at the point."""
     levels, layers = column_under(run, position[0], is_pressure)
     is_rigid = run.parameters.get("Continuum/Base", "compliant") != "compliant"
+    name = run.parameters.get("Continuum/Half space material", "")
+    half_space = _Materials(run, is_pressure).layer_of(name, 0.0, False, np.inf) if name else None
     tolerance = 1e-6 * max(1.0, np.abs(levels).max())
     y = float(np.clip(position[1], levels[-1], levels[0]))
     row = int(np.searchsorted(-levels, -y + tolerance) - 1)  # the layer whose top is at the point or above it
@@ -74,10 +77,10 @@ def motion_in_column(run, position, frequency, side="on", is_pressure=False):
     if side == "above" and depth <= tolerance and row > 0:
         row, depth = row - 1, levels[row - 1] - y
     if depth <= tolerance:
-        return np.abs(transfer_function(layers, frequency, is_rigid)[row])
+        return np.abs(transfer_function(layers, frequency, is_rigid, half_space)[row])
     upper = Layer(**{**vars(layers[row]), "thickness": depth, "joint": np.inf})
     lower = Layer(**{**vars(layers[row]), "thickness": max(layers[row].thickness - depth, 0.0)})
-    return np.abs(transfer_function(layers[:row] + [upper, lower] + layers[row + 1:], frequency, is_rigid)[row + 1])
+    return np.abs(transfer_function(layers[:row] + [upper, lower] + layers[row + 1:], frequency, is_rigid, half_space)[row + 1])
 
 
 class _Materials:
@@ -92,7 +95,10 @@ class _Materials:
             return default
 
     def layer(self, thickness, material, is_block, joint):
-        name = "Materials/%s/" % self.names[material]
+        return self.layer_of(self.names[material], thickness, is_block, joint)
+
+    def layer_of(self, material, thickness, is_block, joint):
+        name = "Materials/%s/" % material
         young, nu = self.number(name + "Young modulus"), self.number(name + "Poisson ratio")
         shear = young / (2 * (1 + nu))
         modulus = shear * (2 - 2 * nu) / (1 - 2 * nu) if self.is_pressure else shear

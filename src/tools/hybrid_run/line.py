@@ -7,6 +7,8 @@ from scipy import signal
 from .errors import MissingData
 from .spectra import spectral_ratio
 
+SHORT = 16384  # rows
+
 
 class Line:
     """A line of a run. points: k; rows: r, at `time`. Histories of a side are r x k x 2, [x, y]."""
@@ -87,6 +89,11 @@ class Line:
         """To the outcrop motion, smoothed (Konno and Ohmachi 1998) [-]: len(frequency) x k."""
         spacing, values = self.equal_steps(self.acceleration(side)[:, :, component])
         _, outcrop = self.equal_steps(self.outcrop()[:, component])
+        fade = np.ones(len(outcrop))  # what does not end at rest would leak over all frequencies
+        n = max(2, len(fade) // 20)
+        fade[-n:] = np.cos(0.5 * np.pi * np.arange(1, n + 1) / n) ** 2
+        rest = 3 * len(fade) if len(fade) < SHORT else 0  # zeros: frequencies close enough for the window
+        values, outcrop = (np.pad(part, [(0, rest)] + [(0, 0)] * (part.ndim - 1)) for part in (values * fade[:, None], outcrop * fade))
         return spectral_ratio(values, outcrop, spacing, frequency, bandwidth)
 
     def jump(self):

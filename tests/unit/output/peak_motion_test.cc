@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -11,22 +12,23 @@ namespace
 
   constexpr double corner = 25.;
 
-  /// Peak acceleration of a lasting sine of amplitude 1 in x, with steps dt or (every other pair)
-  /// two of half of it.
+  /// Peak acceleration of a sine in x that rises slowly to amplitude 1, with steps dt or (every
+  /// other pair) two of half of it.
   double peak_of_sine(const double frequency, const double dt, const bool halves)
   {
     const double w = 2. * M_PI * frequency;
     PeakMotion   peaks(corner);
-    double       v[2] = {-1. / w, 0.}, t = 0.;
+    double       v[2] = {0., 0.}, t = 0.;
     peaks.start(v, 2);
     const double base[2] = {0., 0.};
-    for (int step = 0; t < 40. / frequency; ++step)
+    for (int step = 0; t < 60. / frequency; ++step)
       for (int part = 0; part < (halves && step % 2 == 0 ? 2 : 1); ++part)
         {
           const double now = halves && step % 2 == 0 ? 0.5 * dt : dt;
           t += now;
-          v[0]              = -std::cos(w * t) / w;
-          const double u[2] = {-std::sin(w * t) / (w * w), 0.};
+          const double rise = std::min(1., t * frequency / 40.);
+          v[0]              = -rise * std::cos(w * t) / w;
+          const double u[2] = {-rise * std::sin(w * t) / (w * w), 0.};
           peaks.add(u, v, now, base);
         }
     EXPECT_NEAR(peaks.peak_velocity()[0], 1. / w, 1e-3 / w);
@@ -42,8 +44,8 @@ namespace
 TEST(PeakMotion, accelerations_pass_a_butterworth_filter)
 {
   EXPECT_NEAR(peak_of_sine(2.5, 1e-3, false), 1., 5e-3);
-  EXPECT_NEAR(peak_of_sine(100., 1e-3, false), 1. / std::sqrt(257.), 0.15 / std::sqrt(257.));
-  EXPECT_NEAR(peak_of_sine(25., 1e-3, false), std::sqrt(0.5), 0.02);
+  EXPECT_NEAR(peak_of_sine(100., 1e-4, false), 1. / std::sqrt(257.), 0.03 / std::sqrt(257.));
+  EXPECT_NEAR(peak_of_sine(25., 2e-4, false), std::sqrt(0.5), 0.01);
 }
 
 
