@@ -31,6 +31,7 @@ NONSENSE = [
     ("Motion/Frequency", "1e-9"), ("Motion/Frequency", "1e308"), ("Motion/Peak", "nan"), ("Motion/Peak", "-1"), ("Motion/Peak", "1e300"),
     ("Blocks/Penalty ratio", "0"), ("Blocks/Penalty ratio", "nan"), ("Blocks/Penalty ratio", "1e300"),
     ("Blocks/Shear ratio", "-1"), ("Blocks/Damping ratio", "-0.1"), ("Blocks/Tolerance", "0"),
+    ("Monitors/Line interval", "-1"), ("Monitors/Line interval", "nan"), ("Monitors/Line points", "-1"), ("Monitors/Lines", "a: 1, nan, 2, 3"),
     ("Blocks/Maximum iterations", "0"), ("Blocks/Maximum iterations", "1e3"), ("Parallel/Threads", "0"),
     ("Materials/*/Density", "-2000"), ("Materials/*/Density", "0"), ("Materials/*/Density", "nan"),
     ("Materials/*/Density", "1e300"), ("Materials/*/Density", "1e-300"), ("Materials/*/Young modulus", "1e-300"),

@@ -51,6 +51,7 @@ EFFECTS = {
                          ["Water/Level=15", "Water/Method=pressures"]),
     "heterogeneity": (COLUMN, ["Heterogeneity/Modulus shape=none", "Heterogeneity/Strength shape=none", "Heterogeneity/Seed=7"],
                       None, ["Heterogeneity/Modulus shape=4", "Heterogeneity/Seed=7"]),
+    "lines": (COLUMN, ["Monitors/Line interval=0.1", "Monitors/Line points=5"], None, None),
     "block damping": (COLUMN, ["Blocks/Damping ratio=0", "Blocks/Damping frequency=7"], None,
                       ["Blocks/Damping ratio=0.05", "Blocks/Damping frequency=7"]),
     "loose damping": (SLOPE + ["Blocks/Loose damping=0"], ["Blocks/Loose damping=0"], None, ["Blocks/Loose damping=0.5"]),

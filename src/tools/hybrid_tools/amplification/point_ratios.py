@@ -33,7 +33,7 @@ def draw(study, directory):
     figure, grid = plt.subplots(rows, columns, figsize=(3.6 * columns + 0.8, 3.1 * rows + 0.4), squeeze=False, constrained_layout=True)
     has_column = False
     clear = study.frequency[study.is_clear]
-    limits = clear[0], min(clear[-1], 1.3 * study.resolved)
+    limits = clear[0], clear[-1]
     for axis, side in zip(grid.flat, sides):
         for k, colour in zip(points_of(side), COLOURS):
             axis.plot(study.frequency, side.spectral[:, k], color=colour, label="s = %.4g m, y = %.4g m" % (side.distance[k], side.position[k, 1]))

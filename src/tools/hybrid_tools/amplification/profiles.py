@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.patches import Patch
 
 from hybrid_tools import style
+from hybrid_tools.amplification.quantities import GAP
 
 SIDES = {"above": ("#0072b2", "-", "above"), "below": ("#d55e00", "--", "below"), "on": ("#0072b2", "-", None)}
 
@@ -21,7 +22,7 @@ def mass_range(run):
 def broken(distance, values):
     """With a gap where the line has one."""
     steps = np.diff(distance)
-    cuts = np.flatnonzero(steps > 5 * np.median(steps)) + 1
+    cuts = np.flatnonzero(steps > GAP * np.median(steps)) + 1
     return np.insert(np.asarray(distance, float), cuts, np.nan), np.insert(np.asarray(values, float), cuts, np.nan)
 
 

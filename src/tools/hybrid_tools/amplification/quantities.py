@@ -11,6 +11,8 @@ from hybrid_run import MissingData, UserError, fourier_amplitude, konno_ohmachi
 
 FAINT = 0.05  # where the outcrop has less than this of its largest amplitude a ratio says nothing
 
+GAP = 5  # times the usual distance of two points: the line has a gap there
+
 
 class Side:
     """One side of one line: peaks over those of the outcrop motion, and spectral ratios."""
@@ -38,10 +40,12 @@ class Side:
         return int(np.argmax(self.ratio))
 
     def mean(self):
-        """Along the line, weighted by distance."""
-        if len(self.distance) < 2:
-            return float(self.ratio.mean())
-        return float(np.trapz(self.ratio, self.distance) / (self.distance[-1] - self.distance[0]))
+        """Along the line, weighted by distance; gaps do not count."""
+        steps = np.diff(self.distance)
+        if not len(steps):
+            return float(self.ratio[0])
+        steps = np.where(steps > GAP * np.median(steps), 0.0, steps)
+        return float((0.5 * (self.ratio[1:] + self.ratio[:-1]) * steps).sum() / steps.sum())
 
     def spectral_extreme(self, pick):
         """(ratio, frequency [Hz], point) of the largest (np.nanargmax) or smallest (np.nanargmin) spectral ratio that is resolved; None: none."""

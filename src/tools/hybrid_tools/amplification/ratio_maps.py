@@ -14,9 +14,7 @@ def draw_line(study, line, directory):
         return []
     figure, axes = plt.subplots(1, len(sides), figsize=(4.4 * len(sides) + 1.2, 3.9), sharey=True, squeeze=False, constrained_layout=True)
     clear = study.frequency[np.isfinite(sides[0].spectral).any(axis=1)]
-    shown = (study.frequency <= 1.3 * study.resolved) & (study.frequency >= clear[0]) & (study.frequency <= clear[-1])
-    if not shown.any():
-        return []
+    shown = (study.frequency >= clear[0]) & (study.frequency <= clear[-1])
     top = max(np.nanmax(side.spectral[shown]) for side in sides)
     for axis, side in zip(axes[0], sides):
         image = axis.pcolormesh(side.distance, study.frequency[shown], side.spectral[shown], cmap="viridis", vmin=0, vmax=top, shading="nearest", rasterized=True)

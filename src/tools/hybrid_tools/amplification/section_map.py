@@ -7,6 +7,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize
 
 from hybrid_tools import style
+from hybrid_tools.amplification.quantities import GAP
 
 AMPLIFICATION = "plasma"
 OFFSET = 2.6  # points that the two sides of a plane are drawn apart
@@ -56,7 +57,7 @@ def runs_of(points, gap):
 def coloured(axes, points, values, norm, shift):
     """@param shift of the line to its left [points]"""
     steps = np.hypot(*np.diff(points, axis=0).T)
-    for part in runs_of(points, 5 * np.median(steps)):
+    for part in runs_of(points, GAP * np.median(steps)):
         p, v = points[part], values[part]
         normal = np.array([-(p[-1] - p[0])[1], (p[-1] - p[0])[0]])
         normal = shift * normal / max(np.hypot(*normal), 1e-30)
