@@ -145,7 +145,7 @@ def test_peaks_at_nodes_are_those_of_the_lines(level_ground):
 def test_the_jump_across_the_sliding_surface_is_the_slip_of_its_soles(run, tmp_path):
     (tmp_path / "lines.csv").write_text("name,x,z\ncrest,8,20\ncrest,12,20\nshaft,2.5,15\nshaft,2.5,10.5\nshaft,2.5,5\n")
     result = Run(run("restart_coupled.prm", "Monitors/Lines=sliding_surface", "Monitors/Line points=9", "Monitors/Line interval=0",
-                     f"Monitors/Lines file={tmp_path / 'lines.csv'}", "Time/End time=0.4"))
+                     fXX
     assert list(result.lines) == ["crest", "shaft", "sliding_surface"] and result.lines["shaft"].distance[-1] == 10
     line = result.lines["sliding_surface"]
     soles, slip = result.get("slip/position")[:, 0], result.get("slip/profile")[-1]
