@@ -28,8 +28,10 @@ def run(hybrid, tmp_path_factory):
 @pytest.fixture(scope="module")
 def level_ground(run):
     """A layer on a half space, 2 Hz Ricker, S wave from below, free-field sides."""
-    return run("soft_layer.prm", "Time/End time=10", "Time/Time step=0.005", "Mesh/Numbers=Width = 40; Height = 200; Layer height = 60; Resolution/h = 10",
-               "Continuum/Rayleigh mass=1", "Continuum/Rayleigh stiffness=0.003", "Motion/Frequency=2", "Monitors/Line interval=0.01", "Monitors/Points=surface: 5, 200",
+    return run("soft_layer.prm", "Time/End time=10", "Time/Time step=0.005",
+               "Mesh/Numbers=Width = 40; Height = 200; Layer height = 60; Resolution/h = 10",
+               "Continuum/Rayleigh mass=1", "Continuum/Rayleigh stiffness=0.003", "Motion/Frequency=2",
+               "Monitors/Line interval=0.01", "Monitors/Points=surface: 5, 200",
                "Monitors/Lines=ground; left; shaft: 20, 200, 20, 0")
 
 
@@ -145,7 +147,7 @@ def test_peaks_at_nodes_are_those_of_the_lines(level_ground):
 def test_the_jump_across_the_sliding_surface_is_the_slip_of_its_soles(run, tmp_path):
     (tmp_path / "lines.csv").write_text("name,x,z\ncrest,8,20\ncrest,12,20\nshaft,2.5,15\nshaft,2.5,10.5\nshaft,2.5,5\n")
     result = Run(run("restart_coupled.prm", "Monitors/Lines=sliding_surface", "Monitors/Line points=9", "Monitors/Line interval=0",
-                     fXX
+                     f"Monitors/Lines file={tmp_path / 'lines.csv'}"))
     assert list(result.lines) == ["crest", "shaft", "sliding_surface"] and result.lines["shaft"].distance[-1] == 10
     line = result.lines["sliding_surface"]
     soles, slip = result.get("slip/position")[:, 0], result.get("slip/profile")[-1]

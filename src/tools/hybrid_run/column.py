@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Layered column under a point: its transfer function for waves that travel vertically (Thomson 1950, Haskell 1953; Kramer 1996, section 7.2)."""
+"""Layered column under a point: its transfer function for waves that travel vertically (Thomson 1950; Haskell 1953; Kramer 1996, 7.2)."""
 
 from dataclasses import dataclass
 
@@ -23,8 +23,8 @@ class Layer:
 def transfer_function(layers, frequency, is_rigid=False, half_space=None):
     """Motion at the top of each layer and, last, at the bottom over the outcrop motion: complex, (len(layers) + 1) x f.
 
-    layers: from the top down. Below them is a half-space (a Layer; None: like the lowest one), undamped, which takes what comes back;
-    is_rigid: the bottom moves as the outcrop. In each layer u'' = -k^2 u with k^2 = w^2 rho* / G*, rho* = rho (1 - i alpha / w), G* = G (1 + i w beta).
+    layers: from the top down. Below them is a half-space (a Layer; None: like the lowest one), undamped,
+    which takes what comes back; is_rigid: the bottom moves as the outcrop. In each layer u'' = -k^2 u with k^2 = w^2 rho* / G*, rho* = rho (1 - i alpha / w), G* = G (1 + i w beta).
     """
     w = 2 * np.pi * np.asarray(frequency, float)
     u, stress = np.ones(len(w), complex), np.zeros(len(w), complex)  # at the free surface

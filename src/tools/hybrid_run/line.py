@@ -2,9 +2,9 @@
 """Histories along a line (Monitors/Lines): a bedding plane with both sides, the ground, a polyline."""
 
 import numpy as np
-from scipy import signal
 
 from .errors import MissingData
+from .low_pass import low_pass
 from .spectra import spectral_ratio
 
 SHORT = 16384  # rows
@@ -71,12 +71,9 @@ class Line:
         return spacing, np.column_stack([np.interp(even, time, column) for column in flat.T]).reshape((len(even),) + values.shape[1:])
 
     def low_passed(self, values):
-        """Below the run's Filter frequency, zero-phase as its monitors are: second-order Butterworth, forward and backward."""
+        """Below the run's Filter frequency, at equal steps, as peaks of its monitors are."""
         spacing, values = self.equal_steps(values)
-        corner = self.run.corner
-        if corner <= 0 or corner >= 0.45 / spacing or len(values) < 20:
-            return values
-        return signal.sosfiltfilt(signal.butter(2, corner * 2 * spacing, output="sos"), values, axis=0)
+        return low_pass(values, spacing, self.run.corner)
 
     def peak_ratio(self, side, component):
         """Peak acceleration over that of the outcrop motion [-], k; both below the Filter frequency."""

@@ -32,7 +32,8 @@ def read_words(words):
     if not 1 <= found.bandwidth <= 1000:
         raise UserError("--bandwidth is %g; it must be between 1 and 1000" % found.bandwidth)
     if len(found.runs) > 1 and not found.against:
-        raise UserError("--against is missing: %d runs are given, and it names the parameter that differs, such as 'Motion/Frequency'" % len(found.runs))
+        raise UserError("--against is missing: %d runs are given, and it names the parameter that differs, such as 'Motion/Frequency'" %
+                        len(found.runs))
     return found
 
 

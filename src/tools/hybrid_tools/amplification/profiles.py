@@ -34,7 +34,8 @@ def draw_line(study, line, directory):
     for side in sides:
         colour, dashes, label = SIDES[side.name]
         along.plot(*broken(side.distance, side.ratio), color=colour, ls=dashes, label=label)
-        altitude.plot(broken(side.distance, side.ratio)[1], broken(side.distance, side.position[:, 1])[1], color=colour, ls=dashes, marker=".", ms=3, lw=0.8)
+        ratio, elevation = (broken(side.distance, values)[1] for values in (side.ratio, side.position[:, 1]))
+        altitude.plot(ratio, elevation, color=colour, ls=dashes, marker=".", ms=3, lw=0.8)
     profile.plot(*broken(sides[0].distance, sides[0].position[:, 1]), color=style.TEXT)
     handles, _ = along.get_legend_handles_labels()
     span = mass_range(study.run)

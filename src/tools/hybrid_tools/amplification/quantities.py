@@ -63,7 +63,7 @@ class Study:
         self.run, self.bandwidth = run, bandwidth
         lines = run.lines
         if not lines:
-            raise MissingData("'%s' has no lines; a run records them along Monitors/Lines = bedding_1; ground; ..." % run.directory)
+            raise MissingData("'%s' has no lines; set Monitors/Lines = bedding_1; ground; ..." % run.directory)
         for name in names:
             if name not in lines:
                 near = difflib.get_close_matches(name, lines, 1)

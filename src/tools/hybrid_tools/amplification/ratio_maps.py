@@ -17,7 +17,8 @@ def draw_line(study, line, directory):
     shown = (study.frequency >= clear[0]) & (study.frequency <= clear[-1])
     top = max(np.nanmax(side.spectral[shown]) for side in sides)
     for axis, side in zip(axes[0], sides):
-        image = axis.pcolormesh(side.distance, study.frequency[shown], side.spectral[shown], cmap="viridis", vmin=0, vmax=top, shading="nearest", rasterized=True)
+        image = axis.pcolormesh(side.distance, study.frequency[shown], side.spectral[shown], cmap="viridis", vmin=0, vmax=top,
+                                shading="nearest", rasterized=True)
         axis.set_yscale("log")
         axis.yaxis.set_major_formatter(ScalarFormatter())
         axis.yaxis.set_minor_formatter(NullFormatter())

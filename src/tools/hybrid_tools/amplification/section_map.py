@@ -16,7 +16,8 @@ OFFSET = 2.6  # points that the two sides of a plane are drawn apart
 def outline(run, axes):
     """Bedrock and blocks, faint."""
     if run.has("section/cells"):
-        axes.add_collection(PolyCollection(run.get("section/cells").reshape(-1, 4, 2), facecolors="#eeece8", edgecolors="#eeece8", lw=0.2, zorder=0))
+        cells = run.get("section/cells").reshape(-1, 4, 2)
+        axes.add_collection(PolyCollection(cells, facecolors="#eeece8", edgecolors="#eeece8", lw=0.2, zorder=0))
     if run.has("section/blocks_points"):
         axes.add_collection(PolyCollection(run.blocks.polygons, facecolors="#f3dfb5", edgecolors="#c9b58a", lw=0.2, zorder=1))
     if run.has("section/outline"):

@@ -38,7 +38,8 @@ def rows_of(studies, values):
         jumps = {jump["line"]: jump for jump in numbers["jumps"]}
         for side in numbers["sides"]:
             high = side["largest_spectral_ratio"] or {}
-            rows.append({"value": value if isinstance(value, str) else float(value), "run": numbers["run"], "line": side["line"], "side": side["side"],
+            rows.append({"value": value if isinstance(value, str) else float(value), "run": numbers["run"],
+                         "line": side["line"], "side": side["side"],
                          "largest": side["largest"]["ratio"], "largest_s_m": side["largest"]["s_m"], "mean": side["mean"],
                          "upper_tip": side["upper_tip"], "lower_tip": side["lower_tip"], "largest_spectral_ratio": high.get("ratio"),
                          "at_hz": high.get("frequency_hz"), "largest_slip_m": jumps.get(side["line"], {}).get("largest_slip_m"),
@@ -82,7 +83,8 @@ def main(studies, parameter, directory, with_figure):
         writer = csv.DictWriter(out, rows[0])
         writer.writeheader()
         writer.writerows(rows)
-    print("%s\n%-14s %-12s %-6s %8s %8s %10s %10s %9s %8s" % (parameter, "value", "line", "side", "largest", "mean", "upper tip", "lower tip", "spectral", "at"))
+    print("%s\n%-14s %-12s %-6s %8s %8s %10s %10s %9s %8s" % (
+        parameter, "value", "line", "side", "largest", "mean", "upper tip", "lower tip", "spectral", "at"))
     for r in rows:
         value = r["value"] if isinstance(r["value"], str) else "%.6g" % r["value"]
         spectral = "%9.2f %5.3g Hz" % (r["largest_spectral_ratio"], r["at_hz"]) if r["at_hz"] else ""

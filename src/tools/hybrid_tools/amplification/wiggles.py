@@ -41,7 +41,8 @@ def draw_line(study, line, directory):
     axes.grid(False)
     axes.set_xlabel("distance along %s%s [m]" % (line.name, "" if side == "on" else ", side " + side))
     axes.set_ylabel("time [s]")
-    axes.set_title("a$_%s$, largest %.3g m/s$^2$; +%s to the right, filled" % (study.letter, np.abs(values[:, chosen]).max(), study.letter), fontweight="normal")
+    largest = np.abs(values[:, chosen]).max()
+    axes.set_title("a$_%s$, largest %.3g m/s$^2$; +%s to the right, filled" % (study.letter, largest, study.letter), fontweight="normal")
     name = "wiggles_" + line.name
     style.save(figure, directory, name)
     return name
