@@ -53,7 +53,7 @@ def draw_line(study, line, directory):
         axis.set_xlim(sides[0].distance[0], sides[0].distance[-1])
         axis.margins(y=0.1)
     along.tick_params(labelbottom=False)
-    along.set_ylim(bottom=0)
+    along.set_ylim(0, max(1.1 * max(side.ratio.max() for side in sides), 1.05))
     altitude.set_xlim(left=0)
     label = "peak a$_%s$ / outcrop [-]" % study.letter
     along.set_ylabel(label)

@@ -6,6 +6,17 @@ import numpy as np
 from matplotlib.ticker import NullFormatter, ScalarFormatter
 
 from hybrid_tools import style
+from hybrid_tools.amplification.quantities import GAP
+
+
+def with_gaps(distance, values):
+    """Columns of NaN beside the gaps of the line."""
+    steps = np.diff(distance)
+    usual = np.median(steps)
+    for cut in np.flatnonzero(steps > GAP * usual)[::-1] + 1:
+        distance = np.insert(distance, cut, [distance[cut - 1] + usual, distance[cut] - usual])
+        values = np.insert(values, [cut, cut], np.nan, axis=1)
+    return distance, values
 
 
 def draw_line(study, line, directory):
@@ -17,12 +28,13 @@ def draw_line(study, line, directory):
     shown = (study.frequency >= clear[0]) & (study.frequency <= clear[-1])
     top = max(np.nanmax(side.spectral[shown]) for side in sides)
     for axis, side in zip(axes[0], sides):
-        image = axis.pcolormesh(side.distance, study.frequency[shown], side.spectral[shown], cmap="viridis", vmin=0, vmax=top,
+        distance, values = with_gaps(side.distance, side.spectral[shown])
+        image = axis.pcolormesh(distance, study.frequency[shown], values, cmap="viridis", vmin=0, vmax=top,
                                 shading="nearest", rasterized=True)
         axis.set_yscale("log")
         axis.yaxis.set_major_formatter(ScalarFormatter())
         axis.yaxis.set_minor_formatter(NullFormatter())
-        axis.set_facecolor("#d8d8d8")
+        axis.set_facecolor("#e4e4e4")
         axis.grid(False)
         axis.set_xlim(side.distance[0], side.distance[-1])
         axis.set_xlabel("distance along %s [m]" % line.name)
