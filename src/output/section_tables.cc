@@ -43,6 +43,21 @@ namespace hybrid::output
           }
       }
 
+      void write_lines()
+      {
+        for (const auto &[name, edges] : mesh.lines)
+          if (!edges.empty())
+            {
+              const std::vector<double> ends = coordinates(edges);
+              file.write_table("section/lines/" + name,
+                               "m",
+                               ends.data(),
+                               ends.size() / 4,
+                               4,
+                               "edges of this line of the mesh, initial");
+            }
+      }
+
       void write_cells()
       {
         std::vector<double> material;
@@ -147,6 +162,7 @@ namespace hybrid::output
     SectionTables tables(file, scene, mesh);
     tables.write_names();
     tables.write_bedding();
+    tables.write_lines();
     if (scene.has_continuum())
       tables.write_cells();
     if (model == nullptr)
