@@ -12,7 +12,7 @@ root="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 packages=(build-essential cmake ninja-build git libdeal.ii-dev libgmsh-dev libeigen3-dev
           libsuitesparse-dev libopenblas-dev libgtest-dev zlib1g-dev libhdf5-openmpi-dev
           nlohmann-json3-dev libcli11-dev
-          python3 python3-h5py python3-jinja2 python3-matplotlib python3-scipy python3-tabulate
+          python3 python3-h5py python3-jinja2 python3-matplotlib python3-scipy python3-shapely python3-tabulate
           python3-allpairspy python3-hypothesis)
 
 # For `test` alone: files for ParaView are read, tools are tested (films as mp4 with ffmpeg, pages of runs in a browser),
@@ -66,8 +66,8 @@ name_missing_parts() {
         missing+=("<$header>")
     done
   fi
-  if ! /usr/bin/python3 -c 'import h5py, jinja2, matplotlib, scipy, allpairspy, hypothesis' 2>/dev/null; then
-    missing+=("modules h5py, jinja2, matplotlib, scipy, allpairspy and hypothesis of /usr/bin/python3")
+  if ! /usr/bin/python3 -c 'import h5py, jinja2, matplotlib, scipy, shapely, allpairspy, hypothesis' 2>/dev/null; then
+    missing+=("modules h5py, jinja2, matplotlib, scipy, shapely, allpairspy and hypothesis of /usr/bin/python3")
   fi
   if [[ ${#missing[@]} -gt 0 ]]; then
     printf 'error: this is not a Debian system, so nothing is installed. Missing:\n' >&2

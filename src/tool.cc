@@ -73,6 +73,8 @@ namespace hybrid
       {"study", "what accuracy costs in time: a scene with varied parameters"},
       {"amplification",
        "how much lines of a run (bedding planes, the ground) shake over an outcrop"},
+      {"new", "a slope that runs, from polylines of ground, slip and planes"},
+      {"section", "a picture of a scene's section, before it is run"},
     };
     return all;
   }

@@ -7,7 +7,7 @@ import os
 import sys
 
 PACKAGES = {"h5py": "python3-h5py", "jinja2": "python3-jinja2", "matplotlib": "python3-matplotlib", "numpy": "python3-numpy",
-            "scipy": "python3-scipy", "tabulate": "python3-tabulate"}  # of Debian
+            "scipy": "python3-scipy", "shapely": "python3-shapely", "tabulate": "python3-tabulate"}  # of Debian
 
 
 def check_modules():
