@@ -73,6 +73,8 @@ namespace hybrid
       {"study", "what accuracy costs in time: a scene with varied parameters"},
       {"amplification",
        "how much lines of a run (bedding planes, the ground) shake over an outcrop"},
+      {"fos",
+       "factor of safety by strength reduction, yield acceleration, Newmark's displacements"},
     };
     return all;
   }
