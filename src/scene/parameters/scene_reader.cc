@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/parameters/parameter_declarations.h>
 #include <hybrid/scene/parameters/scene_reader.h>
+#include <hybrid/scene/parameters/strength_reduction.h>
 #include <hybrid/scene/path_hint.h>
-#include <hybrid/scene/strength_reduction.h>
 
 #include <ostream>
 #include <sstream>

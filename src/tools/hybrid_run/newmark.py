@@ -2,8 +2,8 @@
 """Newmark's (1965) rigid block on a moving surface: exact for an acceleration that is linear between its samples.
 
 The driving acceleration a(t) is that of the ground, positive where it drives the block downhill (a ground that accelerates uphill).
-While the block slides downhill its relative acceleration is s'' = rate (a - critical), uphill s'' = rate (a + uphill); it sticks where neither
-limit is passed. Rate is 1 for a block on a level surface and cos(b - phi) / cos(phi) for one on a slope b.
+While the block slides downhill its relative acceleration is s'' = rate (a - critical), uphill s'' = rate (a + uphill); it sticks
+where neither limit is passed. Rate is 1 for a block on a level surface and cos(b - phi) / cos(phi) for one on a slope b.
 """
 
 import numpy as np
@@ -55,7 +55,8 @@ class _Blocks:
             growth = self.rate * sign * slope
             moving = _first_root(sign * self.speed, excess, growth, left)
             with np.errstate(divide="ignore", invalid="ignore"):
-                starts = np.where(slope > 0, (self.critical - now) / slope, np.where(slope < 0, (-self.uphill - now) / slope, np.inf))
+                falling = np.where(slope < 0, (-self.uphill - now) / slope, np.inf)
+                starts = np.where(slope > 0, (self.critical - now) / slope, falling)
             until = np.where(sign != 0, moving, np.where(starts > 0, starts, np.inf))
             time = np.minimum(until, left)
             self.slip = self.slip + sign * (sign * self.speed * time + excess * time**2 / 2 + growth * time**3 / 6)
@@ -72,8 +73,8 @@ class _Blocks:
 def rigid_block(time, acceleration, critical, uphill=np.inf, rate=1.0):
     """Slip [m] at every time, downhill positive: n, or n x blocks if critical (or another limit) is an array.
 
-    time: [s]. acceleration: driving, [m/s2]; linear between the samples, block at rest at the first. critical, uphill: accelerations [m/s2] at
-    which it begins to slide downhill and uphill (inf: one-way). rate: see above.
+    time: [s]. acceleration: driving, [m/s2]; linear between the samples, block at rest at the first. critical, uphill: accelerations
+    [m/s2] at which it begins to slide downhill and uphill (inf: one-way). rate: see above.
     """
     time, acceleration = np.asarray(time, float), np.asarray(acceleration, float)
     blocks = _Blocks(critical, uphill, rate)

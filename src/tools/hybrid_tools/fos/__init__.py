@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""hybrid plot: the figures of a run."""
+"""hybrid fos: factor of safety, yield coefficient, Newmark's displacements."""

@@ -15,6 +15,7 @@ from hybrid_tools.fos.search import factor_of_safety, yield_coefficient
 from hybrid_tools.fos.trial import Trials
 
 FACTOR = "Materials/Strength reduction factor"
+JUMP = 3.0  # of the largest displacement between the trial that stands and the one that fails, at least
 APART = 0.1  # of the largest motion: blocks of the mass slide on each other
 COEFFICIENT = "Gravity/Horizontal coefficient"
 EXAMPLES = """  hybrid fos my.prm                      # factor of safety
@@ -25,16 +26,17 @@ EXAMPLES = """  hybrid fos my.prm                      # factor of safety
 
 
 def read_words(words):
-    arguments = Arguments("fos", "Factor of safety by strength reduction: cohesion, tensile strength and tan(friction angle) of all materials "
-                          "and bedding\nplanes are divided by a factor until the static stage finds no equilibrium.", EXAMPLES)
+    arguments = Arguments("fos", "Factor of safety by strength reduction: cohesion, tensile strength and tan(friction angle)\n"
+                          "of all materials and bedding planes are divided by a factor until no equilibrium is found.", EXAMPLES)
     arguments.add_argument("scene", metavar="SCENE", help="parameter file, or output directory of a run")
-    arguments.add_argument("-s", dest="overrides", metavar='"Section/Name=value"', action="append", default=[], help="override one parameter")
+    arguments.add_argument("-s", dest="overrides", metavar='"Section/Name=value"', action="append", default=[],
+                           help="override one parameter")
     arguments.add_argument("--yield", dest="coefficient", action="store_true",
                            help="yield acceleration: the horizontal coefficient, pushing downhill, at which the slope fails")
     arguments.add_argument("--newmark", action="store_true",
                            help="of a run's directory: yield acceleration, then Newmark's rigid block and the decoupled displacement")
-    arguments.add_argument("--tolerance", type=float, default=0.005, help="width of the bracket: of the factor itself, or of the coefficient "
-                           "times ten (default 0.005)")
+    arguments.add_argument("--tolerance", type=float, default=0.005,
+                           help="width of the bracket over the factor; a tenth of it for the coefficient (default 0.005)")
     arguments.add_argument("--range", nargs=2, type=float, metavar=("LOW", "HIGH"), help="factors between which to look")
     arguments.add_argument("--output", metavar="DIR", help="where results go (default: SCENE without .prm, with _fos)")
     found = arguments.read(words)
@@ -101,8 +103,16 @@ def warn_of_edges(bracket, results):
     """A mass that shears through itself does so along the edges that its mesh happens to have."""
     results["parting_within_mass"] = part = figure.parting(bracket)
     if part > APART:
-        print("warning: the mass fails through itself, along the edges of its blocks (they part by %.0f %% of the largest motion): on an "
-              "unstructured mesh this is too strong, for a homogeneous slope by a third; only a sliding surface of its own is exact" % (100 * part))
+        print("warning: the mass fails through itself, along the edges of its blocks (they part by %.0f %% of the largest motion):\n"
+              "  this is too strong, for a homogeneous slope by a fifth to a third; give it a sliding surface" % (100 * part))
+
+
+def warn_of_no_jump(bracket, results):
+    """The static stage gives up where a joint has slipped by a tenth of its length, also if it would come to rest farther on."""
+    results["jump_of_displacement"] = jump = bracket.fails.displacement / max(bracket.stands.displacement, 1e-300)
+    if jump < JUMP and bracket.fails.planes_hold:
+        print("warning: displacement does not jump at failure (%.3g times as large): a joint slipped by a tenth of its length,\n"
+              "  which may be elastic (stiffer blocks, longer edges) or on a bent surface that locks (shorter edges): vary both" % jump)
 
 
 def main(words):
@@ -113,12 +123,15 @@ def main(words):
     style.apply()
     name = "yield" if found.coefficient or found.newmark else "fos"
     bracket = find_yield(trials, found) if name == "yield" else find_factor(trials, found)
-    results = {"scene": scene, "overrides": found.overrides, name: bracket.value, "stands": bracket.stands.value, "fails": bracket.fails.value}
+    results = {"scene": scene, "overrides": found.overrides,
+               name: bracket.value, "stands": bracket.stands.value, "fails": bracket.fails.value}
     tell_bracket("yield coefficient" if name == "yield" else "factor of safety", bracket)
     warn_of_edges(bracket, results)
+    warn_of_no_jump(bracket, results)
     write_results(directory, name, results, trials)
     figure.draw(bracket, trials.done, directory, name)
     if found.newmark:
         sliding.compare(found, trials, bracket, directory)
-    print("files    %s: %s.json, %s.csv, %s.png%s" % ((directory,) + (name,) * 3 + (", newmark.json, newmark.png" if found.newmark else "",)))
+    more = ", newmark.json, newmark.png" if found.newmark else ""
+    print("files    %s: %s.json, %s.csv, %s.png%s" % (directory, name, name, name, more))
     return 0

@@ -8,7 +8,8 @@ from matplotlib.collections import LineCollection, PolyCollection
 from hybrid_run import MissingData
 from hybrid_tools import style
 
-NAMES = {"fos": ("strength reduction factor", "Factor of safety %.4g"), "yield": ("horizontal coefficient k", "Yield coefficient $k_y$ = %.4g")}
+NAMES = {"fos": ("strength reduction factor", "Factor of safety %.3f"),
+         "yield": ("horizontal coefficient k", "Yield coefficient $k_y$ = %.4f")}
 MOST_ARROWS = 400
 
 
@@ -29,7 +30,7 @@ def mechanism(bracket):
 
 
 def parting(bracket):
-    """Largest difference between the motions of two blocks at a corner that they share, over the largest motion [-]: 0 if they move as one."""
+    """Largest difference of the motions of blocks at a corner that they share, over the largest motion [-]: 0 if they move as one."""
     points, motion, _ = mechanism(bracket)
     _, corner = np.unique(np.round(points, 6), axis=0, return_inverse=True)
     corner = np.ravel(corner)

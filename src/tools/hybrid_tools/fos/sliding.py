@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Displacements of a run's motion by Newmark's rigid block and by the decoupled method, beside what the coupled run has slipped.
 
-Rigid block (Newmark 1965): the outcrop motion drives it. Decoupled (Makdisi and Seed 1978; Bray and Rathje 1998): the mean acceleration of the mass
-in a run in which sliding is prevented drives it, so that the mass is as soft as it is but does not feel its own slip.
+Rigid block (Newmark 1965): the outcrop motion drives it. Decoupled (Makdisi and Seed 1978; Bray and Rathje 1998): the mean acceleration of
+the mass in a run in which sliding is prevented drives it, so that the mass is as soft as it is but does not feel its own slip.
 """
 
 import json
@@ -82,8 +82,8 @@ def compare(words, trials, bracket, directory):
 def tell(numbers):
     print("largest horizontal coefficient: outcrop motion %.3g, mean of the mass %.3g; slides with %.3g (k - k_y) g" % (
         numbers["largest_coefficient_of_outcrop"], numbers["largest_coefficient_of_mass"], numbers["rate_on_surface"]))
-    print("displacement, mm     rigid block %9.4g\n                     decoupled   %9.4g\n                     coupled     %9.4g  (largest %.4g)" % tuple(
-        1e3 * numbers[name] for name in ("rigid_block_m", "decoupled_m", "coupled_mean_m", "coupled_largest_m")))
+    for label, name in (("displacement, mm", "rigid_block_m"), ("", "decoupled_m"), ("", "coupled_mean_m")):
+        print("%-20s %-11s %9.4g" % (label, name[:-2].replace("_", " "), 1e3 * numbers[name]))
     if numbers["slip_with_sliding_prevented_m"] > max(NEAR * abs(numbers["coupled_largest_m"]), 1e-6):
         print("warning: the run with sliding prevented moved by %.3g mm on its surface: its mass rocks or opens" % (
             1e3 * numbers["slip_with_sliding_prevented_m"]))
@@ -94,7 +94,8 @@ def draw(run, prevented, found, numbers, directory):
     g, (outcrop, _), (_, mean) = gravity(run), driving_accelerations(run), driving_accelerations(prevented)
     axes[0].plot(run.time, outcrop / g, color=style.VERTICAL, lw=0.8, label="outcrop motion")
     axes[0].plot(prevented.time, mean / g, color=style.HORIZONTAL, lw=0.8, label="mean of the mass, sliding prevented")
-    axes[0].axhline(numbers["yield_coefficient"], color=style.TENSILE, lw=0.9, ls="--", label="yield coefficient %.3g" % numbers["yield_coefficient"])
+    axes[0].axhline(numbers["yield_coefficient"], color=style.TENSILE, lw=0.9, ls="--",
+                    label="yield coefficient %.3g" % numbers["yield_coefficient"])
     axes[0].set_ylabel("coefficient driving downhill [-]")
     axes[0].legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=3)
     slip = run.history("slip/mean")

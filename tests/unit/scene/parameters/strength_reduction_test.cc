@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/scene/strength_reduction.h>
+#include <hybrid/scene/parameters/strength_reduction.h>
 
 #include <gtest/gtest.h>
 
