@@ -20,6 +20,7 @@ def draw_history(run, axes, factor, unit):
               bbox={"fc": "white", "ec": "none", "alpha": 0.8, "pad": 1})
     axes.set_xlim(run.time[0], run.time[-1])
     axes.margins(y=0.15)
+    axes.set_xlabel("time [s]")
     axes.set_ylabel("slip %s[%s]" % ("" if run.is_level else "downhill ", unit))
     axes.legend(loc="upper left", ncol=2)
 
@@ -82,8 +83,7 @@ def draw(run, directory):
     draw_history(run, axes[0], factor, unit)
     if has_shares:
         draw_shares(run, axes[1])
-    else:
-        axes[0].set_xlabel("time [s]")
+        axes[0].set_xlabel("")
     draw_profiles(run, axes[-1], factor, unit)
     style.title(figure, "Slip on the sliding surface: " + run.title())
     style.save(figure, directory, "slip")
