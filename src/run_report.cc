@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/end_text.h>
 #include <hybrid/output/line_card.h>
 #include <hybrid/output/memory_estimate.h>
 #include <hybrid/output/scene_card.h>
@@ -16,25 +17,6 @@
 
 namespace hybrid
 {
-  namespace
-  {
-    /// What of the slip on the sliding surface is left at the end, in the last line of a run.
-    std::string describe(const output::Summary::Slip &slip)
-    {
-      if (std::isnan(slip.mean_left))
-        return "";
-      char text[100];
-      std::snprintf(text,
-                    sizeof(text),
-                    "slip left on the sliding surface %.3g m, at most %.3g m, ",
-                    slip.mean_left,
-                    slip.largest_left);
-      return text;
-    }
-  } // namespace
-
-
-
   RunReport::RunReport(const SceneModel &scene_model, output::Log &run_log)
     : model(scene_model)
     , log(run_log)
@@ -244,20 +226,8 @@ namespace hybrid
 
   void RunReport::end(const output::Summary &summary, const RunStatus status) const
   {
-    char text[300];
-    std::snprintf(
-      text,
-      sizeof(text),
-      "%s: %ld steps, %.4g s simulated, %ld cuts, joints failed %ld tensile %ld shear, %senergy residual %.2e",
-      summary.finished ? "Finished" : "Stopped",
-      summary.steps,
-      summary.simulated_time,
-      summary.wasted.cuts,
-      summary.joints.tensile,
-      summary.joints.shear,
-      describe(summary.slip).c_str(),
-      summary.energy_residual);
-    log.info(text);
+    const output::EndText text = output::end_text(summary, model.scene);
+    log.info(text.on_screen, text.in_file);
     if (status == RunStatus::interrupted)
       log.info("Interrupted; to continue: " + resume_command(model.scene.output.directory));
     if (status == RunStatus::energy_limit)

@@ -82,6 +82,7 @@ namespace hybrid
         return RunStatus::interrupted;
       }
     run.summary.timings["static_stage"] = seconds_since(start);
+    run.summary.static_stage            = static_summary();
     if (has_failed_to_stand())
       {
         run.recorder.start(state);

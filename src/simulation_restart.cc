@@ -46,6 +46,9 @@ namespace hybrid
     auto &[cuts, retries, moved_too_far, unconverged] = summary.wasted;
     archive(summary.steps, summary.iterations, summary.timings);
     archive(cuts, retries, moved_too_far, unconverged);
+    auto &[settled_blocks, equilibrium, planes_hold, residual, iterations, displacement] =
+      summary.static_stage;
+    archive(settled_blocks, equilibrium, planes_hold, residual, iterations, displacement);
     archive(run.recorder, run.energy);
     if (!archive.is_reading())
       return;

@@ -12,13 +12,15 @@ namespace hybrid
 {
   bool Simulation::settle(const Interruption &interruption)
   {
+    const double horizontal = model.scene.environment.horizontal * model.scene.environment.gravity;
     if (model.blocks == nullptr)
       {
         if (model.continuum != nullptr && model.scene.environment.gravity > 0.)
-          run_report.planes(model.continuum->solve_static_state(
+          report_planes(model.continuum->solve_static_state(
             Eigen::VectorXd::Zero(
               2 * static_cast<Eigen::Index>(model.continuum->surface_nodes().size())),
-            model.scene.environment.gravity));
+            model.scene.environment.gravity,
+            horizontal));
         return true;
       }
     // The bedrock has no weight of its own to settle under.
@@ -43,10 +45,11 @@ namespace hybrid
       return false;
     run_report.static_stage(settled, state.blocks, has_failed_to_stand());
     if (model.continuum != nullptr)
-      run_report.planes(model.continuum->solve_static_state(
+      report_planes(model.continuum->solve_static_state(
         state.blocks.static_force +
           dda::water_on_surface(model.blocks->water, model.blocks->initial.foundation_nodes),
-        model.scene.environment.gravity));
+        model.scene.environment.gravity,
+        horizontal));
     stress_planes();
     return true;
   }
@@ -64,7 +67,27 @@ namespace hybrid
                                                  *model.blocks,
                                                  settles && model.scene.environment.gravity > 0.,
                                                  state.blocks);
-    run_report.planes({rest.equilibrium, rest.slipping, rest.open, rest.largest, rest.where});
+    report_planes({rest.equilibrium, rest.slipping, rest.open, rest.largest, rest.where});
+  }
+
+
+
+  void Simulation::report_planes(const continuum::StaticSlip &rest)
+  {
+    planes_at_rest = rest;
+    run_report.planes(rest);
+  }
+
+
+
+  output::Summary::StaticStage Simulation::static_summary() const
+  {
+    return {settled.steps + settled.cuts > 0,
+            settled.equilibrium && settled.fallen_block < 0,
+            planes_at_rest.equilibrium,
+            settled.residual,
+            settled.iterations,
+            settled.largest_displacement};
   }
 
 

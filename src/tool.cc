@@ -75,6 +75,8 @@ namespace hybrid
        "how much lines of a run (bedding planes, the ground) shake over an outcrop"},
       {"new", "a slope that runs, from polylines of ground, slip and planes"},
       {"section", "a picture of a scene's section, before it is run"},
+      {"fos",
+       "factor of safety by strength reduction, yield acceleration, Newmark's displacements"},
     };
     return all;
   }

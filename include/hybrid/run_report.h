@@ -41,7 +41,7 @@ namespace hybrid
     /// A step failed at the smallest allowed size.
     void no_convergence(const dda::StepResult &result, double time) const;
 
-    /// The last line, and how to go on.
+    /// The last lines, and how to go on.
     void end(const output::Summary &summary, RunStatus status) const;
 
   private:

@@ -42,6 +42,7 @@ namespace hybrid
     const SceneModel       model;
     const RunReport        run_report;
     dda::StaticResult      settled;
+    continuum::StaticSlip  planes_at_rest;
     coupling::CoupledState state;
 
     /// The static stage. @return false if the user has ended it.
@@ -52,6 +53,11 @@ namespace hybrid
 
     /// The initial wave and the initial velocities of blocks, after the static stage.
     void set_in_motion();
+
+    /// Keep and tell what the planes of the bedrock do at rest.
+    void report_planes(const continuum::StaticSlip &rest);
+
+    output::Summary::StaticStage static_summary() const;
 
     /// Tractions at rest of planes that may slip in a bedrock of blocks.
     void stress_planes();

@@ -9,10 +9,11 @@ namespace hybrid::continuum
   {
     constexpr int max_static_corrections = 20;
 
-    /// Weight of all cells on their nodes [N/m].
+    /// Weight of all cells, and what pushes them along +x, on their nodes [N/m].
     std::vector<double> weight_load(const ElementNodes          &nodes,
                                     const std::vector<Material> &material,
-                                    const double                 gravity)
+                                    const double                 gravity,
+                                    const double                 horizontal)
     {
       const LagrangeLine &line = nodes.line;
       const int           n    = line.degree() + 1;
@@ -33,9 +34,13 @@ namespace hybrid::continuum
           const double j01 = nodes.jacobian(c, Vec2(0., 1.)).determinant() - j00;
           for (int j = 0; j < n; ++j)
             for (int i = 0; i < n; ++i)
-              load[2 * nodes.cells[c][j * n + i] + 1] -=
-                gravity * material[c].weighing_density() *
-                (j00 * flat[i] * flat[j] + j10 * sloped[i] * flat[j] + j01 * flat[i] * sloped[j]);
+              {
+                const double area =
+                  j00 * flat[i] * flat[j] + j10 * sloped[i] * flat[j] + j01 * flat[i] * sloped[j];
+                double *node = &load[2 * nodes.cells[c][j * n + i]];
+                node[0] += horizontal * material[c].density * area;
+                node[1] -= gravity * material[c].weighing_density() * area;
+              }
         }
       return load;
     }
@@ -43,10 +48,11 @@ namespace hybrid::continuum
 
 
   StaticSlip Continuum::solve_static_state(const Eigen::VectorXd &surface_force,
-                                           const double           gravity)
+                                           const double           gravity,
+                                           const double           horizontal)
   {
     auto               &m    = *impl;
-    std::vector<double> load = weight_load(*m.nodes, m.cell_material, gravity);
+    std::vector<double> load = weight_load(*m.nodes, m.cell_material, gravity, horizontal);
     for (std::size_t k = 0; k < m.surface.size() && surface_force.size() > 0; ++k)
       for (int c = 0; c < 2; ++c)
         load[2 * m.surface[k] + c] += surface_force[2 * k + c];

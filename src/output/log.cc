@@ -52,7 +52,14 @@ namespace hybrid::output
 
   void Log::info(const std::string &text)
   {
-    write(text);
+    write(text, text);
+  }
+
+
+
+  void Log::info(const std::string &on_screen, const std::string &in_file)
+  {
+    write(on_screen, in_file);
   }
 
 
@@ -60,17 +67,17 @@ namespace hybrid::output
   void Log::warning(const std::string &text)
   {
     all_warnings.push_back(text);
-    write("warning: " + text);
+    write("warning: " + text, "warning: " + text);
   }
 
 
 
-  void Log::write(const std::string &text)
+  void Log::write(const std::string &on_screen, const std::string &in_file)
   {
-    screen << (is_terminal ? "\r\033[K" : "") << text << std::endl;
+    screen << (is_terminal ? "\r\033[K" : "") << on_screen << std::endl;
     if (file.is_open())
-      file << text << std::endl;
+      file << in_file << std::endl;
     else
-      before_file += text + "\n";
+      before_file += in_file + "\n";
   }
 } // namespace hybrid::output

@@ -19,7 +19,7 @@ namespace hybrid::output
     , bedding(run.continuum,
               run.scene.bedding.slips ? run.blocks : nullptr,
               run.scene.bedding.names)
-    , slip(run.blocks, downhill)
+    , slip(run.blocks, downhill, run.scene.output.slip_threshold)
     , lines(run.scene, run.mesh, probes)
     , peaks(run.scene.monitors.has_peak_fields ? run.blocks : nullptr,
             run.scene.monitors.has_peak_fields ? run.continuum : nullptr,
@@ -131,7 +131,7 @@ namespace hybrid::output
     if (parts.blocks != nullptr)
       {
         pictures.set_reference(state.blocks);
-        slip.set_reference(state.blocks);
+        slip.set_reference(state.blocks, file);
         for (const dda::BlockState &block : state.blocks.blocks)
           reference_centroids.push_back(block.centroid);
         peak_displacement.assign(reference_centroids.size(), 0.);
@@ -406,7 +406,7 @@ namespace hybrid::output
     if (parts.blocks != nullptr)
       {
         write_joints(state);
-        slip.finish(state.blocks, summary);
+        slip.finish(state.blocks, file, summary);
         for (const dda::JointState &joint : state.blocks.joints)
           {
             if (joint.failure == dda::FailureKind::none)

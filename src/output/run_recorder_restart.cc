@@ -18,6 +18,7 @@ namespace hybrid::output
     for (const char *table : {"fields",
                               "joints",
                               "filtered",
+                              "slip/farthest",
                               "section/blocks_points_final",
                               "section/blocks_displacement",
                               "section/blocks_peak_displacement"})

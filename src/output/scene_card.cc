@@ -134,6 +134,11 @@ namespace hybrid::output
       text += line("  gravity            %s  %g m/s2",
                    state(scene.environment.gravity > 0.).c_str(),
                    scene.environment.gravity);
+      if (scene.environment.horizontal != 0.)
+        text +=
+          line("  pseudo-static      on   %g times weight along +x", scene.environment.horizontal);
+      if (scene.strength_reduction != 1.)
+        text += line("  strengths          divided by %g", scene.strength_reduction);
       const bool  water     = scene.environment.water_level > -1e299;
       const char *methods[] = {"paper", "submerged", "pressures"};
       text += water ? line("  water              on   level %g m, %s",

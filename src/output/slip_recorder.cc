@@ -2,10 +2,23 @@
 #include <hybrid/output/slip_recorder.h>
 #include <hybrid/restart/archive.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hybrid::output
 {
+  SlipRecorder::SlipRecorder(const dda::Model *blocks,
+                             const double      downhill,
+                             const double      slip_threshold)
+    : model(blocks)
+    , sign(downhill < 0. ? -1. : 1.)
+    , threshold(slip_threshold)
+    , slip(blocks, downhill)
+    , farthest(slip.n_soles(), 0.)
+  {}
+
+
+
   void SlipRecorder::add_series(HistoryFile &file)
   {
     const std::size_t n = slip.n_soles();
@@ -21,8 +34,53 @@ namespace hybrid::output
     file.write_table("slip/length", "m", length.data(), n, 1, "of each sole");
     mean_series    = file.add_series("slip/mean", "m", 1, "of all soles, downhill positive");
     largest_series = file.add_series("slip/largest", "m", 1, "of the sole that has slid farthest");
+    part_series    = file.add_series("slip/part",
+                                  "1",
+                                  1,
+                                  "part of the length that has slid beyond the threshold so far");
     time_series    = file.add_series("slip/time", "s", 1, "times of the pictures");
     profile_series = file.add_series("slip/profile", "m", n, "of each sole");
+    force_series   = file.add_series("base_shear/force",
+                                   "N/m",
+                                   2,
+                                   "of the mass on what it stands on, end of each step");
+    shear_series   = file.add_series("base_shear/shear", "N/m", 1, "downhill positive");
+    normal_series  = file.add_series("base_shear/normal", "N/m", 1, "compression positive");
+    strength_series =
+      file.add_series("base_shear/strength", "N/m", 1, "that the shear may reach now");
+    double mass = 0., weight = 0.;
+    for (int b = 0; b < model->n_mass(); ++b)
+      {
+        mass += model->blocks[b].mass;
+        weight += model->blocks[b].weight * model->gravity;
+      }
+    file.set_attribute("slip", "threshold", std::vector<double>{threshold});
+    file.set_attribute("base_shear", "mass", std::vector<double>{mass});
+    file.set_attribute("base_shear", "weight", std::vector<double>{weight});
+  }
+
+
+
+  double SlipRecorder::mobilised(const dda::SurfaceForce &force) const
+  {
+    return force.strength > 0. ? sign * force.shear / force.strength : 0.;
+  }
+
+
+
+  void SlipRecorder::set_reference(const dda::DdaState &state, HistoryFile &file)
+  {
+    if (slip.n_soles() == 0)
+      return;
+    slip.set_reference(state);
+    const dda::SurfaceForce &rest = state.surface_force;
+    mobilised_at_rest             = mobilised(rest);
+    file.set_attribute("base_shear",
+                       "force_at_rest",
+                       std::vector<double>{rest.force.x(), rest.force.y()});
+    file.set_attribute("base_shear",
+                       "at_rest",
+                       std::vector<double>{sign * rest.shear, rest.normal, rest.strength});
   }
 
 
@@ -31,18 +89,32 @@ namespace hybrid::output
   {
     if (slip.n_soles() == 0)
       return;
-    const std::vector<double> now      = slip.values(state);
-    const int                 farthest = SoleSlip::farthest(now);
-    const double              mean     = slip.mean(now);
+    const std::vector<double> now   = slip.values(state);
+    const int                 first = SoleSlip::farthest(now);
+    const double              mean  = slip.mean(now);
+    for (std::size_t k = 0; k < now.size(); ++k)
+      farthest[k] = std::max(farthest[k], std::abs(now[k]));
+    const double part = slip.part_beyond(farthest, threshold);
     file.append(mean_series, &mean);
-    file.append(largest_series, &now[farthest]);
+    file.append(largest_series, &now[first]);
+    file.append(part_series, &part);
     if (std::abs(mean) > std::abs(largest_mean))
       largest_mean = mean;
-    if (std::abs(now[farthest]) > std::abs(largest))
+    if (std::abs(now[first]) > std::abs(largest))
       {
-        largest = now[farthest];
-        where   = slip.position(farthest);
+        largest = now[first];
+        where   = slip.position(first);
       }
+
+    const dda::SurfaceForce &force = state.surface_force;
+    const double             shear = sign * force.shear;
+    file.append(force_series, force.force.data());
+    file.append(shear_series, &shear);
+    file.append(normal_series, &force.normal);
+    file.append(strength_series, &force.strength);
+    if (std::abs(shear) > std::abs(largest_shear))
+      largest_shear = shear;
+    largest_mobilised = std::max(largest_mobilised, mobilised(force));
   }
 
 
@@ -59,22 +131,38 @@ namespace hybrid::output
 
 
 
-  void SlipRecorder::finish(const dda::DdaState &state, Summary &summary) const
+  void SlipRecorder::finish(const dda::DdaState &state, HistoryFile &file, Summary &summary) const
   {
     if (slip.n_soles() == 0)
       return;
-    const std::vector<double> now = slip.values(state);
-    summary.slip.mean             = largest_mean;
-    summary.slip.largest          = largest;
-    summary.slip.where            = {{where.x(), where.y()}};
-    summary.slip.mean_left        = slip.mean(now);
-    summary.slip.largest_left     = now[SoleSlip::farthest(now)];
+    file.write_table("slip/farthest",
+                     "m",
+                     farthest.data(),
+                     farthest.size(),
+                     1,
+                     "largest size of each sole's slip during the run");
+    const std::vector<double> now   = slip.values(state);
+    const dda::SurfaceForce  &force = state.surface_force;
+    summary.slip                    = {largest_mean,
+                                       largest,
+                                       {{where.x(), where.y()}},
+                                       slip.mean(now),
+                                       now[SoleSlip::farthest(now)],
+                                       slip.part_beyond(farthest, threshold),
+                                       threshold};
+    summary.base_shear              = {largest_shear,
+                                       sign * force.shear,
+                                       force.normal,
+                                       mobilised_at_rest,
+                                       largest_mobilised,
+                                       mobilised(force)};
   }
 
 
 
   void SlipRecorder::serialize(restart::Archive &archive)
   {
-    archive(slip, largest_mean, largest, where);
+    archive(slip, largest_mean, largest, where, farthest);
+    archive(largest_shear, mobilised_at_rest, largest_mobilised);
   }
 } // namespace hybrid::output

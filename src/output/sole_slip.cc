@@ -170,6 +170,19 @@ namespace hybrid::output
 
 
 
+  double SoleSlip::part_beyond(const std::vector<double> &slip, const double threshold) const
+  {
+    double beyond = 0., width = 0.;
+    for (std::size_t k = 0; k < soles.size(); ++k)
+      {
+        beyond += std::abs(slip[k]) > threshold ? soles[k].length : 0.;
+        width += soles[k].length;
+      }
+    return width > 0. ? beyond / width : 0.;
+  }
+
+
+
   int SoleSlip::farthest(const std::vector<double> &slip)
   {
     int found = 0;

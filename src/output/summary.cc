@@ -28,7 +28,32 @@ namespace hybrid::output
               {"largest", slip.largest},
               {"largest_at", slip.where},
               {"mean_left", slip.mean_left},
-              {"largest_left", slip.largest_left}};
+              {"largest_left", slip.largest_left},
+              {"part_slipped", slip.part},
+              {"threshold", slip.threshold}};
+    }
+
+
+    Json base_shear(const Summary::BaseShear &base)
+    {
+      return {{"shear_N_per_m", base.shear},
+              {"shear_left_N_per_m", base.shear_left},
+              {"normal_left_N_per_m", base.normal_left},
+              {"mobilised_at_rest", base.mobilised_at_rest},
+              {"mobilised", base.mobilised},
+              {"mobilised_left", base.mobilised_left}};
+    }
+
+
+    Json static_stage(const Summary::StaticStage &stage)
+    {
+      if (!stage.settled)
+        return nullptr;
+      return {{"equilibrium", stage.equilibrium},
+              {"planes_hold", stage.planes_hold},
+              {"residual", stage.residual},
+              {"iterations", stage.iterations},
+              {"largest_displacement_m", stage.displacement}};
     }
 
 
@@ -83,8 +108,10 @@ namespace hybrid::output
                          {"contact_search", contact_search(summary.contact_search)},
                          {"energy_residual", summary.energy_residual},
                          {"energy_J_per_m", summary.energy},
+                         {"static_stage", static_stage(summary.static_stage)},
                          {"joints", joints(summary)},
                          {"slip_m", slip(summary.slip)},
+                         {"base_shear", base_shear(summary.base_shear)},
                          {"filter_frequency_hz", summary.filter_frequency},
                          {"outcrop_peak_acceleration_m_s2", summary.outcrop_peak_acceleration},
                          {"monitors", monitors(summary)},

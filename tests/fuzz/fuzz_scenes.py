@@ -27,6 +27,8 @@ STEPS = 3
 NONSENSE = [
     ("Time/Time step", "nan"), ("Time/Time step", "0"), ("Time/Time step", "-1e-3"), ("Time/Time step", "inf"),
     ("Time/Time step", "1e6"), ("Time/End time", "-1"), ("Time/End time", "nan"), ("Time/End time", "1e300"),
+    ("Gravity/Horizontal coefficient", "nan"), ("Gravity/Horizontal coefficient", "1e300"),
+    ("Materials/Strength reduction factor", "0"), ("Materials/Strength reduction factor", "-1"),
     ("Gravity/Acceleration", "nan"), ("Gravity/Acceleration", "-9.81"), ("Gravity/Acceleration", "1e300"),
     ("Motion/Frequency", "1e-9"), ("Motion/Frequency", "1e308"), ("Motion/Peak", "nan"), ("Motion/Peak", "-1"), ("Motion/Peak", "1e300"),
     ("Blocks/Penalty ratio", "0"), ("Blocks/Penalty ratio", "nan"), ("Blocks/Penalty ratio", "1e300"),

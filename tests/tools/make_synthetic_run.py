@@ -119,6 +119,11 @@ def write_slip(file, time, slip):
     put(file, "slip/largest", "m", growth * shape.max())
     put(file, "slip/time", "s", time[::500])
     put(file, "slip/profile", "m", np.outer(growth[::500], shape))
+    put(file, "slip/farthest", "m", slip * shape)
+    put(file, "slip/part", "1", (np.outer(growth, shape) > 1e-3).mean(axis=1))
+    file["slip"].attrs["threshold"] = [1e-3]
+    put(file, "base_shear/shear", "N/m", 6e7 + 2e7 * np.sin(9 * time) * np.exp(-((time - 5.5) / 2) ** 2))
+    put(file, "base_shear/strength", "N/m", np.full(len(time), 8e7))
 
 
 def write_energy_and_steps(file, time, v, rng):

@@ -64,6 +64,8 @@ EFFECTS = {
     "free field": (COLUMN + ["Continuum/Sides=viscous"], SPRINGS, None, ["Continuum/Sides=free field"]),
     "gravity": (COLUMN + ["Gravity/Acceleration=0"], ["Gravity/Static stage=held"], ["Gravity/Static stage=none"],
                 ["Gravity/Acceleration=9.81"]),
+    "pseudo-static force": (COLUMN, ["Gravity/Horizontal coefficient=0"], None, ["Gravity/Horizontal coefficient=0.05"]),
+    "strength reduction": (SLOPE, ["Materials/Strength reduction factor=1"], None, ["Materials/Strength reduction factor=1.1"]),
     "point loads": (COLUMN, ["Point loads/Forces="] + POINT, ["Point loads/Forces=a: 5, 0, 0, 0"] + POINT,
                     ["Point loads/Forces=a: 5, 0, 0, 1e6"] + POINT),
     "edge loads": (COLUMN, ["Edge loads/Tractions="] + EDGE, [TOP % "0"] + EDGE, [TOP % "-1e3"] + EDGE),

@@ -254,7 +254,10 @@ namespace hybrid::continuum
     /// place).
     /// Bedding planes slip if gravity alone asks for it; what they carry then is their traction at
     /// rest.
-    StaticSlip solve_static_state(const Eigen::VectorXd &surface_force, double gravity);
+    /// @param horizontal lasting acceleration of the rock's mass along +x [m/s2].
+    StaticSlip solve_static_state(const Eigen::VectorXd &surface_force,
+                                  double                 gravity,
+                                  double                 horizontal = 0.);
 
     /// What solve_static_state() found, for the checkpoint.
     void serialize_rest(restart::Archive &archive);

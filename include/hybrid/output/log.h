@@ -11,7 +11,7 @@ namespace hybrid::output
 {
   /**
    * What the program tells its user, on the screen and in log.txt. Every line is flushed, so the
-   * file of a killed run is complete. Times are left out: the log of equal runs is equal.
+   * file of a killed run is complete. Times are left out of the file: that of equal runs is equal.
    */
   class Log
   {
@@ -34,6 +34,9 @@ namespace hybrid::output
     /// One or more lines, without the last newline.
     void info(const std::string &text);
 
+    /// The same, with what differs between equal runs on the screen only.
+    void info(const std::string &on_screen, const std::string &in_file);
+
     /// The same with "warning: " before it; warnings are counted.
     void warning(const std::string &text);
 
@@ -44,7 +47,7 @@ namespace hybrid::output
     }
 
   private:
-    void write(const std::string &text);
+    void write(const std::string &on_screen, const std::string &in_file);
 
     void catch_up(const std::string &file_name);
 

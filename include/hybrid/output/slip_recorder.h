@@ -7,38 +7,47 @@
 
 namespace hybrid::output
 {
-  /// Slip on the sliding surface in run.h5 and in the summary; a run without soles has none.
+  /// Slip on the sliding surface and the force on it, in run.h5 and in the summary; a run without
+  /// soles has none.
   class SlipRecorder
   {
   public:
     /// @param blocks may be nullptr.  @param downhill sign of x downhill, 0: level.
-    SlipRecorder(const dda::Model *blocks, const double downhill)
-      : slip(blocks, downhill)
-    {}
+    /// @param threshold what slides farther has slipped [m].
+    SlipRecorder(const dda::Model *blocks, double downhill, double threshold);
 
     void add_series(HistoryFile &file);
 
     /// Slip counts from @p state.
-    void set_reference(const dda::DdaState &state)
-    {
-      slip.set_reference(state);
-    }
+    void set_reference(const dda::DdaState &state, HistoryFile &file);
 
-    /// Mean and largest slip, every step.
+    /// Slip and force, every step.
     void record(const dda::DdaState &state, HistoryFile &file);
 
     /// Slip of every sole at @p time [s].
     void record_profile(const dda::DdaState &state, double time, HistoryFile &file) const;
 
-    void finish(const dda::DdaState &state, Summary &summary) const;
+    /// The table of the farthest slips, and the summary.
+    void finish(const dda::DdaState &state, HistoryFile &file, Summary &summary) const;
 
     /// Reference and the largest values so far, for the checkpoint.
     void serialize(restart::Archive &archive);
 
   private:
-    SoleSlip slip;
-    int      mean_series = -1, largest_series = -1, time_series = -1, profile_series = -1;
-    double   largest_mean = 0., largest = 0.; ///< so far, with their signs [m]
-    Vec2     where = Vec2::Zero();            ///< the largest, as drawn [m]
+    const dda::Model *model;
+    const double      sign; ///< of forces, for a shear that is positive downhill
+    const double      threshold;
+    SoleSlip          slip;
+    int               mean_series = -1, largest_series = -1, part_series = -1, time_series = -1,
+        profile_series  = -1;
+    int    force_series = -1, shear_series = -1, normal_series = -1, strength_series = -1;
+    double largest_mean = 0., largest = 0.;     ///< so far, with their signs [m]
+    Vec2   where = Vec2::Zero();                ///< the largest, as drawn [m]
+    std::vector<double> farthest;               ///< of each sole, the size of its slip so far [m]
+    double              largest_shear     = 0.; ///< so far, with its sign [N/m]
+    double              mobilised_at_rest = 0., largest_mobilised = 0.; ///< downhill [-]
+
+    /// Shear over strength, downhill positive [-].
+    double mobilised(const dda::SurfaceForce &force) const;
   };
 } // namespace hybrid::output

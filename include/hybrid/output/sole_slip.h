@@ -64,6 +64,9 @@ namespace hybrid::output
     /// Slip of all soles [m].
     std::vector<double> values(const dda::DdaState &state) const;
 
+    /// Part of the soles' length of which @p slip is larger than @p threshold, either way [-].
+    double part_beyond(const std::vector<double> &slip, double threshold) const;
+
     /// Mean of @p slip, weighted by the soles' lengths [m].
     double mean(const std::vector<double> &slip) const;
 

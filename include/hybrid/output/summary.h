@@ -47,6 +47,32 @@ namespace hybrid::output
       MonitorSummary::Pair where        = {{MonitorSummary::unknown, MonitorSummary::unknown}};
       double               mean_left    = MonitorSummary::unknown;
       double               largest_left = MonitorSummary::unknown;
+
+      double part      = MonitorSummary::unknown; ///< of the length that slid beyond threshold [-]
+      double threshold = MonitorSummary::unknown;
+    };
+
+    /// Force of the mass on what it stands on; NaN: nothing stands on it. Mobilised is the shear
+    /// over the shear strength [-].
+    struct BaseShear
+    {
+      double shear             = MonitorSummary::unknown; ///< of largest size, downhill + [N/m]
+      double shear_left        = MonitorSummary::unknown; ///< at the end [N/m]
+      double normal_left       = MonitorSummary::unknown; ///< likewise, compression positive [N/m]
+      double mobilised_at_rest = MonitorSummary::unknown; ///< before the motion
+      double mobilised         = MonitorSummary::unknown; ///< largest downhill during the run
+      double mobilised_left    = MonitorSummary::unknown; ///< at the end
+    };
+
+    /// How the mass came to rest.
+    struct StaticStage
+    {
+      bool   settled      = false; ///< there was one: the blocks have weight
+      bool   equilibrium  = false; ///< of the blocks, where they were drawn
+      bool   planes_hold  = true;  ///< the bedding planes of the bedrock carry their load
+      double residual     = 0.;    ///< [-]
+      int    iterations   = 0;
+      double displacement = 0.; ///< largest, of a block [m]
     };
 
     /// Work of the dynamic stage that came to nothing: steps that were rolled back.
@@ -84,7 +110,9 @@ namespace hybrid::output
     double        energy_residual = 0.; ///< |sum of all terms| / largest exchanged energy [-]
     FailedJoints  joints;               ///< in the dynamic stage: earthquake damage
     FailedJoints  static_joints;        ///< while the body settled under gravity
+    StaticStage   static_stage;
     Slip          slip;
+    BaseShear     base_shear;
     double        first_failure_time = MonitorSummary::unknown; ///< of the dynamic stage [s]
     Wasted        wasted;
     long          iterations = 0; ///< open-close iterations, all steps

@@ -109,12 +109,14 @@ namespace hybrid::dda
       {
         slide(trial, spring, at, slip, r);
         r.history.plastic_slip = kinematics.slip + r.shear / spring - shift;
+        r.shear_strength       = std::abs(r.shear);
       }
     else
       {
-        r.shear         = trial;
-        r.shear_by_slip = spring;
-        r.state         = ContactState::locked;
+        r.shear          = trial;
+        r.shear_strength = limit;
+        r.shear_by_slip  = spring;
+        r.state          = ContactState::locked;
       }
     r.elastic_shear = -k_s * (kinematics.slip - r.history.plastic_slip);
 

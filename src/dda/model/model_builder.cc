@@ -60,6 +60,7 @@ namespace hybrid::dda
           find_moving_blocks(scene.blocks.initial_velocities, model.initial, n_mass);
         model.newmark              = scene.time.newmark;
         model.gravity              = scene.environment.gravity;
+        model.horizontal           = scene.environment.horizontal * scene.environment.gravity;
         model.dynamic_coefficient  = scene.time.dynamic_coefficient;
         model.joint_damping_time   = damping_time;
         model.bedrock_damping_time = scene.continuum.rayleigh_stiffness;
@@ -196,6 +197,7 @@ namespace hybrid::dda
           p.size           = std::sqrt(p.area);
           p.mass           = m.density * p.area;
           p.weight         = bedrock ? 0. : m.weighing_density() * p.area;
+          p.pushed_mass    = bedrock ? 0. : p.mass;
           p.weight_at_rest = bedrock ? m.weighing_density() * p.area : 0.;
           p.sxx            = m.density * moments.sxx;
           p.sxy            = m.density * moments.sxy;

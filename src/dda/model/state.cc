@@ -115,6 +115,14 @@ namespace hybrid::dda
 
 
 
+  void serialize(Archive &archive, SurfaceForce &surface)
+  {
+    auto &[force, shear, normal, strength] = surface;
+    archive(force, shear, normal, strength);
+  }
+
+
+
   void serialize(Archive &archive, DdaState &state)
   {
     auto &[time,
@@ -131,6 +139,7 @@ namespace hybrid::dda
            static_contact_force,
            bedrock_static_force,
            boundary_force,
+           surface_force,
            energy] = state;
     archive(time,
             geometry,
@@ -146,6 +155,7 @@ namespace hybrid::dda
             static_contact_force,
             bedrock_static_force,
             boundary_force,
+            surface_force,
             energy);
   }
 } // namespace hybrid::dda

@@ -36,16 +36,17 @@ namespace hybrid::dda
     /// Fill response, state and tangents of one spring.
     void set_response(const JointResponse &r, Springs::Response &response)
     {
-      SpringState &now       = response.now;
-      now.history            = r.history;
-      now.state              = r.state;
-      now.normal             = r.normal;
-      now.shear              = r.shear;
-      now.elastic_normal     = r.elastic_normal;
-      now.elastic_shear      = r.elastic_shear;
-      response.k_nn          = r.k_nn;
-      response.shear_by_slip = r.shear_by_slip;
-      response.k_tn          = r.k_tn;
+      SpringState &now        = response.now;
+      now.history             = r.history;
+      now.state               = r.state;
+      now.normal              = r.normal;
+      now.shear               = r.shear;
+      now.elastic_normal      = r.elastic_normal;
+      now.elastic_shear       = r.elastic_shear;
+      response.shear_strength = r.shear_strength;
+      response.k_nn           = r.k_nn;
+      response.shear_by_slip  = r.shear_by_slip;
+      response.k_tn           = r.k_tn;
     }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/springs/surface_force.h>
 #include <hybrid/dda/statics/begin_motion.h>
 #include <hybrid/dda/statics/static_steps.h>
 #include <hybrid/dda/step/rest_forces.h>
@@ -15,6 +16,8 @@ namespace hybrid::dda
         state.bedrock_static_force =
           springs.bonds.segment(first, n) + springs.contacts.segment(first, n);
       }
+    state.surface_force =
+      surface_force(model, springs_at_rest(held ? with_unlimited_strengths(model) : model, state));
     start_accelerations(held ? with_unlimited_bonds(model) : model, state);
   }
 

@@ -110,7 +110,10 @@ namespace hybrid::dda
       void load_weight()
       {
         for (BlockProperties &block : model.blocks)
-          block.weight = load_fraction * block.weight_at_rest;
+          {
+            block.weight      = load_fraction * block.weight_at_rest;
+            block.pushed_mass = load_fraction * block.mass;
+          }
       }
 
       /// Pressure of the water on the surface.

@@ -38,7 +38,8 @@ namespace hybrid::dda
           const Eigen::Vector3d e = d.tail<3>(), stiff = p.elasticity * e;
           energy.strain += p.area * strain_energy_density(p.elasticity, s.stress + stiff);
           energy.integration_loss += excess * p.area * stiff.dot(e);
-          energy.gravity += p.weight * step.model.gravity * d[1];
+          energy.gravity +=
+            p.weight * step.model.gravity * d[1] - p.pushed_mass * step.model.horizontal * d[0];
           energy.damping_loss += p.area * e.dot((1. - nm.gamma) * s.viscous_stress +
                                                 nm.gamma * step.damping_time[b] / dt * stiff);
         }

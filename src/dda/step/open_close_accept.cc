@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/failure/joint_failure.h>
 #include <hybrid/dda/linear/shared_loop.h>
+#include <hybrid/dda/springs/surface_force.h>
 #include <hybrid/dda/step/block_energy.h>
 #include <hybrid/dda/step/open_close_iteration.h>
 
@@ -107,6 +108,7 @@ namespace hybrid::dda
       ((1. - gamma) * (state.foundation_force - state.foundation_contact_force) +
        gamma * (force_increment + state.static_force - contacts) + contacts)
         .dot(trial.foundation - state.foundation_displacement);
+    state.surface_force = surface_force(model, springs);
     state.time += dt;
 
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))

@@ -96,12 +96,13 @@ namespace hybrid::dda
         const Eigen::Vector3d stress = state.blocks[b].stress + p.elasticity * strain;
         Eigen::Map<Vec6>      r(residual.data() + 6 * b);
         r += weight * contact_force.segment<6>(6 * b) - inertia;
+        r[0] += p.pushed_mass * model.horizontal;
         r[1] -= p.weight * model.gravity;
         r.tail<3>() -= p.area * stress;
         // The last term is the round-off of a body that only flies: there no force is left to
         // compare with.
         absolute[b] += inertia.head<2>().norm() + p.weight * model.gravity +
-                       p.size * stress.norm() +
+                       p.pushed_mass * std::abs(model.horizontal) + p.size * stress.norm() +
                        1e-5 * p.mass * trial.increment[b].head<2>().norm() / (dt * dt);
       }
 

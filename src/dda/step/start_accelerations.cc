@@ -14,6 +14,7 @@ namespace hybrid::dda
         const BlockProperties &p     = model.blocks[b];
         BlockState            &block = state.blocks[b];
         Vec6                   force = springs.bonds.segment<6>(6 * b);
+        force[0] += p.pushed_mass * model.horizontal;
         force[1] -= p.weight * model.gravity;
         force.tail<3>() -= p.area * block.stress;
         if (model.is_bedrock(b) && state.bedrock_static_force.size() > 0)

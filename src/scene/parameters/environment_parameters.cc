@@ -11,6 +11,12 @@ namespace hybrid::scene
                    "m/s2",
                    ParameterRange::closed(0., 1e4),
                    "Downward acceleration; 0 switches gravity off.");
+    gravity.number("Horizontal coefficient",
+                   environment.horizontal,
+                   "",
+                   ParameterRange::closed(-100., 100.),
+                   "Pseudo-static coefficient k: a lasting force k times mass times Acceleration "
+                   "along +x on all that has mass, in the static stage and after it.");
     gravity.choice<StaticStage>(
       "Static stage",
       environment.static_stage,

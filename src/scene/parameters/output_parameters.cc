@@ -26,6 +26,11 @@ namespace hybrid::scene
                    "s",
                    ParameterRange::above(0.),
                    "Simulated time between energy audits.");
+    section.number("Slip threshold",
+                   output.slip_threshold,
+                   "m",
+                   not_negative,
+                   "A part of the sliding surface counts as slipped once it has slid farther.");
     section.number(
       "Energy warning",
       output.energy_warning,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/parameters/parameter_declarations.h>
 #include <hybrid/scene/parameters/scene_reader.h>
+#include <hybrid/scene/parameters/strength_reduction.h>
 #include <hybrid/scene/path_hint.h>
 
 #include <ostream>
@@ -74,6 +75,7 @@ namespace hybrid::scene
           material.friction_angle = material.given_friction_angle;
       resolve_scheme(scene, table);
       check(scene, table);
+      divide_strengths(scene, scene.strength_reduction);
       std::ostringstream used;
       table.print(used);
       scene.used_prm = used.str();
@@ -109,6 +111,14 @@ namespace hybrid::scene
         "names separated by commas",
         [](const std::string &) {}, // taken in the first pass
         "The materials; each has a subsection of its name here.");
+    ParameterSection(table, {"Materials"})
+      .number(
+        "Strength reduction factor",
+        scene.strength_reduction,
+        "",
+        ParameterRange::closed(1e-6, 1e6),
+        "Cohesion, tensile strength and tan(friction angle) of all materials and bedding planes "
+        "are divided by it; hybrid fos looks for the one at which the slope fails.");
     for (auto &entry : scene.materials)
       declare(table, entry.second);
     declare(table, scene.continuum);

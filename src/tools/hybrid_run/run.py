@@ -159,6 +159,11 @@ class Run:
             displacement = displacement - self.history("monitors/" + self.base + "/displacement")
         return displacement
 
+    def mobilised(self):
+        """Base shear over the shear strength of the sliding surface at every step [-], downhill positive; 0 where nothing presses."""
+        shear, strength = self.history("base_shear/shear"), self.history("base_shear/strength")
+        return np.divide(shear, strength, out=np.zeros_like(shear), where=strength > 0)
+
     def monitor_groups(self):
         """{"S": [...], "D": [...], "other": [...], "base": [...]}; the base monitor moves far more than others relative to it."""
         groups = {"S": [], "D": [], "other": [], "base": []}

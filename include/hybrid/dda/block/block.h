@@ -20,6 +20,8 @@ namespace hybrid::dda
     double mass = 0.; ///< [kg per m thickness]
     double weight =
       0.; ///< mass that gravity acts on [kg/m]; differs from mass for buoyant unit weights
+    double pushed_mass =
+      0.; ///< mass that the horizontal coefficient acts on [kg/m]; none of the bedrock's blocks
     double weight_at_rest =
       0.; ///< likewise, of a block of the bedrock, whose weight is borne from the start [kg/m]
     double area = 0.;                    ///< initial area A_0 [m2]

@@ -127,9 +127,10 @@ namespace hybrid::dda
     std::vector<bool>             bonded;     ///< per block: has at least one joint
     std::vector<int>              slice;      ///< per block: for sweeps by several threads
     Newmark                       newmark;
-    double                        gravity             = 9.81; ///< [m/s2]
-    double                        dynamic_coefficient = 1.;   ///< k01 [-]
-    double                        joint_damping_time  = 0.;   ///< beta_K of the joints' springs [s]
+    double                        gravity    = 9.81; ///< [m/s2]
+    double                        horizontal = 0.;   ///< pseudo-static acceleration along +x [m/s2]
+    double                        dynamic_coefficient = 1.; ///< k01 [-]
+    double                        joint_damping_time  = 0.; ///< beta_K of the joints' springs [s]
     bool                          damps_loose         = false; ///< blocks have a loose_damping_time
     Water                         water;
     EdgeLoads                     edge_loads;

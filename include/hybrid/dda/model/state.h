@@ -84,6 +84,16 @@ namespace hybrid::dda
   };
 
 
+  /// Of the sliding mass on all that it stands on [N/m]; see surface_force().
+  struct SurfaceForce
+  {
+    Vec2   force    = Vec2::Zero(); ///< resultant, also of what acts across the surface
+    double shear    = 0.;           ///< sum of shear, positive towards +x along a level surface
+    double normal   = 0.;           ///< sum of normal forces, compression positive
+    double strength = 0.;           ///< that the shear may reach, of all that presses or is bonded
+  };
+
+
   /// All mutable state of the blocks: copied for roll-back, written for restart.
   struct DdaState
   {
@@ -101,6 +111,7 @@ namespace hybrid::dda
     Eigen::VectorXd static_contact_force; ///< contacts' part of it [N/m]
     Eigen::VectorXd bedrock_static_force; ///< on the bedrock's blocks then, six each; empty: none
     Eigen::VectorXd boundary_force;       ///< incoming, see ViscousBoundary [N/m], now
+    SurfaceForce    surface_force;        ///< of the mass on what it stands on, now
     BlockEnergy     energy;
   };
 
@@ -113,5 +124,6 @@ namespace hybrid::dda
   void serialize(restart::Archive &archive, BlockEnergy &energy);
   void serialize(restart::Archive &archive, Geometry &geometry);
   void serialize(restart::Archive &archive, RestState &rest);
+  void serialize(restart::Archive &archive, SurfaceForce &surface);
   void serialize(restart::Archive &archive, DdaState &state);
 } // namespace hybrid::dda

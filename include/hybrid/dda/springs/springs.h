@@ -99,6 +99,7 @@ namespace hybrid::dda
       double      weight[2]     = {1., 0.}; ///< of the foundation nodes
       double      edge_position = 0.;       ///< projection on the contact's edge [-]
       SpringState now;                      ///< if the step is accepted
+      double      shear_strength = 0.;      ///< that its shear may reach [Pa]
       double      slid = 0.;    ///< shear traction in the trial of remember() if it slid there [Pa]
       bool        held = false; ///< locked beyond its strength, see SlipReversal::locks
       Forces      force;        ///< without sense if there is no traction

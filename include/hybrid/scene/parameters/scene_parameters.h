@@ -138,7 +138,9 @@ namespace hybrid::scene
   /// Section "Water" and section "Gravity".
   struct EnvironmentParameters
   {
-    double      gravity         = 9.81; ///< downward acceleration [m/s2], >= 0
+    double gravity    = 9.81; ///< downward acceleration [m/s2], >= 0
+    double horizontal = 0.;   ///< pseudo-static coefficient k, of a lasting force k m g
+                              ///< along +x [-]
     StaticStage static_stage    = StaticStage::equilibrium;
     bool        reset_softening = true; ///< slip at rest takes nothing of strengths
     double water_level = -1e300; ///< elevation [m]; below it the saturated materials hold (initial
@@ -224,6 +226,7 @@ namespace hybrid::scene
     double picture_interval = 0.1; ///< simulated time between VTU files [s]; 0: only first and last
     double flush_interval   = 2.;  ///< wall time between flushes of run.h5 [s]
     double audit_interval   = 0.01; ///< simulated time between energy audits [s]
+    double slip_threshold   = 1e-3; ///< beyond it a part of the sliding surface has slipped [m]
     double energy_warning   = 0.01; ///< residual of the audit from which it is said; 0: never [-]
     double energy_limit     = 0.05; ///< residual at which the run stops; 0: never [-]
   };
@@ -248,7 +251,8 @@ namespace hybrid::scene
     OutputParameters                output;
     CheckpointParameters            checkpoint;
     std::map<std::string, Material> materials;
-    int                             threads = 1;
+    double                          strength_reduction = 1.; ///< strengths are divided by it, > 0
+    int                             threads            = 1;
     std::string used_prm; ///< the scene with every parameter, as a valid parameter file
 
     /// The bedrock is finite elements.

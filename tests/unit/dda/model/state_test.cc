@@ -150,6 +150,7 @@ namespace hybrid::dda
       state.static_contact_force     = Eigen::VectorXd::Constant(2, 6.5);
       state.bedrock_static_force     = Eigen::VectorXd::Constant(6, 7.);
       state.boundary_force           = Eigen::VectorXd::Constant(4, 8.);
+      state.surface_force            = {{1., 2.}, 3., 4., 5.};
       state.energy.gravity           = 9.;
       const DdaState copy            = copied(state);
       EXPECT_EQ(copy.time, 1.);
@@ -172,6 +173,10 @@ namespace hybrid::dda
       EXPECT_EQ(copy.static_contact_force, state.static_contact_force);
       EXPECT_EQ(copy.bedrock_static_force, state.bedrock_static_force);
       EXPECT_EQ(copy.boundary_force, state.boundary_force);
+      EXPECT_EQ(copy.surface_force.force, state.surface_force.force);
+      EXPECT_EQ(copy.surface_force.shear, 3.);
+      EXPECT_EQ(copy.surface_force.normal, 4.);
+      EXPECT_EQ(copy.surface_force.strength, 5.);
       EXPECT_EQ(copy.energy.gravity, 9.);
     }
   } // namespace

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/springs/surface_force.h>
+
+namespace hybrid::dda
+{
+  SurfaceForce surface_force(const Model &model, const Springs &springs)
+  {
+    const auto   is_mass = [&](const int body) { return body >= 0 && body < model.n_mass(); };
+    SurfaceForce sum;
+    for (std::size_t s = 0; s < springs.springs.size(); ++s)
+      {
+        const Springs::Spring &spring = springs.springs[s];
+        if (is_mass(spring.block) == is_mass(spring.other) || spring.length <= 0.)
+          continue;
+        const Springs::Response &response = springs.responses[s];
+        const SpringState       &now      = response.now;
+        // The force on Q; a mass that is Q does the opposite to P, towards which -n points.
+        const double side  = is_mass(spring.block) ? 1. : -1.;
+        const Vec2   into  = side * response.normal, along(-into.y(), into.x());
+        const Vec2   shear = side * spring.length * now.shear * response.tangent;
+        sum.force += shear + spring.length * now.normal * into;
+        sum.shear += shear.dot(along);
+        sum.normal += spring.length * now.normal;
+        sum.strength += spring.length * response.shear_strength;
+      }
+    return sum;
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/end_text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    constexpr std::size_t most_monitors = 4;
+    constexpr double      g             = 9.81; ///< [m/s2]
+    const std::string     indent        = "\n          ";
+
+    using NamedMonitor = std::pair<const std::string, MonitorSummary>;
+
+
+
+    template <typename... Values>
+    std::string format(const char *form, const Values... values)
+    {
+      char text[300];
+      std::snprintf(text, sizeof(text), form, values...);
+      return text;
+    }
+
+
+
+    /// 3 digits, in millimetres below one metre.
+    std::string length_text(const double value)
+    {
+      const double rounded = std::abs(value) < 1e-8 ? 0. : value;
+      return std::abs(value) < 1. ? format("%.3g mm", 1e3 * rounded) : format("%.3g m", value);
+    }
+
+
+
+    /// 4:07, or 1:02:03.
+    std::string duration_text(const double seconds)
+    {
+      const long s = std::lround(seconds);
+      return s < 3600 ? format("%ld:%02ld", s / 60, s % 60)
+                      : format("%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
+    }
+
+
+
+    double size(const MonitorSummary::Pair &pair)
+    {
+      return std::fmax(std::abs(pair[0]), std::abs(pair[1]));
+    }
+
+
+
+    /// The component that is larger.
+    int larger(const MonitorSummary::Pair &pair)
+    {
+      return std::abs(pair[1]) > std::abs(pair[0]) ? 1 : 0;
+    }
+
+
+
+    /// Those that shook most, in the order of their names; the base is what others refer to.
+    std::vector<const NamedMonitor *> told_monitors(const Summary &summary, const std::string &base)
+    {
+      std::vector<const NamedMonitor *> told;
+      for (const NamedMonitor &monitor : summary.monitors)
+        if (monitor.first != base && std::isfinite(size(monitor.second.peak_displacement)))
+          told.push_back(&monitor);
+      const auto shook = [](const NamedMonitor *m) { return size(m->second.peak_acceleration); };
+      std::stable_sort(told.begin(), told.end(), [&](const NamedMonitor *a, const NamedMonitor *b) {
+        return shook(a) > shook(b);
+      });
+      told.resize(std::min(told.size(), most_monitors));
+      std::sort(told.begin(), told.end(), [](const NamedMonitor *a, const NamedMonitor *b) {
+        return a->first < b->first;
+      });
+      return told;
+    }
+
+
+
+    std::string monitor_text(const MonitorSummary &monitor)
+    {
+      const int   u = larger(monitor.peak_displacement), a = larger(monitor.peak_acceleration);
+      std::string text =
+        "peak " + length_text(std::abs(monitor.peak_displacement[u])) + ", left " +
+        length_text(monitor.final_displacement[u]) +
+        format(", peak acceleration %.2g g", std::abs(monitor.peak_acceleration[a]) / g);
+      if (std::isfinite(monitor.amplification[a]))
+        text += format(" = %.3g x outcrop", monitor.amplification[a]);
+      return text;
+    }
+
+
+
+    std::string monitors_text(const Summary &summary, const std::string &base)
+    {
+      const std::vector<const NamedMonitor *> told  = told_monitors(summary, base);
+      std::size_t                             width = 0, moving = 0;
+      for (const NamedMonitor *monitor : told)
+        width = std::max(width, monitor->first.size());
+      std::string text;
+      for (const NamedMonitor *monitor : told)
+        text += indent + monitor->first + std::string(width - monitor->first.size() + 2, ' ') +
+                monitor_text(monitor->second);
+      for (const NamedMonitor &monitor : summary.monitors)
+        moving += monitor.first != base ? 1 : 0;
+      if (moving > told.size() && !told.empty())
+        text += indent + format("%zu more monitors shook less: summary.json", moving - told.size());
+      return text;
+    }
+
+
+
+    std::string joints_text(const Summary::FailedJoints &failed)
+    {
+      const long all = failed.tensile + failed.shear;
+      if (all == 0)
+        return "no joint failed";
+      return format("%ld joint%s failed (%ld tensile, %ld shear)",
+                    all,
+                    all == 1 ? "" : "s",
+                    failed.tensile,
+                    failed.shear);
+    }
+
+
+
+    std::string slip_text(const Summary &summary)
+    {
+      const Summary::Slip &slip = summary.slip;
+      if (std::isnan(slip.mean_left))
+        return joints_text(summary.joints);
+      return "slip on the sliding surface: " + length_text(slip.mean_left) + " left (largest " +
+             length_text(slip.largest_left) +
+             format("), %.3g %% of it slipped by more than ", 100. * slip.part) +
+             length_text(slip.threshold) + "; " + joints_text(summary.joints);
+    }
+
+
+
+    std::string shear_text(const Summary::BaseShear &base)
+    {
+      const auto percent = [](const double share) { return format("%.3g %%", 100. * share); };
+      if (std::isnan(base.mobilised_left))
+        return "";
+      return indent + "shear strength of the sliding surface: " + percent(base.mobilised_at_rest) +
+             " mobilised at rest, at most " + percent(base.mobilised) + ", at the end " +
+             percent(base.mobilised_left);
+    }
+  } // namespace
+
+
+
+  EndText end_text(const Summary &summary, const scene::SceneParameters &scene)
+  {
+    const std::string reached =
+      summary.finished
+        ? format("Finished  %.4g s", summary.simulated_time)
+        : format("Stopped   at %.4g s of %.4g s", summary.simulated_time, scene.time.end_time);
+    std::string found = format(", %ld steps, %ld cuts, energy residual %.1e",
+                               summary.steps,
+                               summary.wasted.cuts,
+                               summary.energy_residual);
+    if (summary.steps > 0)
+      {
+        found += monitors_text(summary, scene.monitors.base_monitor);
+        if (summary.blocks > 0)
+          found += indent + slip_text(summary) + shear_text(summary.base_shear);
+      }
+    const std::string &place = scene.output.directory;
+    return {reached + " in " + duration_text(summary.wall_time) + found + "\nResults   " + place +
+              "   next: hybrid plot " + place,
+            reached + found};
+  }
+} // namespace hybrid::output

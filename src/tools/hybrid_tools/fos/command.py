@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""hybrid fos SCENE: factor of safety by strength reduction, yield acceleration, and displacements by Newmark's method.
+
+Each trial is a static stage with the scene's own program, model and strengths, divided by a factor; it fails if it finds no equilibrium.
+"""
+
+import json
+import os
+
+from hybrid_run import UserError
+from hybrid_tools import style
+from hybrid_tools.arguments import Arguments
+from hybrid_tools.fos import figure, sliding
+from hybrid_tools.fos.search import factor_of_safety, yield_coefficient
+from hybrid_tools.fos.trial import Trials
+
+FACTOR = "Materials/Strength reduction factor"
+JUMP = 3.0  # of the largest displacement between the trial that stands and the one that fails, at least
+APART = 0.1  # of the largest motion: blocks of the mass slide on each other
+COEFFICIENT = "Gravity/Horizontal coefficient"
+EXAMPLES = """  hybrid fos my.prm                      # factor of safety
+  hybrid fos my.prm -s "Gravity/Horizontal coefficient=-0.1"     # the same, pseudo-static
+  hybrid fos my.prm --yield              # horizontal coefficient at which it fails
+  hybrid fos output/slope --newmark      # displacements of that run's motion by simpler methods
+"""
+
+
+def read_words(words):
+    arguments = Arguments("fos", "Factor of safety by strength reduction: cohesion, tensile strength and tan(friction angle)\n"
+                          "of all materials and bedding planes are divided by a factor until no equilibrium is found.", EXAMPLES)
+    arguments.add_argument("scene", metavar="SCENE", help="parameter file, or output directory of a run")
+    arguments.add_argument("-s", dest="overrides", metavar='"Section/Name=value"', action="append", default=[],
+                           help="override one parameter")
+    arguments.add_argument("--yield", dest="coefficient", action="store_true",
+                           help="yield acceleration: the horizontal coefficient, pushing downhill, at which the slope fails")
+    arguments.add_argument("--newmark", action="store_true",
+                           help="of a run's directory: yield acceleration, then Newmark's rigid block and the decoupled displacement")
+    arguments.add_argument("--tolerance", type=float, default=0.005,
+                           help="width of the bracket over the factor; a tenth of it for the coefficient (default 0.005)")
+    arguments.add_argument("--range", nargs=2, type=float, metavar=("LOW", "HIGH"), help="factors between which to look")
+    arguments.add_argument("--output", metavar="DIR", help="where results go (default: SCENE without .prm, with _fos)")
+    found = arguments.read(words)
+    if not 1e-6 <= found.tolerance < 0.5:
+        raise UserError("--tolerance is %g: between 1e-6 and 0.5 is allowed" % found.tolerance)
+    if found.range and not 0 < found.range[0] < found.range[1]:
+        raise UserError("--range is %g %g: two rising factors above 0 are allowed" % tuple(found.range))
+    return found
+
+
+def scene_of(words):
+    """(parameter file, where results go)."""
+    if os.path.isdir(words.scene):
+        file = os.path.join(words.scene, "params.used.prm")
+        if not os.path.exists(file):
+            raise UserError("'%s' holds no params.used.prm; give a parameter file or the output directory of a run" % words.scene)
+        return file, words.output or os.path.normpath(words.scene) + "_fos"
+    if words.newmark:
+        raise UserError("--newmark needs the output directory of a run, not '%s': its motion and its slip are compared" % words.scene)
+    if not os.path.exists(words.scene):
+        raise UserError("'%s' is no parameter file and no output directory of a run" % words.scene)
+    return words.scene, words.output or os.path.join("output", os.path.splitext(os.path.basename(words.scene))[0] + "_fos")
+
+
+def find_factor(trials, words):
+    low, high = words.range or (None, None)
+    return factor_of_safety(lambda factor: trials("factor_%.6g" % factor, factor, {FACTOR: factor}), words.tolerance, low, high)
+
+
+def find_yield(trials, words):
+    downhill = []  # sign of x, known once the section has been meshed
+
+    def judge(k):
+        push = k * downhill[0] if downhill else 0.0
+        trial = trials("ky_%.6g" % k, k, {COEFFICIENT: push})
+        if not downhill:
+            downhill.append(trial.run().downhill)
+        return trial
+
+    return yield_coefficient(judge, 0.1 * words.tolerance)
+
+
+def table_of(trials):
+    return [{"value": t.value, "stands": t.stands, "planes_hold": t.planes_hold, "largest_displacement_m": t.displacement,
+             "residual": t.residual, "iterations": t.iterations} for t in sorted(trials.done, key=lambda t: t.value)]
+
+
+def write_results(directory, name, results, trials):
+    rows = table_of(trials)
+    with open(os.path.join(directory, name + ".json"), "w", encoding="utf-8") as file:
+        json.dump(dict(results, trials=rows), file, indent=2)
+        file.write("\n")
+    with open(os.path.join(directory, name + ".csv"), "w", encoding="utf-8") as file:
+        file.write(",".join(rows[0]) + "\n")
+        for row in rows:
+            file.write(",".join("%.9g" % value for value in row.values()) + "\n")
+
+
+def tell_bracket(label, bracket):
+    print("%s %.4f  (stands at %.4f, fails at %.4f)" % (label, bracket.value, bracket.stands.value, bracket.fails.value))
+
+
+def warn_of_edges(bracket, results):
+    """A mass that shears through itself does so along the edges that its mesh happens to have."""
+    results["parting_within_mass"] = part = figure.parting(bracket)
+    if part > APART:
+        print("warning: the mass fails through itself, along the edges of its blocks (they part by %.0f %% of the largest motion):\n"
+              "  this is too strong, for a homogeneous slope by a fifth to a third; give it a sliding surface" % (100 * part))
+
+
+def warn_of_no_jump(bracket, results):
+    """The static stage gives up where a joint has slipped by a tenth of its length, also if it would come to rest farther on."""
+    results["jump_of_displacement"] = jump = bracket.fails.displacement / max(bracket.stands.displacement, 1e-300)
+    if jump < JUMP and bracket.fails.planes_hold:
+        print("warning: displacement does not jump at failure (%.3g times as large): a joint slipped by a tenth of its length,\n"
+              "  which may be elastic (stiffer blocks, longer edges) or on a bent surface that locks (shorter edges): vary both" % jump)
+
+
+def main(words):
+    found = read_words(words)
+    scene, directory = scene_of(found)
+    os.makedirs(directory, exist_ok=True)
+    trials = Trials(scene, found.overrides, directory, lambda line: print(line, flush=True))
+    style.apply()
+    name = "yield" if found.coefficient or found.newmark else "fos"
+    bracket = find_yield(trials, found) if name == "yield" else find_factor(trials, found)
+    results = {"scene": scene, "overrides": found.overrides,
+               name: bracket.value, "stands": bracket.stands.value, "fails": bracket.fails.value}
+    tell_bracket("yield coefficient" if name == "yield" else "factor of safety", bracket)
+    warn_of_edges(bracket, results)
+    warn_of_no_jump(bracket, results)
+    write_results(directory, name, results, trials)
+    figure.draw(bracket, trials.done, directory, name)
+    if found.newmark:
+        sliding.compare(found, trials, bracket, directory)
+    more = ", newmark.json, newmark.png" if found.newmark else ""
+    print("files    %s: %s.json, %s.csv, %s.png%s" % (directory, name, name, name, more))
+    return 0

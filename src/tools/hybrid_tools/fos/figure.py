@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The mechanism of failure, and how displacement grows with the strength reduction factor or the horizontal coefficient."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+
+from hybrid_run import MissingData
+from hybrid_tools import style
+
+NAMES = {"fos": ("strength reduction factor", "Factor of safety %.3f"),
+         "yield": ("horizontal coefficient k", "Yield coefficient $k_y$ = %.4f")}
+MOST_ARROWS = 400
+
+
+def moved(trial):
+    """(vertices as drawn, displacements at the end of the static stage) of all blocks, vertices of block i."""
+    run = trial.run()
+    first, last = run.get("section/blocks_points"), run.get("section/blocks_points_final")
+    return first, last - first, run.get("section/blocks_offsets").astype(int)
+
+
+def mechanism(bracket):
+    """What moves between the trial that still stands and the one that fails: displacements over the largest."""
+    points, failing, offsets = moved(bracket.fails)
+    _, standing, _ = moved(bracket.stands)
+    motion = failing - standing
+    largest = np.linalg.norm(motion, axis=1).max()
+    return points, motion / largest if largest > 0 else motion, offsets
+
+
+def parting(bracket):
+    """Largest difference of the motions of blocks at a corner that they share, over the largest motion [-]: 0 if they move as one."""
+    points, motion, _ = mechanism(bracket)
+    _, corner = np.unique(np.round(points, 6), axis=0, return_inverse=True)
+    corner = np.ravel(corner)
+    low, high = np.full((corner.max() + 1, 2), np.inf), np.full((corner.max() + 1, 2), -np.inf)
+    np.minimum.at(low, corner, motion)
+    np.maximum.at(high, corner, motion)
+    return float(np.linalg.norm(high - low, axis=1).max())
+
+
+def draw_mechanism(bracket, axes):
+    points, motion, offsets = mechanism(bracket)
+    run = bracket.fails.run()
+    polygons = np.split(points, offsets[1:-1])
+    of_block = np.array([m.mean(axis=0) for m in np.split(motion, offsets[1:-1])])
+    centres = np.array([p.mean(axis=0) for p in polygons])
+    size = np.linalg.norm(of_block, axis=1)
+    shown = PolyCollection(polygons, array=size, cmap=style.DISPLACEMENT_MAP, edgecolors="#5b4a3a", lw=0.15, zorder=2)
+    shown.set_clim(0, 1)
+    axes.add_collection(shown)
+    if run.has("section/outline"):
+        axes.add_collection(LineCollection(run.get("section/outline").reshape(-1, 2, 2), colors=style.ROCK_EDGE, lw=1.1, zorder=3))
+    if run.has("section/surface"):
+        axes.plot(*run.get("section/surface").T, color=style.SLIP, lw=1.6, zorder=4)
+    some = np.unique(np.linspace(0, len(centres) - 1, MOST_ARROWS).astype(int))
+    some = some[size[some] > 0.03]
+    extent = np.ptp(points, axis=0).max()
+    axes.quiver(*centres[some].T, *of_block[some].T, angles="xy", scale_units="xy", scale=1 / (0.06 * extent), width=0.0016,
+                color=style.TEXT, zorder=5)
+    low, high = points.min(axis=0), points.max(axis=0)
+    margin = 0.06 * extent
+    axes.set_xlim(low[0] - margin, high[0] + margin)
+    axes.set_ylim(low[1] - margin, high[1] + margin)
+    axes.set_aspect("equal")
+    axes.set_xlabel("x [m]")
+    axes.set_ylabel("y [m]")
+    bar = axes.figure.colorbar(shown, cax=axes.inset_axes([1.012, 0.0, 0.014, 1.0]))
+    bar.set_label("displacement / largest [-]")
+    bar.outline.set_linewidth(0.5)
+    axes.set_title("Mechanism: from the trial that stands to the one that fails")
+
+
+def draw_curve(bracket, trials, axes, label):
+    trials = sorted(trials, key=lambda trial: trial.value)
+    for stands, marker, words in ((True, "o", "stands"), (False, "x", "fails (where the stage gave up)")):
+        chosen = [t for t in trials if t.stands == stands and t.displacement > 0]
+        axes.semilogy([t.value for t in chosen], [1e3 * t.displacement for t in chosen], marker, ms=5, mfc="none",
+                      color=style.HORIZONTAL if stands else style.TENSILE, label=words, zorder=3)
+    joined = [t for t in trials if t.stands] + [bracket.fails]
+    axes.semilogy([t.value for t in joined], [1e3 * t.displacement for t in joined], color="#8a8a8a", lw=0.8, zorder=2)
+    axes.axvspan(bracket.stands.value, bracket.fails.value, color=style.VERTICAL, alpha=0.4, lw=0)
+    axes.set_xlabel(label + " [-]")
+    axes.set_ylabel("largest displacement [mm]")
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=2)
+
+
+def draw(bracket, trials, directory, name):
+    label, words = NAMES[name]
+    try:
+        wide = np.ptp(bracket.fails.run().get("section/blocks_points"), axis=0)
+    except MissingData:
+        return
+    height = 9 * np.clip(wide[1] / wide[0], 0.25, 1.0) * 0.8
+    figure, axes = plt.subplots(2, 1, figsize=(9, height + 3.6), height_ratios=[height, 2.4], constrained_layout=True)
+    draw_mechanism(bracket, axes[0])
+    draw_curve(bracket, trials, axes[1], label)
+    style.title(figure, words % bracket.value + ": " + bracket.fails.run().title())
+    style.save(figure, directory, name)

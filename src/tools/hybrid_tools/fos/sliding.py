@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Displacements of a run's motion by Newmark's rigid block and by the decoupled method, beside what the coupled run has slipped.
+
+Rigid block (Newmark 1965): the outcrop motion drives it. Decoupled (Makdisi and Seed 1978; Bray and Rathje 1998): the mean acceleration of
+the mass in a run in which sliding is prevented drives it, so that the mass is as soft as it is but does not feel its own slip.
+"""
+
+import json
+import os
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from hybrid_run import Run, UserError
+from hybrid_run.newmark import driving_accelerations, rate_on_slope, rigid_block
+from hybrid_tools import style
+
+STRONG = "Materials/Strength reduction factor=1e-6"  # strengths a million times as large: nothing slides
+NEAR = 1e-3  # of the largest slip: a run in which sliding is prevented may creep by the springs
+
+
+def surface_slope(run):
+    """Angle of the line through the soles [rad], positive downhill."""
+    x, y = run.get("slip/position").T
+    slope = np.polyfit(x, y, 1, w=np.sqrt(run.get("slip/length")))[0] if len(x) > 1 else sole_slope(run)
+    return np.arctan(-run.downhill * slope)
+
+
+def sole_slope(run):
+    """Of a single sole: that of the force at rest, which it carries by friction."""
+    shear, normal, _ = np.ravel(run.attribute("base_shear", "at_rest"))
+    return -run.downhill * shear / normal
+
+
+def surface_friction(run):
+    """Friction angle of the sliding surface [rad]."""
+    values = run.parameters
+    name = values.get("Blocks/Belt material", "") or values["Blocks/Material"]
+    angle = values["Materials/%s/Friction angle" % name]
+    return np.radians(30.0 if angle == "automatic" else float(angle))
+
+
+def gravity(run):
+    return float(run.parameters["Gravity/Acceleration"].split()[0])
+
+
+def displacements(run, prevented, coefficient):
+    """{"rigid block": history, "decoupled": history} [m], and the rate of a slide on this surface [-]."""
+    rate = float(rate_on_slope(surface_slope(run), surface_friction(run)))
+    critical = coefficient * gravity(run)
+    outcrop, _ = driving_accelerations(run)
+    _, mean = driving_accelerations(prevented)
+    return {"rigid block": (run.time, rigid_block(run.time, outcrop, critical, rate=rate)),
+            "decoupled": (prevented.time, rigid_block(prevented.time, mean, critical, rate=rate))}, rate
+
+
+def compare(words, trials, bracket, directory):
+    run = Run(words.scene)
+    if run.attribute("base_shear", "force_at_rest") is None:
+        raise UserError("'%s' has no base shear: it has no sliding surface, or was made by an older program" % words.scene)
+    print("the same motion with sliding prevented ...", flush=True)
+    prevented = Run(trials.run("sliding_prevented", words.overrides + [STRONG]))
+    found, rate = displacements(run, prevented, bracket.value)
+    slip = run.history("slip/mean")
+    outcrop, _ = driving_accelerations(run)
+    _, mean = driving_accelerations(prevented)
+    g = gravity(run)
+    numbers = {
+        "yield_coefficient": bracket.value, "rate_on_surface": rate,
+        "largest_coefficient_of_outcrop": float(outcrop.max() / g), "largest_coefficient_of_mass": float(mean.max() / g),
+        "rigid_block_m": float(found["rigid block"][1][-1]), "decoupled_m": float(found["decoupled"][1][-1]),
+        "coupled_mean_m": float(slip[-1]), "coupled_largest_m": float(run.history("slip/largest")[-1]),
+        "slip_with_sliding_prevented_m": float(np.abs(prevented.history("slip/largest")).max()),
+    }
+    with open(os.path.join(directory, "newmark.json"), "w", encoding="utf-8") as file:
+        json.dump(numbers, file, indent=2)
+        file.write("\n")
+    tell(numbers)
+    draw(run, prevented, found, numbers, directory)
+
+
+def tell(numbers):
+    print("largest horizontal coefficient: outcrop motion %.3g, mean of the mass %.3g; slides with %.3g (k - k_y) g" % (
+        numbers["largest_coefficient_of_outcrop"], numbers["largest_coefficient_of_mass"], numbers["rate_on_surface"]))
+    for label, name in (("displacement, mm", "rigid_block_m"), ("", "decoupled_m"), ("", "coupled_mean_m")):
+        print("%-20s %-11s %9.4g" % (label, name[:-2].replace("_", " "), 1e3 * numbers[name]))
+    if numbers["slip_with_sliding_prevented_m"] > max(NEAR * abs(numbers["coupled_largest_m"]), 1e-6):
+        print("warning: the run with sliding prevented moved by %.3g mm on its surface: its mass rocks or opens" % (
+            1e3 * numbers["slip_with_sliding_prevented_m"]))
+
+
+def draw(run, prevented, found, numbers, directory):
+    figure, axes = plt.subplots(2, 1, figsize=(9, 6.2), constrained_layout=True, sharex=True)
+    g, (outcrop, _), (_, mean) = gravity(run), driving_accelerations(run), driving_accelerations(prevented)
+    axes[0].plot(run.time, outcrop / g, color=style.VERTICAL, lw=0.8, label="outcrop motion")
+    axes[0].plot(prevented.time, mean / g, color=style.HORIZONTAL, lw=0.8, label="mean of the mass, sliding prevented")
+    axes[0].axhline(numbers["yield_coefficient"], color=style.TENSILE, lw=0.9, ls="--",
+                    label="yield coefficient %.3g" % numbers["yield_coefficient"])
+    axes[0].set_ylabel("coefficient driving downhill [-]")
+    axes[0].legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=3)
+    slip = run.history("slip/mean")
+    factor, unit = style.length_unit(max(np.abs(slip).max(), *(np.abs(s).max() for _, s in found.values())))
+    for (name, (time, values)), colour in zip(found.items(), (style.VERTICAL, style.HORIZONTAL)):
+        axes[1].plot(time, factor * values, color=colour, label="%s: %.3g %s" % (name, factor * values[-1], unit))
+    axes[1].plot(run.time, factor * slip, color=style.TEXT, lw=1.4, label="coupled, mean: %.3g %s" % (factor * slip[-1], unit))
+    axes[1].set_xlim(run.time[0], run.time[-1])
+    axes[1].set_xlabel("time [s]")
+    axes[1].set_ylabel("displacement [%s]" % unit)
+    axes[1].legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=3)
+    style.title(figure, "Newmark's displacements: " + run.title())
+    style.save(figure, directory, "newmark")

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""hybrid fos: factor of safety and yield acceleration against limit equilibrium, Newmark's displacement against closed forms."""
+import json
+import re
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+from hybrid_run import Run
+from hybrid_run.newmark import rate_on_slope, rigid_block
+
+SLAB = ROOT / "parameters/verification/bonded_slab.prm"  # belt of 25 degrees on a slope of 20
+SLAB_FACTOR = np.tan(np.radians(25)) / np.tan(np.radians(20))
+
+# A wedge above a plane through the toe of a face (Culmann 1866).
+HEIGHT, FACE, PLANE = 10.0, 60.0, 35.0
+WEDGE = """
+H = %g;
+face = %g * Pi / 180;
+plane = %g * Pi / 180;
+Point(1) = {0, 0, 0};
+Point(2) = {H / Tan(plane), H, 0};
+Point(3) = {H / Tan(face), H, 0};
+Point(4) = {-5, -5 * Tan(plane), 0};
+Point(5) = {H / Tan(plane) + 5, H + 5 * Tan(plane), 0};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 1};
+Line(4) = {4, 1};
+Line(5) = {2, 5};
+Curve Loop(1) = {1, 2, 3};
+Plane Surface(1) = {1};
+MeshSize {:} = 2;
+Transfinite Curve {4, 5} = 2;
+Physical Surface("sliding_mass") = {1};
+Physical Curve("sliding_surface") = {1};
+Physical Curve("mass_surface") = {2, 3};
+Physical Curve("ground") = {4, 5};
+""" % (HEIGHT, FACE, PLANE)
+
+
+@pytest.fixture(scope="module")
+def slab(hybrid, tmp_path_factory):
+    """A run of the slab, and where it is."""
+    directory = tmp_path_factory.mktemp("slab") / "run"
+    result = hybrid(SLAB, "-s", f"Output/Directory={directory}")
+    assert result.returncode == 0, result.stderr
+    return directory, result.stdout
+
+
+def read(directory, name):
+    return json.loads((directory / (name + ".json")).read_text())
+
+
+def assert_brackets(found, key, exact, error):
+    assert found["stands"] < found["fails"] and found[key] == pytest.approx(exact, rel=error)
+    assert all(trial["stands"] == (trial["value"] < found[key]) for trial in found["trials"])
+
+
+def test_base_shear_of_a_slab_is_its_weight_along_the_slope(slab):
+    directory, said = slab
+    run = Run(directory)
+    weight = 20 * 4 * 2000 * 9.81
+    b = np.radians(20)
+    assert np.ravel(run.attribute("base_shear", "weight")) == pytest.approx(weight)
+    shear, normal, strength = np.ravel(run.attribute("base_shear", "at_rest"))
+    assert (shear, normal) == pytest.approx((weight * np.sin(b), weight * np.cos(b)), rel=1e-6)
+    assert shear / strength == pytest.approx(1 / SLAB_FACTOR, rel=1e-6)
+    assert run.get("base_shear/force") == pytest.approx(run.get("interface/total_force"), abs=1e-6 * weight)
+    mobilised, mean = run.mobilised(), run.get("slip/mean")
+    assert mobilised.max() == pytest.approx(1, abs=1e-9)  # never above the strength
+    sliding = np.gradient(mean, run.time) > 0.01
+    assert mobilised[sliding] == pytest.approx(1, abs=1e-6) and sliding.sum() > 100
+    part = run.get("slip/part")
+    assert part[0] == 0 and part[-1] == 1 and (np.diff(part) >= 0).all()
+    assert (part > 0).argmax() == pytest.approx((mean > 1e-3).argmax(), abs=2)
+    summary = run.summary
+    assert summary["slip_m"]["part_slipped"] == 1 and summary["slip_m"]["threshold"] == 1e-3
+    assert summary["base_shear"]["mobilised_at_rest"] == pytest.approx(1 / SLAB_FACTOR, rel=1e-6)
+    assert re.search(r"Finished  1.6 s in \d+:\d\d, 1600 steps", said) and "78.1 % mobilised at rest, at most 100 %" in said
+    assert " in 0:" not in (directory / "log.txt").read_text()  # logs of equal runs are equal
+
+
+@pytest.mark.parametrize("bedrock", ["continuum", "triangles"])
+def test_base_shear_of_a_level_layer_is_that_of_every_bedrock(hybrid, tmp_path, bedrock):
+    result = hybrid(ROOT / "parameters/verification/coupled_column.prm", "-s", "Time/End time=0.05", "-s", f"Model/Bedrock={bedrock}",
+                    "-s", f"Output/Directory={tmp_path / 'run'}")
+    assert result.returncode == 0, result.stderr
+    run = Run(tmp_path / "run")
+    weight = float(np.ravel(run.attribute("base_shear", "weight"))[0])
+    if float(run.parameters["Gravity/Acceleration"]) > 0:
+        shear, normal, _ = np.ravel(run.attribute("base_shear", "at_rest"))
+        assert normal == pytest.approx(weight, rel=1e-6) and abs(shear) < 1e-6 * weight
+    assert weight > 0 and run.get("base_shear/normal") == pytest.approx(-run.get("base_shear/force")[:, 1], abs=1e-6 * weight)
+
+
+def test_slab_on_a_slope_fails_where_its_friction_does(hybrid, tmp_path):
+    result = hybrid("fos", SLAB, "--output", tmp_path / "out", "--range", "1.2", "1.4", "--tolerance", "0.002")
+    assert result.returncode == 0, result.stderr
+    found = read(tmp_path / "out", "fos")
+    assert_brackets(found, "fos", SLAB_FACTOR, 0.002)
+    assert found["parting_within_mass"] < 0.01 and "warning" not in result.stdout
+    assert (tmp_path / "out/fos.png").read_bytes().startswith(b"\x89PNG")
+    assert len((tmp_path / "out/fos.csv").read_text().splitlines()) == 1 + len(found["trials"])
+
+
+def test_wedge_of_culmann(hybrid, tmp_path):
+    (tmp_path / "wedge.geo").write_text(WEDGE)
+    cohesion, phi, density = 30e3, np.radians(25), 2000.0
+    scene = tmp_path / "wedge.prm"
+    scene.write_text(SLAB.read_text().replace("../../meshes/bonded_blocks.geo", "wedge.geo"))
+    settings = ["Mesh/Numbers=", f"Materials/belt/Cohesion={cohesion}", "Materials/belt/Tensile strength=1e9",
+                "Monitors/Points="]
+    words = [word for setting in settings for word in ("-s", setting)]
+    result = hybrid("fos", scene, "--output", tmp_path / "out", "--range", "1", "3", "--tolerance", "0.005", *words, cwd=tmp_path)
+    assert result.returncode == 0, result.stderr
+    b, face = np.radians(PLANE), np.radians(FACE)
+    weight = density * 9.81 * HEIGHT**2 / 2 * (1 / np.tan(b) - 1 / np.tan(face))
+    exact = (cohesion * HEIGHT / np.sin(b) + weight * np.cos(b) * np.tan(phi)) / (weight * np.sin(b))
+    assert_brackets(read(tmp_path / "out", "fos"), "fos", exact, 0.01)
+
+
+def test_yield_coefficient_and_displacements_of_a_stiff_slab(hybrid, slab, tmp_path):
+    result = hybrid("fos", slab[0], "--newmark", "--output", tmp_path / "out")
+    assert result.returncode == 0, result.stderr
+    assert_brackets(read(tmp_path / "out", "yield"), "yield", np.tan(np.radians(5)), 0.01)
+    found = read(tmp_path / "out", "newmark")
+    assert found["rate_on_surface"] == pytest.approx(np.cos(np.radians(5)) / np.cos(np.radians(25)), rel=1e-6)
+    # a stiff slab is a rigid block: all three agree, but for what its yield coefficient is off
+    for name in ("rigid_block_m", "decoupled_m"):
+        assert found[name] == pytest.approx(found["coupled_mean_m"], rel=0.02)
+    assert (tmp_path / "out/newmark.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_rectangular_pulse_and_sine_are_those_of_newmark():
+    a, critical, end = 4.0, np.array([0.5, 1.5, 3.9]), 0.5
+    tiny = 1e-10
+    slip = rigid_block([0, tiny, end, end + tiny, 9], [0, a, a, 0, 0], critical)[-1]
+    assert slip == pytest.approx(a * end**2 / 2 * (a / critical - 1), rel=1e-8)
+    rate = rate_on_slope(np.radians(20), np.radians(25))
+    assert rigid_block([0, tiny, end, end + tiny, 9], [0, a, a, 0, 0], 1.5, rate=rate)[-1] == pytest.approx(rate * slip[1], rel=1e-8)
+    # half a sine, a sin(w t): slides from w t1 = asin(ac / a) until the speed is back at zero, in closed form
+    w, ac = 2 * np.pi, 1.0
+    t = np.linspace(0, 0.5, 4001)
+    wave = a * np.sin(w * t)
+    t1 = np.arcsin(ac / a) / w
+    v = a / w * (np.cos(w * t1) + 1) - ac * (0.5 - t1)  # at the end of the half sine
+    s = a / w * np.cos(w * t1) * (0.5 - t1) - a / w**2 * (0 - np.sin(w * t1)) - ac * (0.5 - t1) ** 2 / 2
+    history = np.append(wave, [0, 0])
+    assert rigid_block(np.append(t, [0.5 + tiny, 9]), history, ac)[-1] == pytest.approx(s + v**2 / (2 * ac), rel=1e-5)
+
+
+def test_a_block_that_may_slide_both_ways_drifts_by_the_difference():
+    rng = np.random.default_rng(3)
+    time, acceleration = np.linspace(0, 10, 201), rng.normal(0, 3, 201)
+    both = rigid_block(time, acceleration, 1.0, 1.5)
+    assert rigid_block(time, -acceleration, 1.5, 1.0)[-1] == pytest.approx(-both[-1], rel=1e-12)
+    fine = np.linspace(0, 10, 2001)  # the same function: more samples change nothing
+    assert rigid_block(fine, np.interp(fine, time, acceleration), 1.0, 1.5)[::10] == pytest.approx(both, abs=1e-9)
+    assert (np.diff(rigid_block(time, acceleration, 1.0)) >= 0).all()  # one-way
+
+
+@pytest.mark.parametrize("words, part", [
+    (["nowhere.prm"], "'nowhere.prm' is no parameter file"), ([SLAB, "--newmark"], "--newmark needs the output directory of a run"),
+    ([SLAB, "--tolerance", "0"], "--tolerance is 0"), ([SLAB, "--range", "2", "1"], "two rising factors"),
+    ([SLAB, "--range", "1.5", "2"], "fails at its lower end"), ([SLAB, "--range", "1", "1.1"], "stands at its upper end"),
+    ([SLAB, "-s", "Time/No=1"], "Time/No")])
+def test_mistakes_are_one_line(hybrid, tmp_path, words, part):
+    result = hybrid("fos", *words, "--output", "out", cwd=tmp_path)
+    assert result.returncode == 2 and part in result.stderr and result.stderr.count("\n") == 1, result.stderr

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/end_text.h>
+
+#include <gtest/gtest.h>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    Summary a_run()
+    {
+      Summary run;
+      run.finished = true;
+      run.steps = 15000, run.simulated_time = 15., run.wall_time = 247., run.blocks = 9;
+      run.energy_residual = 5e-8;
+      MonitorSummary crest;
+      crest.peak_displacement  = {{-16.1e-3, 2e-3}};
+      crest.final_displacement = {{-10.6e-3, 1e-3}};
+      crest.peak_acceleration  = {{4.2183, 1.}};
+      crest.amplification      = {{1.49, MonitorSummary::unknown}};
+      run.monitors             = {{"base", {}}, {"crest", crest}};
+      run.slip                 = {0.011, 0.012, {{1., 2.}}, 10.1e-3, 10.3e-3, 0.5, 1e-3};
+      run.base_shear           = {1., 1., 1., 0.7, 1., 0.65};
+      return run;
+    }
+
+
+
+    TEST(EndText, SaysHowFarAndWhatItFoundAndTheFileHasNoTimes)
+    {
+      scene::SceneParameters scene;
+      scene.output.directory      = "output/slope";
+      scene.monitors.base_monitor = "base";
+      const EndText     text      = end_text(a_run(), scene);
+      const std::string found =
+        ", 15000 steps, 0 cuts, energy residual 5.0e-08"
+        "\n          crest  peak 16.1 mm, left -10.6 mm, peak acceleration 0.43 g = 1.49 x outcrop"
+        "\n          slip on the sliding surface: 10.1 mm left (largest 10.3 mm), 50 % of it slipped "
+        "by more than 1 mm; no joint failed"
+        "\n          shear strength of the sliding surface: 70 % mobilised at rest, at most 100 %, at "
+        "the end 65 %";
+      EXPECT_EQ(text.in_file, "Finished  15 s" + found);
+      EXPECT_EQ(text.on_screen,
+                "Finished  15 s in 4:07" + found +
+                  "\nResults   output/slope   next: hybrid plot output/slope");
+    }
+
+
+
+    TEST(EndText, LeavesOutWhatARunDoesNotHave)
+    {
+      Summary run;
+      run.steps = 3, run.simulated_time = 0.5, run.wall_time = 3723.;
+      scene::SceneParameters scene;
+      scene.time.end_time = 2.;
+      EXPECT_EQ(end_text(run, scene).in_file,
+                "Stopped   at 0.5 s of 2 s, 3 steps, 0 cuts, energy residual 0.0e+00");
+      EXPECT_NE(end_text(run, scene).on_screen.find(" in 1:02:03,"), std::string::npos);
+      run.blocks             = 2;
+      run.joints.tensile     = 1;
+      const std::string text = end_text(run, scene).in_file;
+      EXPECT_EQ(text.substr(text.find('\n') + 1), "          1 joint failed (1 tensile, 0 shear)");
+    }
+  } // namespace
+} // namespace hybrid::output
