@@ -130,7 +130,7 @@ def check_mistakes():
     expect_mistake("misspelt option", [good, "--forse"], "did you mean '--force'?")
     result = run("--chek", good)
     require(result.returncode == 2 and "did you mean '--check'?" in result.stderr, "--chek", result)
-    for words, part in ((["plott", "run"], "did you mean 'plot'?"), (["plot"], "required: DIRECTORY"),
+    for words, part in ((["plott", "run"], "did you mean 'plot'?"), (["plot"], "required: RUN"),
                         ([good, "plot"], "'plot' stands first"), (["plot", "run", "--hlep"], "did you mean '--help'?"),
                         (["-"], "unknown option '-'"), (["--check=yes", good], "takes no value")):
         result = run(*words)
@@ -234,7 +234,7 @@ def check_slope_that_cannot_stand():
     for word in ("no static equilibrium", "block 0 at (", "the run ends here", "Blocks/Material", "held", "none",
                  "equilibrium or move"):
         require(word in result.stdout, f"a slope that cannot stand: '{word}' is said", result)
-    require("Stopped: 0 steps" in result.stdout, "a slope that cannot stand is not shaken", result)
+    require("Stopped   at 0 s" in result.stdout and " 0 steps" in result.stdout, "a slope that cannot stand is not shaken", result)
     require((WORK / "slides/summary.json").is_file(), "a slope that cannot stand has a summary")
     for stage in ("equilibrium or move", "held", "none"):
         result = run(scene, *settings, "-s", f"Gravity/Static stage={stage}", "-s",

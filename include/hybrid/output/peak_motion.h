@@ -21,7 +21,7 @@ namespace hybrid::output
   class PeakMotion
   {
   public:
-    /// @param corner of the low-pass [Hz]; 0, or above 0.45 / dt: none
+    /// @param corner_frequency of the low-pass [Hz]; 0, or above 0.45 / dt: none
     explicit PeakMotion(const double corner_frequency)
       : corner(corner_frequency)
     {}

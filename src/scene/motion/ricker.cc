@@ -18,12 +18,14 @@ namespace hybrid::scene
                          "; a Ricker wavelet needs a positive one.");
 
       constexpr double max_samples = 1e6; // a second or two for the scene card
-      const double     dt          = wave_spacing(frequency, time_step);
-      if (!(3. / (frequency * dt) <= max_samples))
+      const double     widest      = wave_spacing(frequency, time_step);
+      if (!(3. / (frequency * widest) <= max_samples))
         throw InputError("Motion/Frequency is " + in_words(frequency) +
-                         "; a Ricker wavelet in steps of " + in_words(dt) + " s has at least " +
-                         in_words(3. / (max_samples * dt)) + " Hz.");
-      const int half = static_cast<int>(std::ceil(1.5 / (frequency * dt) - 1e-9));
+                         "; a Ricker wavelet in steps of " + in_words(widest) + " s has at least " +
+                         in_words(3. / (max_samples * widest)) + " Hz.");
+      // The peak comes at 1.5 / frequency with any time step.
+      const int    half = static_cast<int>(std::ceil(1.5 / (frequency * widest) - 1e-9));
+      const double dt   = 1.5 / (frequency * half);
 
       std::vector<double> a(2 * half + 1);
       for (int i = 0; i <= 2 * half; ++i)
