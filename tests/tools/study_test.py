@@ -108,9 +108,13 @@ def test_values_with_commas_and_equal_signs():
 
 def test_a_tolerance_is_a_part():
     assert plan.parse_tolerance("2%") == plan.parse_tolerance("0.02") == 0.02
-    for wrong in ("", "two", "-1%", "0"):
+    for wrong in ("", "two", "-1%", "0", "2"):
         with pytest.raises(UserError, match="tolerance"):
             plan.parse_tolerance(wrong)
+
+
+def test_a_value_with_a_unit_is_shown_whole_and_a_file_by_its_name():
+    assert [axes.label_text(label) for label in ("1 m/s2", "50 cm/s2", "records/a.at2", "")] == ["1 m/s2", "50 cm/s2", "a.at2", "none"]
 
 
 def test_a_study_file_is_read_and_its_mistakes_are_told(tmp_path):
@@ -367,3 +371,12 @@ def test_mistakes_are_one_line(hybrid, tmp_path, words, message):
     assert result.returncode == 2 and message in result.stderr
     assert result.stderr.startswith("error: ") and len(result.stderr.splitlines()) == 1
     assert not pathlib.Path(tmp_path / "output").exists()
+
+
+def test_a_directory_holds_the_study_of_one_scene_and_one_process_works_there(hybrid, tmp_path):
+    directory = tmp_path / "study"
+    words = ("--vary", "Time/Time step=4e-3,2e-3", "-s", "Time/End time=0.1", "--directory", directory)
+    assert hybrid("study", SCENES / "incline.prm", *words).returncode == 0
+    other = hybrid("study", SCENES / "friction.prm", *words)
+    assert other.returncode == 2 and "holds the study of" in other.stderr
+    assert hybrid("study", directory, "--quantities", "blok/*").returncode == 2

@@ -61,6 +61,17 @@ def scene_of(words):
     return words.scene, words.output or os.path.join("output", os.path.splitext(os.path.basename(words.scene))[0] + "_fos")
 
 
+def refuse_other_scene(directory, name, scene):
+    """@raises UserError if the directory holds results of another scene: many scenes are called scene.prm."""
+    try:
+        with open(os.path.join(directory, name + ".json"), encoding="utf-8") as file:
+            earlier = json.load(file)["scene"]
+    except (OSError, ValueError, KeyError):
+        return
+    if os.path.realpath(earlier) != os.path.realpath(scene):
+        raise UserError("'%s' holds results of '%s'; name another directory with --output" % (directory, earlier))
+
+
 def find_factor(trials, words):
     low, high = words.range or (None, None)
     return factor_of_safety(lambda factor: trials("factor_%.6g" % factor, factor, {FACTOR: factor}), words.tolerance, low, high)
@@ -118,12 +129,13 @@ def warn_of_no_jump(bracket, results):
 def main(words):
     found = read_words(words)
     scene, directory = scene_of(found)
+    name = "yield" if found.coefficient or found.newmark else "fos"
+    refuse_other_scene(directory, name, scene)
     os.makedirs(directory, exist_ok=True)
     trials = Trials(scene, found.overrides, directory, lambda line: print(line, flush=True))
     style.apply()
-    name = "yield" if found.coefficient or found.newmark else "fos"
     bracket = find_yield(trials, found) if name == "yield" else find_factor(trials, found)
-    results = {"scene": scene, "overrides": found.overrides,
+    results = {"scene": os.path.abspath(scene), "overrides": found.overrides,
                name: bracket.value, "stands": bracket.stands.value, "fails": bracket.fails.value}
     tell_bracket("yield coefficient" if name == "yield" else "factor of safety", bracket)
     warn_of_edges(bracket, results)

@@ -82,6 +82,9 @@ class Analysis:
             if self.done and name not in self.names:
                 raise UserError("there is no quantity '%s' that the closed form is for; there are %s" % (name, ", ".join(self.names)))
         self.small = self._small()
+        for pattern in study.quantities:
+            if self.done and not fnmatch.filter(self.names, pattern):
+                raise UserError("--quantities: no quantity is like '%s'; there are %s" % (pattern, ", ".join(self.names)))
         self._ladders, self._best = {}, {}
 
     def _small(self):

@@ -129,3 +129,8 @@ def name_shortly(axes):
     words = [(axis.entry or axis.key).split("/")[-1] for axis in axes]
     for axis, word in zip(axes, words):
         axis.short = word if words.count(word) == 1 else axis.name
+
+
+def label_text(label):
+    """How a value is shown: of a file (a path with an extension, unlike 1 m/s2) its name alone, "none" for nothing."""
+    return (os.path.basename(label) if os.path.splitext(label)[1] else label) or "none"

@@ -148,8 +148,14 @@ def read_study(words):
 
 
 def save(study):
-    """plan.json, and the scene with every parameter: what the runs are computed from, whatever becomes of its file."""
+    """plan.json, and the scene with every parameter: what the runs are computed from, whatever becomes of its file.
+
+    @raises UserError if the directory holds the study of another scene.
+    """
     os.makedirs(study.directory, exist_ok=True)
+    earlier = read_json(os.path.join(study.directory, "plan.json")).get("scene", study.scene)
+    if earlier != study.scene:
+        raise UserError("'%s' holds the study of '%s'; give another --directory" % (os.path.relpath(study.directory), os.path.relpath(earlier)))
     if study.text:
         with open(scene_of(study), "w", encoding="utf-8") as file:
             file.write(study.text)
@@ -195,6 +201,7 @@ def main(words):
     study = read_study(words)
     if words.only:
         return compute_only(study, words.only)
+    locked = None if words.collect else runner.lock(study.directory)
     save(study)
     settings = study.settings(study.seeds or 0)
     if words.plan:
@@ -209,7 +216,6 @@ def main(words):
     if words.collect:
         collection.collect(study, settings)
         return 0
-    locked = runner.lock(study.directory)
     is_whole = compute(study, settings, words)
     if is_whole and study.seeds is None and collection.needs_seeds(study, settings):
         print("something does not converge, or to and fro: %d seeds of the finest run" % AUTOMATIC_SEEDS)

@@ -8,7 +8,7 @@ import re
 from dataclasses import dataclass, field
 
 from hybrid_run import UserError
-from hybrid_tools.study.axes import Axis, name_shortly
+from hybrid_tools.study.axes import Axis, label_text, name_shortly
 
 NOT_RESULTS = ("Output/", "Checkpoint/")  # parameters that change no result
 SEED_CHANGE = 1e-6  # of Young's moduli, per seed
@@ -93,7 +93,7 @@ class Study:
 
     def describe(self, setting, comma=", ", equals=" "):
         """Time step 0.001, h 4."""
-        words = ["%s%s%s" % (axis.short, equals, os.path.basename(axis.labels[level]) or "none")
+        words = ["%s%s%s" % (axis.short, equals, label_text(axis.labels[level]))
                  for axis, level in zip(self.axes, setting.levels)]
         words += [setting.effect] * bool(setting.effect) + ["seed%s%d" % (equals, setting.seed)] * bool(setting.seed)
         return comma.join(words) or "scene"
@@ -118,6 +118,6 @@ def parse_tolerance(text):
         value = float(match.group(1)) / (100 if match.group(2) else 1)
     except (AttributeError, ValueError):
         value = -1.0
-    if not 0 < value < 10:
-        raise UserError("--tolerance is a part above 0, such as 2%% or 0.02, not '%s'" % text)
+    if not 0 < value < 1:
+        raise UserError("--tolerance is a part between 0 and 1, such as 2%% or 0.02, not '%s'" % text)
     return value

@@ -7,6 +7,7 @@ import os
 import numpy as np
 
 from hybrid_tools.study import tables
+from hybrid_tools.study.axes import label_text
 from hybrid_tools.study.run_directory import clipped
 
 KINDS = {"closed form": "the closed form", "Richardson": "Richardson's value", "finest run": "the finest run"}
@@ -23,7 +24,7 @@ def head(analysis):
     title = study.base.get("Title") or os.path.basename(study.scene)
     lines = ["hybrid study  %s: %d %s, %s" % (title, len(states), "run" if len(states) == 1 else "runs", counts)]
     for axis in study.axes:
-        labels = [os.path.basename(label) or "none" for label in axis.labels]
+        labels = [label_text(label) for label in axis.labels]
         what = {"ladder": "coarse to fine", "samples": "samples", "options": "compared with %s" % labels[axis.reference]}[axis.kind]
         lines.append("varied    %s: %s (%s)" % (axis.short, " | ".join(labels), what))
     times = sorted({tables.times_of(result.run.manifest) for result in analysis.done})

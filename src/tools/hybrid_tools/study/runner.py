@@ -14,6 +14,7 @@ import time
 
 from hybrid_run import UserError
 from hybrid_tools.study import program
+from hybrid_tools.study.axes import label_text
 from hybrid_tools.study.run_directory import RunDirectory, clipped
 
 DEATH_SIGNAL = 1  # PR_SET_PDEATHSIG of prctl(2)
@@ -173,7 +174,7 @@ class Runner:
 
 def title(manifest):
     """Of a run, in words."""
-    words = ["%s = %s" % (name, os.path.basename(value) or "none") for name, value in manifest["varied"].items()]
+    words = ["%s = %s" % (name, label_text(value)) for name, value in manifest["varied"].items()]
     words += [manifest["effect"]] * bool(manifest["effect"]) + ["seed %d" % manifest["seed"]] * bool(manifest["seed"])
     return ", ".join(words) or "the scene"
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from hybrid_run import convergence
 from hybrid_tools.study import quantities
+from hybrid_tools.study.axes import label_text
 from hybrid_tools.study.quantities import Number
 from hybrid_tools.table import Cell, Column, Table
 
@@ -33,7 +34,7 @@ def seconds(value):
 
 
 def level_columns(study, levels):
-    return [os.path.basename(axis.labels[level]) or "none" for axis, level in zip(study.axes, levels)]
+    return [label_text(axis.labels[level]) for axis, level in zip(study.axes, levels)]
 
 
 def runs(analysis):
