@@ -18,7 +18,7 @@ from .monitor import Monitor
 from .parameters import read_parameters
 from .response_spectrum import pseudo_acceleration
 from .run import Run
-from .spectra import fourier_amplitude, konno_ohmachi, spectral_ratio
+from .spectra import fourier_amplitude, has_energy, konno_ohmachi, spectral_ratio
 
 __all__ = ["Layer", "Line", "MissingData", "Monitor", "NotInScene", "Run", "UserError", "column_under", "convergence", "fourier_amplitude",
-           "konno_ohmachi", "motion_in_column", "pseudo_acceleration", "read_parameters", "spectral_ratio", "transfer_function"]
+           "has_energy", "konno_ohmachi", "motion_in_column", "pseudo_acceleration", "read_parameters", "spectral_ratio", "transfer_function"]

@@ -4,6 +4,7 @@
 import numpy as np
 from scipy import fft
 
+FAINT = 0.05  # of the largest amplitude
 WIDEST = 10  # the window of Konno and Ohmachi is below 1e-6 of its peak beyond f_c 10^(WIDEST / b)
 
 
@@ -36,6 +37,12 @@ def konno_ohmachi(frequency, amplitude, at, bandwidth=40.0):
         window = np.sinc(bandwidth * np.log10(frequency[near] / centre) / np.pi) ** 4
         smooth[row] = np.tensordot(window, amplitude[near], axes=1) / window.sum()
     return smooth
+
+
+def has_energy(reference, dt, at, bandwidth=40.0):
+    """Whether the smoothed amplitude of a history is more than FAINT of its largest, at each of the frequencies `at` [Hz]: elsewhere a ratio to it is noise."""
+    smooth = konno_ohmachi(*fourier_amplitude(reference, dt), at, bandwidth)
+    return smooth > FAINT * smooth.max()
 
 
 def spectral_ratio(values, reference, dt, at, bandwidth=40.0):

@@ -7,9 +7,7 @@ import re
 
 import numpy as np
 
-from hybrid_run import MissingData, UserError, fourier_amplitude, konno_ohmachi
-
-FAINT = 0.05  # where the outcrop has less than this of its largest amplitude a ratio says nothing
+from hybrid_run import MissingData, UserError, has_energy
 
 GAP = 5  # times the usual distance of two points: the line has a gap there
 
@@ -92,8 +90,7 @@ class Study:
         spacing, outcrop = self.lines[0].equal_steps(self.lines[0].outcrop()[:, self.component])
         highest = min(self.run.corner or np.inf, 0.5 / spacing)
         frequency = np.geomspace(min(3 / (spacing * len(outcrop)), 0.5 * highest), highest, points)
-        smooth = konno_ohmachi(*fourier_amplitude(outcrop, spacing), frequency, self.bandwidth)
-        return frequency, smooth > FAINT * smooth.max()
+        return frequency, has_energy(outcrop, spacing, frequency, self.bandwidth)
 
     def jumps(self):
         """[{line, ...}] of every line with two sides: what differs across it, and what the plane bears."""

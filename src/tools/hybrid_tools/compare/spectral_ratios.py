@@ -6,7 +6,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FormatStrFormatter, NullFormatter
 
 from hybrid_run import MissingData
-from hybrid_run.spectra import spectral_ratio
+from hybrid_run.spectra import has_energy, spectral_ratio
 
 from . import curves
 
@@ -31,13 +31,14 @@ def component(comparison):
 
 
 def ratio(comparison, i, name, c, at):
-    """Of run i, each to its own outcrop motion, over the common time [-]."""
+    """Of run i, each to its own outcrop motion, over the common time [-]; NaN where that has next to no energy."""
     motion = comparison.outcrop(i)
     if np.abs(motion[:, c]).max() <= WEAK * np.abs(motion).max():
         return np.full(len(at), np.nan)
     histories = [comparison.raw_acceleration(i, name)[:, c], motion[:, c]]
     acceleration, outcrop = (np.pad(history, (0, ZEROS * len(history))) for history in histories)
-    return spectral_ratio(acceleration, outcrop, comparison.dt, at, BANDWIDTH)
+    found = spectral_ratio(acceleration, outcrop, comparison.dt, at, BANDWIDTH)
+    return np.where(has_energy(outcrop, comparison.dt, at, BANDWIDTH), found, np.nan)
 
 
 def draw(comparison, directory):

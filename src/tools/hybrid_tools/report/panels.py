@@ -7,14 +7,13 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 
-from hybrid_run import MissingData, NotInScene, fourier_amplitude, konno_ohmachi
+from hybrid_run import MissingData, NotInScene, has_energy
 from hybrid_tools import style
 from hybrid_tools.plot import boreholes, energy_balance, input_motion, monitor_histories, section_view, slip
 
 from . import facts
 from .vector import to_svg
 
-LEAST_EXCITED = 1e-3  # of the largest amplitude of the outcrop motion
 WIDTH = 5.2  # [inches]; on a phone of 390 px the letters have 8 px then
 
 
@@ -134,10 +133,9 @@ def displacements(run):
 
 
 def excited(run, frequency, component):
-    """Where the outcrop motion has more than a thousandth of its largest amplitude: elsewhere a ratio to it is noise."""
+    """Where the outcrop motion has energy."""
     time, acceleration = run.equal_steps(run.history("input/acceleration"))
-    smooth = konno_ohmachi(*fourier_amplitude(acceleration[:, component], time[1] - time[0]), frequency)
-    return smooth > LEAST_EXCITED * smooth.max()
+    return has_energy(acceleration[:, component], time[1] - time[0], frequency)
 
 
 def ratios(run):
