@@ -61,7 +61,7 @@ def apply():
             "lines.linewidth": 1.0,
             "agg.path.chunksize": 20000,
             "axes.formatter.useoffset": False,
-            "axes.formatter.limits": (-4, 5),
+            "axes.formatter.limits": (-4, 7),
         }
     )
 

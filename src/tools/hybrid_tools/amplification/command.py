@@ -54,6 +54,13 @@ def draw(study, directory):
     return drawn
 
 
+def warn_of_the_end(study):
+    cut = study.cut_short()
+    if cut:
+        print("warning    %s still shakes with %.0f %% of its largest acceleration as the run ends: sharp resonances come out too low, let it run on" % (
+            cut[0], 100 * cut[1]))
+
+
 def main(words):
     found = read_words(words)
     directory = found.output or os.path.join(found.runs[0], "amplification")
@@ -64,6 +71,7 @@ def main(words):
     numbers = table.summary(studies[0])
     table.write(studies[0], numbers, directory)
     print(table.text(numbers))
+    warn_of_the_end(studies[0])
     figures = [] if found.no_figures else draw(studies[0], directory)
     print("files      %s/: table.csv, table.json, spectral_ratios.csv%s" % (directory, "".join(", " + name + ".png" for name in figures)))
     return 0

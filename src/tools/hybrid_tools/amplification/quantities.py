@@ -12,6 +12,10 @@ from hybrid_run import MissingData, UserError, has_energy
 GAP = 5  # times the usual distance of two points: the line has a gap there
 
 
+END = 0.1  # of a run: what still shakes then is missing in its spectra
+QUIET = 0.1  # of the largest acceleration
+
+
 class Side:
     """One side of one line: peaks over those of the outcrop motion, and spectral ratios."""
 
@@ -91,6 +95,16 @@ class Study:
         highest = min(self.run.corner or np.inf, 0.5 / spacing)
         frequency = np.geomspace(min(3 / (spacing * len(outcrop)), 0.5 * highest), highest, points)
         return frequency, has_energy(outcrop, spacing, frequency, self.bandwidth)
+
+    def cut_short(self):
+        """(line, part of its largest acceleration that is left in the last tenth of the run) of the line that shakes most then; None: quiet."""
+        most = None
+        for side in self.sides:
+            motion = np.abs(side.line.acceleration(side.name)[:, :, self.component]).max(axis=1)
+            left = motion[-max(1, int(END * len(motion))):].max() / max(motion.max(), 1e-300)
+            if left > max(QUIET, most[1] if most else 0.0):
+                most = side.line.name, float(left)
+        return most
 
     def jumps(self):
         """[{line, ...}] of every line with two sides: what differs across it, and what the plane bears."""

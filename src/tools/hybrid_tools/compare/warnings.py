@@ -7,6 +7,7 @@ from hybrid_run import MissingData
 
 SHORT = 0.95  # of the motion's energy up to the common end
 SWINGS = 0.5  # range over the last part, of what is left
+QUIET = 0.01  # of the largest u: a mass that moves by less has come to rest
 LAST = 0.1  # of the common time
 LEAKS = 0.01  # energy residual
 
@@ -145,12 +146,13 @@ def still_swinging(comparison):
     for name in comparison.monitors:
         if name == comparison.base:
             continue
-        ranges, left = [], []
+        ranges, left, largest = [], [], []
         for i in range(len(comparison.runs)):
             u = comparison.displacement(i, name)[:, 0]
             ranges.append(np.ptp(u[tail]))
             left.append(abs(u[-1]))
-        if max(ranges) > 1e-9 and max(ranges) > SWINGS * max(left):
+            largest.append(np.abs(u).max())
+        if max(ranges) > QUIET * max(largest) and max(ranges) > SWINGS * max(left):
             swinging.append(name)
     if not swinging:
         return []

@@ -52,7 +52,7 @@ def find_mass(slip, ground, notes):
     pieces = pieces_below(slip, below, 1e-9 * reach)
     if not pieces:
         x, y = max(slip, key=lambda p: p[1])
-        raise UserError("the slip line lies above the ground or beside it: its highest point is (%g, %g) m, the ground there at y = %s m" % (
+        raise UserError("the slip line lies above the ground or beside it: its highest point is (%g, %g) m, the ground there %s" % (
             x, y, height_in_words(ground, x)))
     if len(pieces) > 1:
         (x, y), (x2, y2) = pieces[0][-1], pieces[1][0]
@@ -133,5 +133,5 @@ def on_line(surface, point):
 
 def height_in_words(ground, x):
     if ground[0, 0] <= x <= ground[-1, 0]:
-        return "%.6g" % np.interp(x, ground[:, 0], ground[:, 1])
-    return "(none: the profile runs from x = %g to %g m), no" % (ground[0, 0], ground[-1, 0])
+        return "at y = %.6g m" % np.interp(x, ground[:, 0], ground[:, 1])
+    return "is not given: the profile runs from x = %g to %g m" % (ground[0, 0], ground[-1, 0])

@@ -157,7 +157,9 @@ def card(run):
     """[(heading, [[words]])] of what the program understood: groups with rows of two or three columns."""
     groups, plain = [], []
     for line in log_lines(run)[1:]:
-        if line.startswith(("warning: ", "error: ", "Finished")) or not line.strip():
+        if line.startswith(("Finished", "Stopped")):
+            break  # how the run ended is told elsewhere
+        if line.startswith(("warning: ", "error: ")) or not line.strip():
             continue
         words = re.split(r" {2,}", line.strip())
         if line.startswith(" ") and groups:
