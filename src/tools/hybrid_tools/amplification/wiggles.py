@@ -26,12 +26,13 @@ def draw_line(study, line, directory):
     values = line.low_passed(line.acceleration(side)[:, :, study.component])
     time = line.time[0] + spacing * np.arange(len(values))
     start, end = window(time, values)
-    even = np.linspace(line.distance[0], line.distance[-1], min(MOST_TRACES, values.shape[1]))
+    usual = np.median(np.diff(line.distance))  # every k-th point of an even line
+    even = np.arange(line.distance[0], line.distance[-1] + 1e-6 * usual, usual * np.ceil(line.distance[-1] / usual / MOST_TRACES))
     chosen = np.unique(np.abs(line.distance[:, None] - even).argmin(axis=0))
     seen = (time >= start) & (time <= end)
     distance = line.distance[chosen]
     apart = np.median(np.diff(distance)) if len(chosen) > 1 else 1.0
-    scale = 1.4 * apart / np.abs(values[:, chosen]).max()
+    scale = 0.95 * apart / np.abs(values[:, chosen]).max()
     figure, axes = plt.subplots(figsize=(9, 5), constrained_layout=True)
     for s, trace in zip(distance, values[seen][:, chosen].T):
         axes.plot(s + scale * trace, time[seen], color=style.TEXT, lw=0.5)
