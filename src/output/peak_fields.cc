@@ -45,7 +45,6 @@ namespace hybrid::output
     , continuum(bedrock)
     , nodes(corner)
     , blocks(corner)
-    , soles(all_blocks, 0.)
   {
     if (continuum != nullptr)
       facing = continuum->facing_nodes();
@@ -81,8 +80,6 @@ namespace hybrid::output
       centroids.push_back(block.centroid);
     gather_blocks(state.blocks);
     blocks.start(velocity.data(), velocity.size());
-    block_slip.assign(centroids.size(), 0.);
-    soles.set_reference(state.blocks);
   }
 
 
@@ -105,12 +102,6 @@ namespace hybrid::output
       return;
     gather_blocks(state.blocks);
     blocks.add(displacement.data(), velocity.data(), dt, base.data());
-    const std::vector<double> slip = soles.values(state.blocks);
-    for (std::size_t k = 0; k < slip.size(); ++k)
-      {
-        double &largest = block_slip[model->initial.block_of[soles.vertex(static_cast<int>(k))]];
-        largest         = std::max(largest, std::abs(slip[k]));
-      }
   }
 
 
@@ -146,7 +137,9 @@ namespace hybrid::output
 
 
 
-  void PeakFields::write(HistoryFile &file, const std::string &picture) const
+  void PeakFields::write(const std::vector<double> &block_slip,
+                         HistoryFile               &file,
+                         const std::string         &picture) const
   {
     VtuWriter   vtu;
     PointFields fields;
@@ -164,7 +157,7 @@ namespace hybrid::output
         file.write_table(
           "fields/nodes/cells", "1", cells.data(), cells.size() / 4, 4, "nodes of quadrilaterals");
       }
-    if (model != nullptr && !block_slip.empty())
+    if (model != nullptr && !centroids.empty())
       {
         write_part(file, "fields/blocks/", blocks, centroids, block_slip);
         const dda::Geometry &g = model->initial;
@@ -192,6 +185,6 @@ namespace hybrid::output
 
   void PeakFields::serialize(restart::Archive &archive)
   {
-    archive(nodes, blocks, soles, node_slip, block_slip, centroids);
+    archive(nodes, blocks, node_slip, centroids);
   }
 } // namespace hybrid::output

@@ -402,7 +402,7 @@ namespace hybrid::output
     if (last_picture != state.time)
       record_picture(state);
     write_section(state);
-    peaks.write(file, parts.scene.output.directory + "/peaks.vtu");
+    peaks.write(slip.largest_of_blocks(), file, parts.scene.output.directory + "/peaks.vtu");
     if (parts.blocks != nullptr)
       {
         write_joints(state);

@@ -80,6 +80,9 @@ namespace hybrid::output
 
       void write_blocks(const dda::Model &model)
       {
+        file.set_attribute("section",
+                           "mass_blocks",
+                           std::vector<double>{static_cast<double>(model.n_mass())});
         std::vector<double> material;
         for (const dda::BlockProperties &block : model.blocks)
           {

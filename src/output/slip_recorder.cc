@@ -160,6 +160,19 @@ namespace hybrid::output
 
 
 
+  std::vector<double> SlipRecorder::largest_of_blocks() const
+  {
+    std::vector<double> largest_slip(model != nullptr ? model->n_blocks() : 0, 0.);
+    for (int k = 0; k < slip.n_soles(); ++k)
+      {
+        double &of_block = largest_slip[model->initial.block_of[slip.vertex(k)]];
+        of_block         = std::max(of_block, farthest[k]);
+      }
+    return largest_slip;
+  }
+
+
+
   void SlipRecorder::serialize(restart::Archive &archive)
   {
     archive(slip, largest_mean, largest, where, farthest);

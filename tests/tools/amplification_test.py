@@ -49,11 +49,19 @@ def amplification(hybrid, directory, *words):
     return result.stdout, json.loads((directory / "amplification/table.json").read_text())
 
 
+def test_a_run_that_ends_while_the_ground_shakes_is_told(hybrid, run):
+    directory = run("soft_layer.prm", "Time/End time=0.9", "Time/Time step=0.005",
+                    "Mesh/Numbers=Width = 40; Height = 100; Layer height = 60; Resolution/h = 10", "Motion/Frequency=2", "Monitors/Points=surface: 5, 100", "Monitors/Lines=ground")
+    text, _ = amplification(hybrid, directory, "--no-figures")
+    assert "warning    ground still shakes with 100 % of its largest acceleration as the run ends" in text
+
+
 def test_level_homogeneous_ground_shakes_as_an_outcrop(hybrid, run):
     directory = run("soft_layer.prm", "Time/End time=2.5", "Time/Time step=0.005", "Mesh/Numbers=Width = 40; Height = 100; Resolution/h = 10",
                     "Continuum/Materials=rock", "Continuum/Rayleigh mass=0", "Continuum/Rayleigh stiffness=0", "Motion/Frequency=2",
                     "Motion/Meaning=incident", "Monitors/Points=surface: 5, 100", "Monitors/Lines=ground")
     text, numbers = amplification(hybrid, directory, "--no-figures")
+    assert "still shakes" not in text
     side = numbers["sides"][0]
     assert side["mean"] == pytest.approx(1.0, abs=0.01) and side["largest"]["ratio"] == pytest.approx(1.0, abs=0.01)
     assert side["largest_spectral_ratio"]["ratio"] == pytest.approx(1.0, abs=0.01)

@@ -120,6 +120,15 @@ def test_runs_that_do_not_move_are_not_called_equal(make, compare):
     assert table["verdict"] == ["none: nothing moves in any of the runs"]
 
 
+@pytest.mark.parametrize("left, is_told", [(0.2, True), (0.001, False)])
+def test_what_still_swings_at_the_end_is_told_and_what_trembles_is_not(make, compare, left, is_told):
+    def swing(t):
+        return 0.01 * np.sin(4 * np.pi * t) * np.where(t < 2, 1.0, left)
+
+    table = compare(make("a", sway=swing), make("b", sway=swing))[2]
+    assert any("still move" in warning for warning in table["warnings"]) == is_told
+
+
 def test_a_run_that_goes_on_or_was_stopped_is_compared_and_fails_a_test(make, compare):
     a, b, c = make("a"), make("b", finished=False, end=3.0), make("c", summary={"finished": False}, end=3.5)
     code, text, table = compare(a, b, c, "--tolerance", "5%")

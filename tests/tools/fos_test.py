@@ -89,9 +89,10 @@ def test_base_shear_of_a_level_layer_is_that_of_every_bedrock(hybrid, tmp_path, 
     assert result.returncode == 0, result.stderr
     run = Run(tmp_path / "run")
     weight = float(np.ravel(run.attribute("base_shear", "weight"))[0])
-    if float(run.parameters["Gravity/Acceleration"]) > 0:
-        shear, normal, _ = np.ravel(run.attribute("base_shear", "at_rest"))
-        assert normal == pytest.approx(weight, rel=1e-6) and abs(shear) < 1e-6 * weight
+    shear, normal, _ = np.ravel(run.attribute("base_shear", "at_rest"))
+    assert normal == pytest.approx(weight, rel=1e-6) and abs(shear) < 1e-6 * weight
+    assert (run.blocks.mass.stop < len(run.blocks)) == (bedrock == "triangles")  # blocks of the bedrock follow those of the mass
+    assert all(polygon[:, 1].min() > 10 - 1e-6 for polygon in run.blocks.polygons[run.blocks.mass])
     assert weight > 0 and run.get("base_shear/normal") == pytest.approx(-run.get("base_shear/force")[:, 1], abs=1e-6 * weight)
 
 
@@ -103,6 +104,25 @@ def test_slab_on_a_slope_fails_where_its_friction_does(hybrid, tmp_path):
     assert found["parting_within_mass"] < 0.01 and "warning" not in result.stdout
     assert (tmp_path / "out/fos.png").read_bytes().startswith(b"\x89PNG")
     assert len((tmp_path / "out/fos.csv").read_text().splitlines()) == 1 + len(found["trials"])
+
+
+def test_results_of_another_scene_are_not_replaced(hybrid, tmp_path):
+    (tmp_path / "fos.json").write_text(json.dumps({"scene": "/elsewhere/scene.prm"}))
+    result = hybrid("fos", SLAB, "--output", tmp_path)
+    assert result.returncode == 2 and "holds results of '/elsewhere/scene.prm'" in result.stderr
+    assert not (tmp_path / "fos.csv").exists()
+
+
+@pytest.mark.parametrize("bedrock", ["continuum", "triangles"])
+def test_a_level_layer_is_pushed_off_by_its_friction_on_every_bedrock(hybrid, tmp_path, bedrock):
+    settings = [f"Model/Bedrock={bedrock}", "Blocks/Belt material=", "Materials/rock/Friction angle=15",
+                "Mesh/Numbers=Width = 10; Height = 20; Block height = 10; Resolution/h = 5"]
+    result = hybrid("fos", ROOT / "parameters/verification/coupled_column.prm", "--yield", "--tolerance", "0.05", "--output", tmp_path / "out",
+                    *[word for setting in settings for word in ("-s", setting)])
+    assert result.returncode == 0, result.stderr
+    found = read(tmp_path / "out", "yield")
+    assert_brackets(found, "yield", np.tan(np.radians(15)), 0.02)
+    assert found["parting_within_mass"] < 0.01  # the bedrock, which stays, is no part of the mass
 
 
 def test_wedge_of_culmann(hybrid, tmp_path):

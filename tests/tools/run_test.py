@@ -78,6 +78,15 @@ def test_an_oscillator_answers_a_sine_as_its_closed_form_and_a_step_by_its_overs
     assert undamped == pytest.approx(2.0, rel=1e-5)
 
 
+def test_there_is_no_ratio_to_a_motion_without_energy():
+    dt = 0.005
+    t = dt * np.arange(2000)
+    pulse = (1 - 2 * (np.pi * 2 * (t - 1)) ** 2) * np.exp(-((np.pi * 2 * (t - 1)) ** 2))  # Ricker, 2 Hz: f^2 exp(-f^2 / 4)
+    at = np.array([0.1, 1.0, 2.0, 4.0, 12.0])
+    expected = at**2 * np.exp(-(at**2) / 4) > hybrid_run.spectra.FAINT * 4 / np.e
+    assert (hybrid_run.has_energy(pulse, dt, at, 80) == expected).all() and expected.tolist() == [False, True, True, True, False]
+
+
 def test_a_directory_without_a_run_is_told(tmp_path):
     with pytest.raises(UserError, match="holds no run.h5"):
         Run(tmp_path)

@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT
 
 from hybrid_run import UserError, convergence
-from hybrid_tools.study import analysis, axes, plan, quantities, report, study_file, tables
+from hybrid_tools.study import analysis, axes, command, plan, quantities, report, runner, study_file, tables
 from hybrid_tools.study.run_directory import RunDirectory, reason_of
 
 SCENES = ROOT / "parameters/verification"
@@ -373,10 +373,17 @@ def test_mistakes_are_one_line(hybrid, tmp_path, words, message):
     assert not pathlib.Path(tmp_path / "output").exists()
 
 
-def test_a_directory_holds_the_study_of_one_scene_and_one_process_works_there(hybrid, tmp_path):
+def test_a_directory_holds_the_study_of_one_scene_and_one_process_works_there(hybrid, tmp_path, monkeypatch):
     directory = tmp_path / "study"
     words = ("--vary", "Time/Time step=4e-3,2e-3", "-s", "Time/End time=0.1", "--directory", directory)
     assert hybrid("study", SCENES / "incline.prm", *words).returncode == 0
     other = hybrid("study", SCENES / "friction.prm", *words)
     assert other.returncode == 2 and "holds the study of" in other.stderr
     assert hybrid("study", directory, "--quantities", "blok/*").returncode == 2
+    before = (directory / "scene.prm").read_text(), (directory / "plan.json").read_text()
+    locked = runner.lock(str(directory))
+    monkeypatch.setattr(runner, "PATIENCE", 0.0)
+    with pytest.raises(UserError, match="another process is at work"):
+        command.main([str(SCENES / "incline.prm"), *map(str, words), "-s", "Blocks/Damping ratio=0.1"])
+    os.close(locked)
+    assert ((directory / "scene.prm").read_text(), (directory / "plan.json").read_text()) == before

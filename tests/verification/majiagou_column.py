@@ -19,7 +19,6 @@ import numpy as np
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "../../src/tools"), os.path.join(HERE, "cases")]
 
-import scene_numbers  # noqa: E402
 from hybrid_run import Run  # noqa: E402
 from zero_phase import low_pass  # noqa: E402
 
@@ -175,7 +174,7 @@ class Scene:
 
     def __init__(self, directory):
         self.run = Run(directory)
-        self.parameters = scene_numbers.read(os.path.join(directory, "params.used.prm"))
+        self.parameters = self.run.parameters
         p = self.parameters
         self.soils = {key: Soil(p, p["Blocks/" + key], key == "Saturated material")
                       for key in ("Material", "Saturated material")}

@@ -23,9 +23,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "src/tools"), str(ROOT / "tests"), str(ROOT / "tests/verification/cases")]
 
-from hybrid_run import Run  # noqa: E402 (needs the path above)
+from hybrid_run import Run, read_parameters  # noqa: E402 (needs the path above)
 from run_hybrid import run_hybrid  # noqa: E402
-from scene_numbers import assignments, read  # noqa: E402
+from scene_numbers import assignments  # noqa: E402
 
 
 class Case:
@@ -45,7 +45,7 @@ class Case:
         directory = self.work / variant
         changed = dict(self.further, **dict(split(override) for override in overrides))
         if mesh:
-            numbers = changed.get("Mesh/Numbers", read(self.scene).get("Mesh/Numbers", ""))
+            numbers = changed.get("Mesh/Numbers", read_parameters(self.scene).get("Mesh/Numbers", ""))
             numbers = dict(assignments(numbers), **mesh)
             changed["Mesh/Numbers"] = "; ".join("%s = %.15g" % pair for pair in numbers.items())
         code, output, errors, command = run_hybrid(

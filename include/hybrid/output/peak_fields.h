@@ -6,7 +6,6 @@
 #include <hybrid/dda/model/model.h>
 #include <hybrid/output/history_file.h>
 #include <hybrid/output/peak_motion.h>
-#include <hybrid/output/sole_slip.h>
 
 #include <string>
 #include <vector>
@@ -27,8 +26,11 @@ namespace hybrid::output
     /// After a step of @p dt [s]. @param base displacement of the base monitor [m]
     void record(const coupling::CoupledState &state, double dt, const Vec2 &base);
 
-    /// Tables and picture, at the end.
-    void write(HistoryFile &file, const std::string &picture) const;
+    /// Tables and picture, at the end. @param block_slip largest magnitude at each block's soles
+    /// [m]
+    void write(const std::vector<double> &block_slip,
+               HistoryFile               &file,
+               const std::string         &picture) const;
 
     /// Everything so far, for the checkpoint.
     void serialize(restart::Archive &archive);
@@ -44,10 +46,9 @@ namespace hybrid::output
     const dda::Model                         *model;
     const continuum::Continuum               *continuum;
     PeakMotion                                nodes, blocks;
-    SoleSlip                                  soles;
-    std::vector<continuum::Continuum::Facing> facing; ///< nodes on the two sides of planes
-    std::vector<double>                       node_slip, block_slip;  ///< largest magnitudes [m]
-    std::vector<Vec2>                         centroids;              ///< at the start [m]
+    std::vector<continuum::Continuum::Facing> facing;    ///< nodes on the two sides of planes
+    std::vector<double>                       node_slip; ///< largest magnitudes [m]
+    std::vector<Vec2>                         centroids; ///< at the start [m]
     std::vector<double>                       displacement, velocity; ///< of blocks, work
 
     void gather_blocks(const dda::DdaState &state);

@@ -30,6 +30,9 @@ namespace hybrid::output
     /// The table of the farthest slips, and the summary.
     void finish(const dda::DdaState &state, HistoryFile &file, Summary &summary) const;
 
+    /// Of each block: the largest size of the slip of its soles so far; 0 without soles [m].
+    std::vector<double> largest_of_blocks() const;
+
     /// Reference and the largest values so far, for the checkpoint.
     void serialize(restart::Archive &archive);
 

@@ -5,13 +5,19 @@ import numpy as np
 
 
 class Blocks:
-    """Blocks of the sliding mass; arrays have a row for each."""
+    """Blocks of the sliding mass, then those of a bedrock of blocks (layers, triangles); arrays have a row for each."""
 
     def __init__(self, run):
         self.run = run
 
     def __len__(self):
         return len(self.run.get("section/blocks_offsets")) - 1
+
+    @property
+    def mass(self):
+        """Which of them are the sliding mass: a slice."""
+        count = self.run.attribute("section", "mass_blocks")
+        return slice(len(self) if count is None else int(np.ravel(count)[0]))
 
     @property
     def polygons(self):

@@ -32,7 +32,7 @@ class Numbers:
     """Parameters of a run by their paths, e.g. number("Time/Time step")."""
 
     def __init__(self, run):
-        self.values = read(pathlib.Path(run.directory) / "params.used.prm")
+        self.values = run.parameters
         self.geometry = assignments(self.values["Mesh/Numbers"])
 
     def text(self, path):
@@ -62,21 +62,6 @@ class Numbers:
             if name.strip() == monitor:
                 return np.array([float(x) for x in place.split(",")])
         raise KeyError(monitor)
-
-
-def read(path):
-    """{"Section/Name": text} of a parameter file whose sections are not nested in unusual ways."""
-    values, sections = {}, []
-    for line in pathlib.Path(path).read_text(encoding="utf-8").splitlines():
-        line = line.split("#")[0].strip()
-        if line.startswith("subsection "):
-            sections.append(line[len("subsection ") :].strip())
-        elif line == "end":
-            sections.pop()
-        elif line.startswith("set "):
-            name, value = line[len("set ") :].split("=", 1)
-            values["/".join(sections + [name.strip()])] = value.strip()
-    return values
 
 
 def assignments(text):

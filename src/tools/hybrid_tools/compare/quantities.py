@@ -182,12 +182,12 @@ def bedding_rows(comparison):
 
 
 def block_rows(comparison):
-    """How far blocks have moved, of runs that end where the comparison does (run.h5 has it at the end only)."""
+    """How far blocks of the mass have moved, of runs that end where the comparison does (run.h5 has it at the end only)."""
     path = "section/blocks_peak_displacement"
     known = [run.has(path) and comparison.ends_with(i) for i, run in enumerate(comparison.runs)]
     if sum(known) < 2 or not known[0]:
         return []
-    largest = [float(np.max(run.get(path))) if is_known else None for run, is_known in zip(comparison.runs, known)]
+    largest = [float(np.max(run.get(path)[run.blocks.mass], initial=0)) if is_known else None for run, is_known in zip(comparison.runs, known)]
     row = left_row("blocks", "farthest", largest, 0.0, "blocks")
     weigh([row])
     return [row]

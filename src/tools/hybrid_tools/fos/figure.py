@@ -30,8 +30,10 @@ def mechanism(bracket):
 
 
 def parting(bracket):
-    """Largest difference of the motions of blocks at a corner that they share, over the largest motion [-]: 0 if they move as one."""
-    points, motion, _ = mechanism(bracket)
+    """Largest difference of the motions of blocks of the mass at a corner that they share, over the largest motion [-]: 0 if they move as one."""
+    points, motion, offsets = mechanism(bracket)
+    end = offsets[bracket.fails.run().blocks.mass.stop]
+    points, motion = points[:end], motion[:end]
     _, corner = np.unique(np.round(points, 6), axis=0, return_inverse=True)
     corner = np.ravel(corner)
     low, high = np.full((corner.max() + 1, 2), np.inf), np.full((corner.max() + 1, 2), -np.inf)

@@ -104,7 +104,7 @@ def headline(run):
         mean = "" if run.is_level else ", by %s %s on average" % length(found[0])  # on level ground left and right cancel
         words.append("the mass has slipped by up to %s %s%s" % (length(found[1]) + (mean,)))
     elif run.has("section/blocks_displacement"):
-        words.append("blocks have moved by up to %s %s" % length(np.hypot(*run.blocks.displacement.T).max()))
+        words.append("blocks have moved by up to %s %s" % length(np.hypot(*run.blocks.displacement[run.blocks.mass].T).max(initial=0)))
     joints = failed_joints(run)
     if joints is not None and is_bonded(run):
         n = joints[0] + joints[1]
@@ -121,7 +121,7 @@ def facts(run):
         found.append(Fact("Largest displacement", *length(moved[1]), "monitor %s%s" % (moved[0], against)))
         found.append(Fact("Left at the end", *length(moved[2]), "monitor %s" % moved[0]))
     elif run.has("section/blocks_peak_displacement"):
-        found.append(Fact("Largest displacement", *length(run.blocks.peak_displacement.max()), "of a block"))
+        found.append(Fact("Largest displacement", *length(run.blocks.peak_displacement[run.blocks.mass].max(initial=0)), "of a block"))
     hardest, outcrop = strongest(run), outcrop_peak(run)
     if hardest:
         times = ", %.2f × outcrop" % (hardest[1] / outcrop) if outcrop > 0 else ""

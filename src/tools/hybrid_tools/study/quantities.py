@@ -116,8 +116,8 @@ def read(directory, end):
         for name in ("mean", "largest"):
             slip = cut(History(run.time, run.history("slip/" + name).reshape(-1, 1)), end)
             found["slip/%s left" % name] = left(slip.values[-1, 0], np.abs(slip.values).max())
-    if run.has("section/blocks_displacement"):
-        found["blocks/final displacement"] = Number(float(np.linalg.norm(run.blocks.displacement, axis=1).mean()))
+    if run.has("section/blocks_displacement") and run.blocks.mass.stop > 0:
+        found["blocks/final displacement"] = Number(float(np.linalg.norm(run.blocks.displacement[run.blocks.mass], axis=1).mean()))
     joints = run.summary.get("joints", {})
     found["joints/failed"] = Number(float(joints.get("tensile", 0) + joints.get("shear", 0)))
     run.file.close()
