@@ -34,6 +34,7 @@ namespace hybrid::scene
 
 
     /// "0,01 0,3" or "0,01;0,3": digits on both sides of every comma, and another separator.
+    /// Commas that part columns make no row of numbers of such a line.
     bool has_decimal_commas(const std::string &text)
     {
       const auto is_digit = [&](const std::size_t i) {
@@ -57,8 +58,6 @@ namespace hybrid::scene
     {
       if (text.find('"') != std::string::npos || text.find('\'') != std::string::npos)
         return " (leave the quotation marks away)";
-      if (has_decimal_commas(text))
-        return " (the decimal mark must be a point: 0.01 for 0,01)";
       double                         value;
       const std::vector<std::string> fields = split_fields(text);
       if (std::none_of(fields.begin(), fields.end(), [&](const std::string &field) {
@@ -77,16 +76,21 @@ namespace hybrid::scene
       return {};
 
     std::vector<std::string> fields;
-    const bool               has_commas = text.find_first_of(",;") != std::string::npos;
-    const char *const        separators = has_commas ? ",;" : blanks;
-    std::size_t              begin      = 0;
+    const bool               has_decimals = has_decimal_commas(text);
+    const std::string        marks        = has_decimals ? ";" : ",;";
+    const bool               has_marks    = text.find_first_of(marks) != std::string::npos;
+    const std::string        separators   = has_marks ? marks : blanks;
+    std::size_t              begin        = 0;
     while (begin <= text.size())
       {
         const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
-        if (has_commas || end > begin)
+        if (has_marks || end > begin)
           fields.push_back(trimmed(text.substr(begin, end - begin)));
         begin = end + 1;
       }
+    if (has_decimals)
+      for (std::string &field : fields)
+        std::replace(field.begin(), field.end(), ',', '.');
     return fields;
   }
 

@@ -99,6 +99,22 @@ def test_the_frequencies_of_records_are_those_of_their_waves(tmp_path):
         assert read_record(at2).mean_frequency == pytest.approx(3, abs=0.05)
 
 
+@pytest.mark.parametrize("comma, separator, is_known", [(False, ",", True), (True, ";", True), (True, "\t", True), (True, " ", True), (True, ",", False)])
+def test_records_with_decimal_commas_are_read_as_the_program_reads_them(hybrid, tmp_path, comma, separator, is_known):
+    rows = [(0.01 * k, 20 * np.sin(0.2 * k) * np.sin(np.pi * k / 300)) for k in range(301)]
+    text = "# Zeit, Beschleunigung\n" + "".join("%.4f%s%.5f\n" % (t, "|", a) for t, a in rows)
+    (tmp_path / "r.txt").write_text((text.replace(".", ",") if comma else text).replace("|", separator))
+    if not is_known:
+        with pytest.raises(UserError, match="line 2 is '0,0000,0,00000'"):
+            read_record(tmp_path / "r.txt")
+        return
+    assert read_record(tmp_path / "r.txt").duration == pytest.approx(3)
+    assert np.abs(read_record(tmp_path / "r.txt").values).max() == pytest.approx(20, rel=0.02)
+    made = slope(hybrid, tmp_path, "--record", tmp_path / "r.txt", "--unit", "gal", slip=None, planes=None)
+    card = hybrid("--check", tmp_path / "slope/scene.prm").stdout
+    assert made.returncode == 0 and re.search(r"peak 0.[12][0-9]* m/s2", card), made.stderr + card
+
+
 # ---- strengths
 
 def test_the_factor_of_safety_of_a_planar_wedge_is_its_closed_form():
@@ -200,6 +216,29 @@ def test_a_lid_of_rock_thinner_than_elements_is_told_or_refused_with_its_place(d
         section(planes=below)
 
 
+def test_a_plane_that_the_mass_slides_on_goes_on_behind_it():
+    """The slip line is a piece of a bedding plane and a scarp: the plane goes on from its corner to the ground."""
+    ground = GROUND
+    plane = np.array([(100, 20), (300, 80)], float)
+    slip = np.array([(100, 20), (120, 26), (180, 44), (206, 62)], float)
+    found, notes = section(ground, slip, [("p", plane)])
+    assert any("83.5 m of it on the slip line were left out" in note for note in notes)
+    (_, _, points), = found.planes
+    assert points[0] == pytest.approx((180, 44)) and points[-1][1] == pytest.approx(np.interp(points[-1][0], *ground.T))
+    assert group_lengths(found)["bedding_1"] == pytest.approx(np.hypot(*(points[-1] - points[0])), rel=1e-3) and len(found.bedrock) == 2
+    with pytest.raises(UserError, match="p coincides with the slip line: leave it out"):
+        section(planes=[("p", SLIP)])
+
+
+@pytest.mark.parametrize("slip", [None, SLIP * [0.2, 0.2]])
+def test_rock_far_from_a_low_slope_has_elements_by_wavelength(slip):
+    found, _ = section(ground=GROUND * [0.2, 0.2], slip=slip, planes=[])
+    waves = 0.7 * 2 * found.rock.s_wave_speed / (10 * found.record.highest_frequency)
+    assert found.ground_size < 3 and found.far == pytest.approx(waves, rel=0.1)
+    at_foot, below = found.size_at(20, 4), found.size_at(20, found.base)
+    assert at_foot < 3.1 and below == pytest.approx(min(found.far, at_foot + 0.15 * (4 - found.base)), rel=0.1)
+
+
 def edges_of(face):
     return [(min(a, b), max(a, b)) for a, b in zip(face, face[1:] + face[:1])]
 
@@ -258,9 +297,22 @@ def test_a_directory_is_not_replaced_without_force(hybrid, tmp_path):
     assert slope(hybrid, tmp_path, "--force").returncode == 0 and mine.read_text() == "mine"
 
 
+def test_what_is_refused_leaves_nothing_and_replaces_nothing(hybrid, tmp_path):
+    refused = slope(hybrid, tmp_path, "--size", "30")
+    assert refused.returncode == 2 and "--size is 30 m, but the mass is only 16 m thick" in refused.stderr and not (tmp_path / "slope").exists()
+    (tmp_path / "r.txt").write_text("".join("%g %g\n" % (0.01 * k + 0.05 * (k > 50), np.sin(k)) for k in range(100)))
+    words = ["--record", tmp_path / "r.txt", "--unit", "g"]
+    refused = slope(hybrid, tmp_path, *words)
+    assert refused.returncode == 2 and "r.txt:52: the spacing" in refused.stderr and refused.stderr.count("\n") == 1
+    assert not (tmp_path / "slope").exists()
+    assert slope(hybrid, tmp_path).returncode == 0
+    before = (tmp_path / "slope/scene.prm").read_text()
+    assert slope(hybrid, tmp_path, "--force", *words).returncode == 2 and (tmp_path / "slope/scene.prm").read_text() == before
+
+
 @pytest.mark.parametrize("words, part", [
     ([], "--profile"), (["--profile", "nowhere.csv", "d"], "cannot read 'nowhere.csv'"), (["--profile", "g.csv", "--size", "-1", "d"], "must be positive"),
-    (["--profile", "g.csv", "--record", "r.txt", "d"], "--unit g, m/s2 or cm/s2"), (["--profil", "g.csv", "d"], "--profile")])
+    (["--profile", "g.csv", "--record", "r.txt", "d"], "--unit g, m/s2, cm/s2 or gal"), (["--profil", "g.csv", "d"], "--profile")])
 def test_mistakes_are_one_line(hybrid, tmp_path, words, part):
     write(tmp_path / "g.csv", GROUND)
     write(tmp_path / "r.txt", [(0.01 * k, np.sin(k)) for k in range(100)], separator=" ")

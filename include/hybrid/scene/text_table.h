@@ -18,6 +18,7 @@ namespace hybrid::scene
 
   /**
    * Rows of a text file: fields separated by commas or semicolons, or else by blanks.
+   * Beside semicolons or blanks a comma between digits is a decimal mark ("0,01; 0,3").
    * # starts a comment; empty lines are skipped.
    * @throws InputError if the file cannot be read or is no text.
    */

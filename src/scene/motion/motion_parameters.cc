@@ -28,14 +28,14 @@ namespace hybrid::scene
       section.choice<double>(
         "Unit",
         motion.file_unit,
-        {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}},
+        {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}, {"gal", 0.01}},
         "Unit of the accelerations in a text or spectrum file (.at2 files are in "
         "g, unless their header says otherwise).");
       section.quantity_or(
         "Peak",
         {"as recorded", motion.peak},
         motion.peak_has_unit,
-        {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}},
+        {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}, {"gal", 0.01}},
         ParameterRange::closed(0., 1e4),
         "Scale the motion to this peak acceleration; as recorded: leave a record as it is "
         "and a spectrum as given; ricker, sine and synthetic have 1 m/s2.");

@@ -84,7 +84,7 @@ TEST_F(SceneErrors, WordsMustBeAmongTheChoices)
                       {"Continuum/Base = 'soft'", "one of compliant | rigid | fixed"});
   expect_option_error("Time/Scheme=euler",
                       {"one of automatic | dissipative | trapezoidal | fourth order | shi"});
-  expect_option_error("Motion/Unit=G", {"one of m/s2 | g | cm/s2"});
+  expect_option_error("Motion/Unit=G", {"one of m/s2 | g | cm/s2 | gal"});
   expect_option_error("Blocks/Stiffness correction=maybe", {"must be true or false"});
 }
 
@@ -271,7 +271,7 @@ TEST_F(SceneErrors, PathsThatAShellWouldUnderstandAreExplained)
   expect_error(file, {"it is a directory"}, record(path("")));
   expect_option_error("Output/Directory=~/output", {"'~' is not replaced here"});
   expect_option_error("Output/Directory=\"output\"", {"leave the quotation marks away: output"});
-  expect_option_error("Motion/Peak=0.3 gal", {"must be", "m/s2, g or cm/s2"});
+  expect_option_error("Motion/Peak=0.3 kg", {"must be", "m/s2, g, cm/s2 or gal"});
   expect_option_error("Motion/Peak=-0.3 g", {"must be"});
 }
 

@@ -155,7 +155,7 @@ namespace hybrid::scene
     std::string type = "none"; ///< none | ricker | sine | synthetic | spectrum | text | at2
     std::string file;          ///< for text and at2; resolved path
     double file_unit = 1.; ///< of acceleration in text and spectrum files [m/s2] (parameter "Unit":
-                           ///< m/s2 | g | cm/s2)
+                           ///< m/s2 | g | cm/s2 | gal)
     bool   file_unit_is_set = false; ///< by the user
     double peak = -1.; ///< scale to this outcrop/incident peak acceleration [m/s2]; < 0: as it is
     bool   peak_has_unit = false; ///< the user wrote the unit

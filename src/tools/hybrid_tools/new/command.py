@@ -37,7 +37,7 @@ def arguments():
     found.add_argument("--slip", metavar="FILE", help="sliding surface: x, y [m], cut or extended to the ground; without: no mass, waves alone")
     found.add_argument("--planes", metavar="FILE", help="bedding planes: name, x, y [m], or x, y with an empty line between two planes")
     found.add_argument("--record", metavar="FILE", help="PEER record (.at2), or time [s] and acceleration; without: a Ricker wavelet")
-    found.add_argument("--unit", choices=("g", "m/s2", "cm/s2"), help="of the accelerations in a record of two columns")
+    found.add_argument("--unit", choices=("g", "m/s2", "cm/s2", "gal"), help="of the accelerations in a record of two columns")
     found.add_argument("--peak", metavar="VALUE", help="peak acceleration with its unit, as '0.3 g'; default: as recorded")
     found.add_argument("--frequency", type=float, default=2.0, metavar="HZ", help="of the Ricker wavelet; default 2")
     found.add_argument("--size", type=float, metavar="M", help="edge length of the blocks, or of all elements without a mass; default: by wavelength")
@@ -63,7 +63,7 @@ def read(options):
     """make(finer, notes): the section of what the files say."""
     record = read_record(options.record) if options.record else Ricker(options.frequency)
     if record.kind == "text" and not options.unit:
-        raise UserError("%s: give the unit of its accelerations, --unit g, m/s2 or cm/s2" % options.record)
+        raise UserError("%s: give the unit of its accelerations, --unit g, m/s2, cm/s2 or gal" % options.record)
     first = []
     profile = read_profile(options.profile, first)
     slip = read_slip(options.slip, first) if options.slip else None
@@ -85,19 +85,23 @@ def times(section):
     return sizes.rounded_up(end) if record.kind == "ricker" else round(end, 6), sizes.time_step(record)
 
 
-def write(section, options):
-    directory = options.directory
-    title = options.title or os.path.basename(os.path.abspath(directory))
+def write(section, options, place):
+    """The files of the slope, in a directory where they are checked first."""
+    title = options.title or os.path.basename(os.path.abspath(options.directory))
     options.pictures = sizes.rounded_up(times(section)[0] / 100)
-    os.makedirs(directory, exist_ok=True)
-    with open(os.path.join(directory, "section.geo"), "w", encoding="utf-8") as text:
+    with open(os.path.join(place, "section.geo"), "w", encoding="utf-8") as text:
         text.write(geometry_text(section, title))
-    with open(os.path.join(directory, "scene.prm"), "w", encoding="utf-8") as text:
-        text.write(scene_text(section, title, directory, options))
+    with open(os.path.join(place, "scene.prm"), "w", encoding="utf-8") as text:
+        text.write(scene_text(section, title, options.directory, options))
     if section.record.path:
-        target = os.path.join(directory, os.path.basename(section.record.path))
-        if not os.path.exists(target) or not os.path.samefile(section.record.path, target):
-            shutil.copyfile(section.record.path, target)
+        shutil.copyfile(section.record.path, os.path.join(place, os.path.basename(section.record.path)))
+
+
+def hand_over(place, directory):
+    """What the program has found good."""
+    os.makedirs(directory, exist_ok=True)
+    for name in os.listdir(place):
+        shutil.copyfile(os.path.join(place, name), os.path.join(directory, name))
 
 
 def describe(section):
@@ -111,7 +115,8 @@ def describe(section):
     for name, number in sorted({(name, number) for name, number, _ in section.planes}, key=lambda p: p[1]):
         print("plane      bedding_%d is %s" % (number, name))
     print("sizes      h = %g m%s; the motion has 95 %% of its energy below %.3g Hz" % (
-        section.h, ", far from the mass %g m" % section.far if section.mass is not None else "", section.record.highest_frequency))
+        section.h, ", far from the %s %g m" % ("slope" if section.mass is None else "mass", section.far) if section.far > section.h else "",
+        section.record.highest_frequency))
     for note in section.notes:
         print("note       " + note)
 
@@ -134,17 +139,17 @@ def finer_than(finer, warnings):
     return None if found == list(finer) or min(found) < 0.5 else tuple(found)
 
 
-def make_and_check(options):
+def make_and_check(options, place):
     """(section, card, warnings) of what was written; meshed again where the first mesh is a little too coarse for the motion."""
     make, finer = read(options), (1.0, 1.0)
-    scene = os.path.join(options.directory, "scene.prm")
     for _ in range(ATTEMPTS):
         section = make(finer)
-        write(section, options)
-        code, errors, warnings, card = check(scene)
+        write(section, options, place)
+        code, errors, warnings, card = check(os.path.join(place, "scene.prm"))
         if code != 0:
-            raise UserError("the section was written to '%s', but the program refuses it: %s" % (
-                options.directory, " ".join(errors)[len("error: "):] or card[-1]))
+            said = (" ".join(errors)[len("error: "):] or card[-1]).replace(place + os.sep, "")
+            raise UserError("nothing was written, as the program refuses the scene%s: %s" % (
+                " with elements of %g m (--size)" % options.size if options.size else "", said))
         finer = finer_than(finer, warnings)
         if finer is None or options.size:
             break
@@ -158,9 +163,9 @@ def stands(scene):
         return subprocess.run(words, capture_output=True).returncode == 0
 
 
-def make_it_stand(section, options, blocks):
+def make_it_stand(section, options, place, blocks):
     """More cohesion until the typical strengths hold the mass; limit equilibrium does not see how it deforms. Too many blocks: not tried."""
-    scene = os.path.join(options.directory, "scene.prm")
+    scene = os.path.join(place, "scene.prm")
     if section.mass is None or blocks > TRIED_BLOCKS:
         return
     for _ in range(ATTEMPTS):
@@ -169,7 +174,7 @@ def make_it_stand(section, options, blocks):
         section.belt.cohesion = rounded(1.5 * section.belt.cohesion, 2, up=True)
         section.body.cohesion = max(section.body.cohesion, section.belt.cohesion)
         section.belt.safety = Slices(section.mass, section.body.density).safety(section.belt.friction_angle, section.belt.cohesion)
-        write(section, options)
+        write(section, options, place)
     if not stands(scene):
         section.notes.append("the mass does not stand under its weight with the typical strengths: give your own, or set Gravity/Static stage = held")
 
@@ -177,8 +182,10 @@ def make_it_stand(section, options, blocks):
 def main(words):
     options = arguments().read(words)
     check_options(options)
-    section, card, warnings = make_and_check(options)
-    make_it_stand(section, options, count(card, "Blocks", "blocks"))
+    with tempfile.TemporaryDirectory() as place:
+        section, card, warnings = make_and_check(options, place)
+        make_it_stand(section, options, place, count(card, "Blocks", "blocks"))
+        hand_over(place, options.directory)
     describe(section)
     tell_cost(section, card)
     for warning in warnings:

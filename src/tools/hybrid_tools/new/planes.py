@@ -10,8 +10,10 @@ THIN, TOO_THIN = 0.25, 0.1  # layers of rock over the edge length h
 STEEPEST = np.tan(np.radians(50))  # of a continuation [-]
 
 
-def cut_planes(planes, rock, limits, notes):
+def cut_planes(planes, rock, slip, limits, notes):
     """[(name, number, points)] within the bedrock `rock` (a polygon), between the x of limits; a plane may fall into several.
+
+    What lies on the slip line is left out: the sliding surface is there.
 
     @raises UserError where planes cross or lie nowhere in the bedrock.
     """
@@ -20,6 +22,11 @@ def cut_planes(planes, rock, limits, notes):
         line = LineString(points)
         if not line.is_simple:
             raise UserError("bedding plane %s crosses itself" % name)
+        line, shared = without(line, slip)
+        if shared > 0 and line.is_empty:
+            raise UserError("bedding plane %s coincides with the slip line: leave it out, the sliding surface is there already (material belt)" % name)
+        if shared > 0:
+            notes.append("bedding_%d (%s): %.3g m of it on the slip line were left out, the sliding surface is there" % (number, name, shared))
         parts = inside(line, rock, limits)
         if not parts:
             raise UserError("bedding plane %s from (%g, %g) to (%g, %g) m lies nowhere in the bedrock: x = %.6g to %.6g m, below the ground and the slip line" % (
@@ -31,6 +38,30 @@ def cut_planes(planes, rock, limits, notes):
         found += [(name, number, part) for part in parts]
     refuse_crossings(found)
     return found
+
+
+def without(line, slip):
+    """(parts of a line that do not lie on the slip line, length of those that do [m])."""
+    if slip is None:
+        return line, 0.0
+    near = 1e-6 * line.length
+    on_slip = line.intersection(LineString(slip).buffer(near))
+    longest = max((part.length for part in getattr(on_slip, "geoms", [on_slip])), default=0.0)
+    if longest < 1e-3 * line.length:  # it crosses or meets the slip line
+        return line, 0.0
+    rest = line.difference(LineString(slip).buffer(near))
+    parts = [LineString(to_corner(np.array(part.coords), slip, 1e-4 * line.length))
+             for part in getattr(rest, "geoms", [rest]) if part.length > 1e-3 * line.length]
+    return MultiLineString(parts), on_slip.length
+
+
+def to_corner(points, slip, near):
+    """Ends that lie at a corner of the slip line, on it."""
+    for end in (0, -1):
+        apart = np.hypot(*(slip - points[end]).T)
+        if apart.min() < near:
+            points[end] = slip[apart.argmin()]
+    return points
 
 
 def inside(line, rock, limits):

@@ -3,6 +3,7 @@
 
 import math
 import os
+import re
 
 import numpy as np
 
@@ -44,10 +45,12 @@ class Table:
 
 
 def split(line):
-    """Fields between commas, semicolons (decimal commas are numbers then), tabs or blanks; # begins a comment."""
+    """Fields between commas, semicolons, tabs or blanks; # begins a comment. Beside others, commas between digits are decimal marks."""
     text = line.split("#")[0].strip()
     if ";" in text:
         return [field.strip().replace(",", ".") for field in text.strip("; ").split(";")]
+    if "," in text and "." not in text and len(text.split()) > 1 and not re.search(r"(?<!\d),|,(?!\d)", text):
+        return text.replace(",", ".").split()
     return [field.strip() for field in text.strip(", ").split(",")] if "," in text else text.split()
 
 

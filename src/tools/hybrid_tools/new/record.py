@@ -8,6 +8,8 @@ import numpy as np
 
 from hybrid_run import UserError
 
+from .polylines import split, to_number
+
 SHARE = 0.95  # of the energy of a motion lies below its highest frequency, as on the scene card
 
 
@@ -78,13 +80,14 @@ def read_at2(path, header, lines):
 
 
 def read_columns(path, lines):
-    rows = [line.split("#")[0].replace(",", " ").replace(";", " ").split() for line in lines]
-    rows = [row for row in rows if row]
-    try:
-        table = np.array([row[:2] for row in rows], float)
-        return checked(path, "text", float((table[-1, 0] - table[0, 0]) / (len(table) - 1)), table[:, 1])
-    except (ValueError, IndexError, ZeroDivisionError) as error:
-        raise UserError("%s: expected are two columns without a header, time [s] and acceleration, or a PEER record (.at2)" % path) from error
+    rows = [(number, row) for number, line in enumerate(lines, 1) if (row := split(line.lstrip("\ufeff")))]
+    bad = next(((number, row) for number, row in rows if len(row) != 2 or None in map(to_number, row)), None)
+    if bad or len(rows) < 2:
+        where = "line %d is '%s'; " % (bad[0], lines[bad[0] - 1].strip()) if bad else ""
+        raise UserError("%s: %sexpected are two columns, time [s] and acceleration (# before lines of words), or a PEER record (.at2)" % (
+            path, where))
+    table = np.array([row for _, row in rows], float)
+    return checked(path, "text", float((table[-1, 0] - table[0, 0]) / (len(table) - 1)), table[:, 1])
 
 
 def checked(path, kind, dt, values):

@@ -9,6 +9,7 @@ from . import sizes
 from .arrangement import Arrangement, edges_of
 from .mass import below_of, find_mass
 from .materials import belt, body, rock
+from .monitors import point_at, slope_ends
 from .planes import Continuations, as_lines, cut_planes, look_at_layers, spacing
 
 STRIP = 0.3  # of a free-field column that is level ground beside the side; a quarter is asked for
@@ -19,7 +20,8 @@ SHORTEST = 0.8  # edge of the section over the element size there; shorter ones 
 class Section:
     """All that a geometry file and a scene need of a slope. notes: sentences on what was changed or chosen.
 
-    h: edge length [m], None: by wavelength, of blocks and bedrock times `finer`.
+    h: edge length [m], None: by wavelength, of blocks and bedrock times `finer`. far, ground_size, plane_size: of bedrock elements far
+    from all, at the slope and along the planes; they grow with the distance from there.
     """
 
     def __init__(self, profile, slip, planes, record, h, notes, finer=(1.0, 1.0)):
@@ -32,9 +34,13 @@ class Section:
             self.belt = belt(self.mass, self.body)
             self.h = sizes.block_edge(self.body, self.mass, record, h, notes, finer[0])
         self.set_extent(profile, planes)
-        self.far = sizes.far_edge(self.rock, record, self.height, self.h, finer[1])
-        if self.mass is None:
-            self.h = min(h or self.far, self.far)
+        self.far = sizes.far_edge(self.rock, record, self.h, finer[1])
+        if self.mass is None and h:
+            if h > self.far:
+                notes.append("size: %g m instead of %g m, as longer edges do not resolve the motion" % (self.far, h))
+            self.far = min(h, self.far)
+        self.ground_size = sizes.ground_edge(profile, self.far, self.h)
+        self.h = self.h or self.ground_size
         self.ground = self.simplified(self.extended(profile), "ground")
         self.slip = self.slip_line = None
         if self.mass is not None:
@@ -90,7 +96,7 @@ class Section:
         rock_area = below_of(self.ground).intersection(Polygon([(self.left, self.base), (self.right, self.base), (self.right, 1e9), (self.left, 1e9)]))
         if self.mass is not None:
             rock_area = rock_area.difference(self.mass.polygon)
-        self.planes = cut_planes(planes, rock_area, limits, self.notes)
+        self.planes = cut_planes(planes, rock_area, self.slip, limits, self.notes)
         look_at_layers(self.planes, obstacles_of(self.slip, self.ground), self.h, self.notes)
         self.plane_size = float(np.clip(spacing(self.planes, self.slip, self.ground), 0.5 * self.h, self.far))
         obstacles = [line for _, line in obstacles_of(self.slip, self.ground)]
@@ -102,13 +108,15 @@ class Section:
                  ("ground", list(map(tuple, self.ground)))]
         if self.slip is not None:
             lines.append(("sliding_surface", stuck_out(self.slip, reach, True, True)))
-        tips = {tuple(tip) for tip, _, _ in more.tips}
+        exact = {tuple(tip) for tip, _, _ in more.tips}.union(() if self.slip is None else map(tuple, self.slip))
         for name, number, points in self.planes:
-            lines.append(("bedding_%d" % number, stuck_out(points, reach, tuple(points[0]) not in tips, tuple(points[-1]) not in tips)))
+            lines.append(("bedding_%d" % number, stuck_out(points, reach, tuple(points[0]) not in exact, tuple(points[-1]) not in exact)))
         lines += [("inner", stuck_out(points, reach, False, True)) for points in more.lines]
         ends = [] if self.slip is None else [tuple(self.slip[0]), tuple(self.slip[-1])]
         self.plane_lines = as_lines([points for _, _, points in self.planes]) if self.planes else None
-        self.mesh = Arrangement(lines, lambda x, y: SHORTEST * self.size_at(x, y), corners + ends)
+        self.slope_line = self.slope_of_ground() if self.ground_size < self.far else None
+        detail = max(0.2 * self.height, self.h)  # of the section that is kept however large the elements are
+        self.mesh = Arrangement(lines, lambda x, y: SHORTEST * min(self.size_at(x, y), detail), corners + ends)
         self.mesh.divide(self.size_at)
         self.sort_faces()
         self.ground = self.chain({"ground", "mass_surface"})
@@ -131,16 +139,21 @@ class Section:
             last = nodes[-1]
             nodes.append(more[0])
 
+    def slope_of_ground(self):
+        """The ground without its level ends."""
+        left, right = slope_ends(self.ground)
+        inner = [tuple(p) for p in self.ground if left < p[0] < right]
+        return LineString([point_at(self.ground, left)] + inner + [point_at(self.ground, right)])
+
     def distances(self, x, y):
-        """(from the sliding surface, from the planes and their continuations) [m]; infinite where there are none."""
+        """(from the sliding surface, from the planes, from the slope of the ground) [m]; infinite where there are none."""
         place = Point(x, y)
-        return tuple(np.inf if line is None else line.distance(place) for line in (self.slip_line, self.plane_lines))
+        return tuple(np.inf if line is None else line.distance(place) for line in (self.slip_line, self.plane_lines, self.slope_line))
 
     def size_at(self, x, y):
         """Of elements there [m]."""
-        from_slip, from_planes = self.distances(x, y)
-        size = self.h if self.slip is None else min(self.far, self.h + GROWTH * from_slip)
-        return min(size, self.plane_size + GROWTH * from_planes)
+        from_slip, from_planes, from_slope = self.distances(x, y)
+        return min(self.far, self.h + GROWTH * from_slip, self.plane_size + GROWTH * from_planes, self.ground_size + GROWTH * from_slope)
 
     def sort_faces(self):
         """Mass and bedrock; curves of the ground on the mass are its own."""

@@ -3,6 +3,8 @@
 
 import numpy as np
 
+from hybrid_run import UserError
+
 EDGES = 10  # per shortest wavelength
 DEGREE = 2  # of the bedrock's elements: twice as many nodes as edges
 MARGIN = 150.0  # of rock between a mass of SLOPE height and the sides [m]
@@ -14,10 +16,13 @@ MOST_BLOCKS = 8000
 def block_edge(material, mass, record, given, notes, finer=1.0):
     """Edge h of the blocks [m]: of the waves; smaller where the mass is thin, larger where there would be too many."""
     waves = finer * material.s_wave_speed / (EDGES * record.highest_frequency)
+    thickest, x = mass.thickest
     if given:
+        if given > thickest:
+            raise UserError("--size is %g m, but the mass is only %.3g m thick (at x = %.4g m): give at most that, better %g m or less" % (
+                given, thickest, x, rounded_down(thickest / 2.5)))
         return given
     h = rounded_down(waves / BLOCK)
-    thickest, x = mass.thickest
     if h > thickest / 2.5:
         h = rounded_down(thickest / 2.5)
         notes.append("blocks: %g m instead of %.3g m, as the mass is only %.3g m thick (at x = %.4g m)" % (h, waves / BLOCK, thickest, x))
@@ -30,10 +35,15 @@ def block_edge(material, mass, record, given, notes, finer=1.0):
     return h
 
 
-def far_edge(material, record, height, h, finer=1.0):
-    """Edge of bedrock elements [m]."""
-    waves = finer * 0.7 * DEGREE * material.s_wave_speed / (EDGES * record.highest_frequency)
-    return max(rounded_down(min(waves, 0.2 * height)), h or 0.0)
+def far_edge(material, record, h, finer=1.0):
+    """Edge of bedrock elements where the ground is level [m]."""
+    return max(rounded_down(finer * 0.7 * DEGREE * material.s_wave_speed / (EDGES * record.highest_frequency)), h or 0.0)
+
+
+def ground_edge(profile, far, h):
+    """Edge of bedrock elements at the slope [m]: five on its height; far, where it is too low to be seen by waves."""
+    height = np.ptp(profile[:, 1])
+    return far if height < 0.1 * far else max(min(rounded_down(0.2 * height), far), h or 0.0)
 
 
 def margins(ground, mass, material, record, height):

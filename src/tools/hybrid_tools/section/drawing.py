@@ -168,7 +168,16 @@ def views(scene):
         mass = np.vstack([mass] + [np.reshape(feet, (-1, 2))])
         if np.ptp(mass[:, 0]) < 0.7 * (high - low)[0]:
             found.append(("sliding mass", mass.min(axis=0), mass.max(axis=0)))
+    elif len(recorded := recorded_points(scene)) > 1:
+        size = np.ptp(recorded, axis=0)
+        if 0 < size[0] < 0.5 * (high - low)[0]:
+            found.append(("monitors", recorded.min(axis=0) - 0.05 * size.max(), recorded.max(axis=0) + 0.05 * size.max()))
     return found
+
+
+def recorded_points(scene):
+    """Monitors but the base, and ends of boreholes."""
+    return np.array([p for name, p in scene.monitors.items() if name != scene.run.base] + [e for line in scene.boreholes.values() for e in line])
 
 
 def draw(scene, title, path):

@@ -379,6 +379,8 @@ TEST_F(SceneReader, PeaksMayHaveTheirUnit)
   EXPECT_TRUE(peak("0.3g").peak_has_unit);
   EXPECT_EQ(peak("2.4e-1 m/s2").peak, 0.24);
   EXPECT_EQ(peak("24 cm/s2").peak, 0.24);
+  EXPECT_EQ(peak("24 gal").peak, 0.24);
+  EXPECT_EQ(read_scene(file, {"Motion/Unit=gal"}).motion.file_unit, 0.01);
   EXPECT_LT(peak("as recorded").peak, 0.);
   EXPECT_FALSE(peak("as recorded").file_unit_is_set);
   EXPECT_TRUE(read_scene(file, {"Motion/Unit=m/s2"}).motion.file_unit_is_set);
