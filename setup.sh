@@ -19,6 +19,9 @@ packages=(build-essential cmake ninja-build git libdeal.ii-dev libgmsh-dev libei
 # pages of headers and documents are made.
 test_packages=(python3-vtk9 python3-pytest ffmpeg chromium chromium-driver python3-selenium doxygen)
 
+# For `test --long` alone (680 MB): the workflow of a study is run.
+long_test_packages=(snakemake)
+
 # Modules whose unit tests run under the sanitizers, and whether a leak is an error:
 # where MPI is linked, the leak checker reports MPI's own.
 sanitized_modules=(dda restart scene)
@@ -127,6 +130,7 @@ case "$command" in
 esac
 
 [[ "$command" == test ]] && packages+=("${test_packages[@]}")
+[[ "$command" == test && "$*" == --long ]] && packages+=("${long_test_packages[@]}")
 install_packages
 mkdir -p "$root/build"
 if [[ "$command" == test ]]; then

@@ -95,9 +95,12 @@ def test_values_with_commas_and_equal_signs():
     assert (axis.sizes, axis.reference) == ([8, 4, 2], 2)
     assert axis.override(0, {"Mesh/Numbers": "Width = 10; Resolution/h = 1"}) == "Mesh/Numbers=Width = 10; Resolution/h = 8"
     axis = axes.parse_axis("Bedding planes/Names=|a, b|a, b, c")
-    assert axis.labels == ["", "a, b", "a, b, c"] and axis.kind == "options" and axis.override(1, {}) == "Bedding planes/Names=a, b"
+    assert axis.labels == ["", "a, b", "a, b, c"] and axis.kind == "models" and axis.override(1, {}) == "Bedding planes/Names=a, b"
     assert axes.parse_axis("Continuum/Degree=3,1,2").labels == ["1", "2", "3"]
     assert axes.parse_axis("Heterogeneity/Seed=1,2").kind == "samples"
+    assert axes.parse_axis("Time/Scheme=trapezoidal,dissipative").kind == axes.parse_axis("Mesh/File=a.geo,b.geo").kind == "options"
+    bedrock = axes.parse_axis("Model/Bedrock=rigid,continuum")
+    assert bedrock.kind == "models" and axes.sort_levels(bedrock, "continuum").kind == "options" and bedrock.reference == 1
     assert axes.parse_axis("Blocks/Penalty ratio=10,40").sizes == [0.1, 0.025]
     axis = axes.sort_levels(axes.parse_axis("Blocks/Shear ratio=1,0.25,0.5"), "0.25")
     assert axis.kind == "ladder" and axis.labels == ["1", "0.5", "0.25"]
@@ -328,6 +331,42 @@ def test_samples_share_a_setting(tmp_path, monkeypatch):
     assert "is Time step 2e-3 (2 samples); it costs 10.5 s" in report.sentence(found)
 
 
+def test_another_model_is_another_problem_with_a_front_of_its_own(tmp_path, monkeypatch):
+    """Rigid bedrock is no cheap way to the answer on an elastic one: its errors are those against its own finest run."""
+    def analyse(axis):
+        study = plan.Study("scene.prm", str(tmp_path), [], [axis, axes.parse_axis("Time/Time step=4e-3,2e-3,1e-3")], base={}, tolerance=0.02)
+        runs = []
+        for setting in study.settings():
+            run, (model, step) = RunDirectory(str(tmp_path), setting.name), setting.levels
+            run.update(state="done", processor_time_s=(1.0 if model else 10.0) * 2**step)
+            runs.append((setting, run, {"a/peak displacement": quantities.Number((2.0 if model else 1.0) * (1 + 0.04 / 4**step))}))
+        return analysed(monkeypatch, study, runs)
+
+    found = analyse(axes.parse_axis("Model/Bedrock=continuum,rigid"))
+    for result in found.done:
+        assert found.error(result)[0] == pytest.approx(0.04 / 4 ** result.setting.levels[1], rel=1e-6)
+    assert [len(tables.front_of(entries)) for entries in tables.problems(found).values()] == [3, 3]
+    assert report.sentence(found).count("The cheapest setting") == 2 and "Bedrock rigid, Time step 2e-3; it costs 2 s" in report.sentence(found)
+    change = next(row for row in tables.options(found).rows if row[0] == "Bedrock = rigid")[3]
+    assert change == pytest.approx(1, rel=1e-2)  # what the model changes is told, as no error
+    found = analyse(axes.sort_levels(axes.parse_axis("Model/Bedrock=continuum,rigid"), "continuum"))
+    assert found.error(found.of((1, 2)))[0] == pytest.approx(1, rel=1e-2) and list(tables.problems(found)) == [""]
+
+
+def test_the_least_of_several_times_counts(hybrid, tmp_path):
+    directory = tmp_path / "study"
+    words = ["study", SCENES / "incline.prm", "--vary", "Time/Time step=4e-3,2e-3", "-s", "Time/End time=0.1", "--directory", directory]
+    assert hybrid(*words).returncode == 0
+    stamps = {path: path.stat().st_mtime_ns for path in directory.glob("runs/*/run.h5")}
+    result = hybrid(*words, "--repeat", "3")
+    assert result.returncode == 0 and "least of 3" in result.stdout, result.stderr
+    for manifest in manifests(directory):
+        times = [entry["processor_time_s"] for entry in manifest["times"]]
+        assert len(times) == 3 and manifest["processor_time_s"] == min(times) and manifest["state"] == "done"
+    assert {path: path.stat().st_mtime_ns for path in stamps} == stamps and not list(directory.glob("runs/*/timing"))
+    assert "2 of 2 runs are there already" in hybrid(*words, "--repeat", "3").stdout
+
+
 def test_without_its_finest_run_a_study_takes_the_next(tmp_path, monkeypatch):
     found = analysed(monkeypatch, *made_up(tmp_path, lambda h, dt: 0.01 * h**2 + 3 * dt, failed={(1, 1e-3), (2, 1e-3), (4, 1e-3)}))
     assert len(found.done) == 6 and found.study.describe(found.finest(found.study.finest).setting) == "h 1, Time step 2e-3"
@@ -360,6 +399,7 @@ def test_a_workflow_computes_one_run_at_a_time_and_a_closed_form_is_the_referenc
     (["scene.prm", "--vary", "Time/Time stepp=1,2"], "Time stepp"),
     (["scene.prm", "--vary", "Time/Time step=1e-3,-1"], "Time step"),
     (["scene.prm", "--vary", "Time/Time step=1e-3,2e-3", "--finest", "Blocks/Tolerance=1"], "not varied"),
+    (["column.prm", "--vary", "Mesh/Numbers=Resolution/hh = 5|2.5"], "there is no number 'Resolution/hh'"),
     (["scene.prm", "--variy", "a=1"], "did you mean '--vary'"),
     (["scene.prm"], "nothing is varied"),
     (["."], "plan.json"),
@@ -367,6 +407,7 @@ def test_a_workflow_computes_one_run_at_a_time_and_a_closed_form_is_the_referenc
 ])
 def test_mistakes_are_one_line(hybrid, tmp_path, words, message):
     (tmp_path / "scene.prm").write_text("include %s\n" % (SCENES / "incline.prm"))
+    (tmp_path / "column.prm").write_text("include %s\n" % (SCENES / "coupled_column.prm"))
     result = hybrid("study", *words, cwd=tmp_path)
     assert result.returncode == 2 and message in result.stderr
     assert result.stderr.startswith("error: ") and len(result.stderr.splitlines()) == 1

@@ -91,7 +91,7 @@ class Analysis:
         """What is far below the largest of its unit: nothing is asked of a monitor that hardly moves, or of slip within elastic joints."""
         sizes, largest = {}, {}
         for name in self.names:
-            sizes[name] = max(root_mean_square(result.values[name]) for result in self.done if name in result.values)
+            sizes[name] = max(quantities.root_mean_square(result.values[name]) for result in self.done if name in result.values)
             largest[quantities.unit(name)] = max(largest.get(quantities.unit(name), 0.0), sizes[name])
         return [name for name, size in sizes.items() if size <= SMALL * largest[quantities.unit(name)]
                 and name not in self.closed and name not in quantities.COUNTS]
@@ -161,8 +161,8 @@ class Analysis:
         return found
 
     def reference_levels(self, levels):
-        """Finest levels and first options; seeds and records are problems of their own."""
-        own = self.study.axes_of("samples")
+        """Finest levels and first options; models, seeds and records are problems of their own."""
+        own = self.study.axes_of("samples", "models")
         return tuple(level if index in own else axis.reference for index, (axis, level) in enumerate(zip(self.study.axes, levels)))
 
     def errors(self, result):
@@ -191,14 +191,6 @@ class Analysis:
                    if name in reference.values and self.judged(name) and stable.get(name, (None, "", True))[2]}
         worst = max(changes, key=changes.get, default="")
         return (changes[worst], worst) if worst else (None, "")
-
-
-def root_mean_square(value):
-    """Size of a value over time."""
-    if isinstance(value, Number):
-        return abs(value.value)
-    weights = value.weights(value.time)
-    return norm(value.at(value.time), weights) / np.sqrt(weights.sum())
 
 
 def common_times(values):

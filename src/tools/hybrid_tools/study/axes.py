@@ -18,16 +18,20 @@ REFINED = {
 }
 UNITS = {"Time/Time step": "s", "Mesh/Numbers:Resolution/*": "m"}
 GROWING = ("Continuum/Degree", "Blocks/Penalty ratio")  # finer where they are larger
+# Other numerics of the same problem: they are compared with one of them. All else that is not refined is another problem.
+NUMERICS = ("Time/Scheme", "Time/Maximum halvings", "Blocks/Maximum iterations", "Blocks/Stiffness correction", "Blocks/Shear ratio", "Mesh/File",
+            "Monitors/*", "Output/*", "Checkpoint/*", "Parallel/*")
 # Another problem each, of the same kind.
 SAMPLES = ("Heterogeneity/Seed", "Motion/Seed", "Motion/File", "Motion/Spectrum file", "Mesh/Numbers:Seed")
 
 
 @dataclass
 class Axis:
-    """A varied parameter. kind: "ladder" (refined, coarse to fine), "samples" (seeds, records) or "options" (compared with one of them).
+    """A varied parameter. kind: "ladder" (refined, coarse to fine), "samples" (seeds, records), "options" (numerics of the same problem:
+    errors are told against one of them) or "models" (other problems: what they change is told, but it is no error).
 
     key: Section/Name. entry: of Mesh/Numbers, the number that is varied. labels: its values, as they are shown. sizes: of a ladder, or None.
-    reference: index of the finest level, or of the option that the others are compared with.
+    reference: index of the finest level, or of the option or model that the others are compared with.
     """
 
     key: str
@@ -114,7 +118,8 @@ def sort_levels(axis, finest=None):
     elif finest is None and rule and None not in numbers:
         size, growing = REFINED[rule], axis.name in GROWING
     else:
-        axis.kind = "samples" if axis.name in SAMPLES else "options"
+        is_same = finest is not None or any(fnmatch.fnmatchcase(axis.name, name) for name in NUMERICS)
+        axis.kind = "samples" if axis.name in SAMPLES else "options" if is_same else "models"
         axis.reference = axis.labels.index(finest) if finest is not None else 0
         return axis
     order = sorted(range(len(numbers)), key=lambda k: numbers[k], reverse=not growing)

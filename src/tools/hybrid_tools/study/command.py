@@ -46,6 +46,7 @@ def arguments():
         % AUTOMATIC_SEEDS)
     add("--jobs", type=int, default=1, metavar="N",
         help="runs side by side, as far as cores and memory allow; default 1: times are taken alone")
+    add("--repeat", type=int, default=1, metavar="N", help="run everything N times and take the least time of each; default 1")
     add("--pictures", action="store_true", help="runs write pictures for ParaView, which their times then include")
     add("--directory", metavar="DIRECTORY", help="of the study; default output/NAME-study")
     add("--retry", action="store_true", help="compute runs that failed again")
@@ -117,6 +118,8 @@ def check(study):
     for axis in study.axes:
         for level in range(len(axis.labels)):
             program.parameters(study.scene, study.common + [axis.override(level, study.base)])
+        if axis.entry:  # names of numbers of the mesh are known when it is made: of the coarsest, it takes least
+            program.ask("--check", study.scene, *program.options(study.common + [axis.override(0, study.base), "Output/Directory=none"]))
     for overrides in study.effects.values():
         program.parameters(study.scene, study.common + overrides)
     for name in study.closed_forms:
@@ -142,8 +145,8 @@ def read_study(words):
         study.quantities = [pattern.strip() for pattern in words.quantities.split(",")]
     if words.seeds is not None:
         study.seeds = words.seeds
-    if (study.seeds or 0) < 0 or words.jobs < 1:
-        raise UserError("--seeds is at least 0 and --jobs at least 1")
+    if (study.seeds or 0) < 0 or words.jobs < 1 or words.repeat < 1:
+        raise UserError("--seeds is at least 0, --jobs and --repeat at least 1")
     return study
 
 
@@ -169,12 +172,12 @@ def scene_of(study):
 def compute(study, settings, words):
     """Compute what is missing. @return whether it was not interrupted."""
     runs = runner.plan_runs(study, settings)
-    missing = [run for run in runs if run.is_to_run(words.retry)]
+    missing = [run for run in runs if run.is_to_run(words.retry, words.repeat)]
     if words.jobs > 1:
         runner.estimate(missing, scene_of(study))
     if len(missing) < len(runs):
         print("%d of %d runs are there already" % (len(runs) - len(missing), len(runs)))
-    return runner.Runner(scene_of(study), words.jobs, tell=lambda text: print(text, flush=True)).compute(missing)
+    return runner.Runner(scene_of(study), words.jobs, repeats=words.repeat, tell=lambda text: print(text, flush=True)).compute(missing)
 
 
 def compute_only(study, name):

@@ -46,11 +46,12 @@ def along(corners):
     return [Bbox.from_bounds(x - 1, y - 1, 2, 2) for x, y in points]
 
 
-def write_labels(figure, axes, entries, line):
-    """Words beside points [(x, y, words)], where they cover neither points, the line nor each other; those without a place are left out."""
+def write_labels(figure, axes, entries, lines):
+    """Words beside points [(x, y, words)], where they cover neither points, the lines nor each other; those without a place are left out."""
     figure.canvas.draw()
     points = [axes.transData.transform((x, y)) for x, y, _ in entries]
-    taken = [Bbox.from_bounds(x - 6, y - 6, 12, 12) for x, y in points] + along(axes.transData.transform(line))
+    taken = [Bbox.from_bounds(x - 6, y - 6, 12, 12) for x, y in points]
+    taken += [box for line in lines for box in along(axes.transData.transform(line))]
     for (x, y, words), place in zip(entries, points):
         for dx, dy, side in ((7, 5, "left"), (7, -12, "left"), (-7, 5, "right"), (-7, -12, "right"), (7, 16, "left"), (-7, 16, "right")):
             label = axes.annotate(words, (x, y), xytext=(dx, dy), textcoords="offset points", ha=side, fontsize=7.5, color=style.TEXT)
@@ -70,14 +71,17 @@ def draw(analysis, directory):
     study, found = analysis.study, tables.judged(analysis)
     if len(found) < 2:
         return
-    front = tables.pareto(analysis)
+    fronts = [tables.front_of(entries) for entries in tables.problems(analysis).values()]
+    front = [entry for entries in fronts for entry in entries]
     figure, axes = plt.subplots(figsize=(8.5, 5.2), constrained_layout=True)
-    groups, own = {}, study.axes_of("options")
+    groups, own = {}, study.axes_of("options", "models")
     for entry in found:
         key = ", ".join(tables.level_columns(study, entry.setting.levels)[k] for k in own) or "setting"
         groups.setdefault(key, []).append((entry.cost, max(entry.error, FLOOR)))
-    corners = [(entry.cost, max(entry.error, FLOOR)) for entry in front]
-    axes.plot(*zip(*corners), color=style.TEXT, lw=1.2, label="Pareto front", zorder=2)
+    corners = [[(entry.cost, max(entry.error, FLOOR)) for entry in entries] for entries in fronts]
+    for k, line in enumerate(corners):
+        words = "Pareto front" if len(corners) == 1 else "Pareto front of each problem"
+        axes.plot(*zip(*line), color=style.TEXT, lw=1.2, label=words if k == 0 else None, zorder=2)
     colours = plt.get_cmap("viridis")(np.linspace(0.1, 0.8, len(groups)))
     for (name, points), mark, colour in zip(groups.items(), MARKS * len(groups), colours):
         axes.plot(*zip(*points), mark, color=colour, ms=6, mec="white", mew=0.6, label=name, zorder=3)

@@ -54,9 +54,9 @@ class Study:
         """Levels of the run that the others are compared with."""
         return tuple(axis.reference for axis in self.axes)
 
-    def axes_of(self, kind):
-        """Indices of the axes of a kind."""
-        return [index for index, axis in enumerate(self.axes) if axis.kind == kind]
+    def axes_of(self, *kinds):
+        """Indices of the axes of these kinds."""
+        return [index for index, axis in enumerate(self.axes) if axis.kind in kinds]
 
     def settings(self, seeds=0):
         """All runs, coarse ones first: the grid, the effects one at a time and `seeds` copies of the finest run."""

@@ -79,6 +79,14 @@ def norm(values, weights):
     return float(np.sqrt(np.sum(weights[:, None] * values**2)))
 
 
+def root_mean_square(value):
+    """Size of a value over time."""
+    if isinstance(value, Number):
+        return abs(value.value)
+    weights = value.weights(value.time)
+    return norm(value.at(value.time), weights) / np.sqrt(weights.sum())
+
+
 def cut(history, end):
     """The same up to a time, with a sample there."""
     inside = history.time < end * (1 - 1e-9)

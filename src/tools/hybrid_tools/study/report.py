@@ -25,10 +25,12 @@ def head(analysis):
     lines = ["hybrid study  %s: %d %s, %s" % (title, len(states), "run" if len(states) == 1 else "runs", counts)]
     for axis in study.axes:
         labels = [label_text(label) for label in axis.labels]
-        what = {"ladder": "coarse to fine", "samples": "samples", "options": "compared with %s" % labels[axis.reference]}[axis.kind]
+        what = {"ladder": "coarse to fine", "samples": "samples", "options": "errors against %s" % labels[axis.reference],
+                "models": "problems of their own; changes against %s are no errors" % labels[axis.reference]}[axis.kind]
         lines.append("varied    %s: %s (%s)" % (axis.short, " | ".join(labels), what))
     times = sorted({tables.times_of(result.run.manifest) for result in analysis.done})
-    lines.append("times     processor time of all threads with the start of the program, taken %s" % ("; ".join(times) or "in no run yet"))
+    hint = " (--repeat 3 takes the least of three)" if any("beside" in words and "least" not in words for words in times) else ""
+    lines.append("times     processor time of all threads with the start of the program, taken %s%s" % ("; ".join(times) or "in no run yet", hint))
     programs = sorted({result.run.manifest.get("program", {}).get("commit", "") for result in analysis.done})
     if len(programs) > 1:
         lines.append("warning   runs of %d versions of the program: %s" % (len(programs), ", ".join(programs)))
@@ -42,11 +44,15 @@ def shorten(names):
 
 
 def sentence(analysis):
-    """The cheapest setting within the tolerance, or that there is none."""
-    study, tolerance = analysis.study, analysis.study.tolerance
-    if tolerance is None:
+    """The cheapest setting of each problem within the tolerance, or that there is none."""
+    if analysis.study.tolerance is None:
         return ""
-    found = tables.judged(analysis)
+    found = tables.problems(analysis) or {"": []}
+    return " ".join(("%s: " % name if name else "") + sentence_on(analysis, entries) for name, entries in found.items())
+
+
+def sentence_on(analysis, found):
+    study, tolerance = analysis.study, analysis.study.tolerance
     within = [entry for entry in found if entry.error <= tolerance]
     wanted = "an error below %.3g %%" % (100 * tolerance)
     if not found:
@@ -56,7 +62,7 @@ def sentence(analysis):
         best = min(found, key=lambda entry: entry.error)
         return "No setting of this study has %s; the smallest known error is %s, of %s." % (wanted, tables.part(best.error), best.name(study))
     cheapest = min(within, key=lambda entry: entry.cost)
-    finest, share = analysis.finest(study.finest), ""
+    finest, share = analysis.finest(analysis.reference_levels(cheapest.setting.levels)), ""
     if finest and finest not in cheapest.results and finest.cost:
         share = ", %.2g %% of the finest run" % (100 * cheapest.cost / finest.cost)
     return "The cheapest setting with %s is %s; it costs %.3g s of processor time%s. Its largest error is %s, of %s, against %s." % (
@@ -102,11 +108,14 @@ def text(analysis):
             lines += ["", title, table.text()]
     if tables.scattered(analysis):
         lines += ["", "what does not converge (%s)" % SEED, tables.scatter(analysis).text()]
-    front = tables.pareto(analysis)
-    if len(front) > 1:
-        lines += ["", "Pareto front: time and largest error"]
-        lines += ["  %8s s  %8s  %-28s %s" % (tables.seconds(entry.cost), tables.part(entry.error), entry.name(analysis.study),
-                                              tables.in_words(entry.worst)) for entry in front]
+    for name, found in tables.problems(analysis).items():
+        front = tables.front_of(found)
+        if len(front) > 1:
+            lines += ["", "Pareto front%s: time and largest error" % (", " + name if name else "")]
+            lines += ["  %8s s  %8s  %-28s %s" % (tables.seconds(entry.cost), tables.part(entry.error), entry.name(analysis.study),
+                                                  tables.in_words(entry.worst)) for entry in front]
+            finest = analysis.finest(analysis.reference_levels(front[-1].setting.levels))
+            lines[-1] += ", estimated from itself" if finest in front[-1].results and front[-1].kind == "Richardson" else ""
     failed = [result for result in analysis.results.values() if result.run.state == "failed"]
     lines += [""] * bool(failed)
     lines += ["failed    %s: %s" % (analysis.study.describe(r.setting), clipped(r.run.manifest.get("reason", ""))) for r in failed]

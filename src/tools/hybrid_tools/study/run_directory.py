@@ -3,6 +3,7 @@
 
 import json
 import os
+import shutil
 
 STATES = ("planned", "running", "done", "failed")
 
@@ -61,13 +62,33 @@ class RunDirectory:
         return os.path.exists(os.path.join(self.path, "params.used.prm"))
 
     def words(self, scene):
-        """What hybrid is called with to compute the run, or to go on with it."""
-        if self.has_begun():
+        """What hybrid is called with to compute the run, to go on with it, or to take its time once more."""
+        if self.has_begun() and self.state != "done":
             return ["--resume", self.path]
         words = [scene, "--force"]
-        for override in self.manifest["overrides"] + ["Output/Directory=" + self.path]:
+        for override in self.manifest["overrides"] + ["Output/Directory=" + (self.timing_path if self.state == "done" else self.path)]:
             words += ["-s", override]
         return words
+
+    @property
+    def timing_path(self):
+        """Where a run goes whose time alone is of use."""
+        return os.path.join(self.path, "timing")
+
+    def take_time(self, exit_code, taken):
+        """Of a repetition: the least time counts. One that failed or was stopped took none."""
+        summary = read_json(os.path.join(self.timing_path, "summary.json"))
+        shutil.rmtree(self.timing_path, ignore_errors=True)
+        if exit_code == 0 and summary.get("finished"):
+            times = self.times + [{"processor_time_s": summary["processor_time_s"], "wall_time_s": summary["wall_time_s"], "taken": taken}]
+            least = min(times, key=lambda time: time["processor_time_s"])
+            self.update(times=times, **least)
+
+    @property
+    def times(self):
+        """Of all repetitions, the first one too unless it was resumed."""
+        first = {name: self.manifest.get(name) for name in ("processor_time_s", "wall_time_s", "taken")}
+        return self.manifest.get("times") or ([first] if self.state == "done" and not self.manifest.get("resumed") else [])
 
     def take_result(self, exit_code=0, console=""):
         """State after hybrid has ended."""
@@ -82,8 +103,10 @@ class RunDirectory:
         else:
             self.update(state="failed", reason=reason_of(console), exit_code=exit_code, processor_time_s=summary.get("processor_time_s"))
 
-    def is_to_run(self, again=False):
-        """Whether it is to be computed. What was killed is tried again; what failed by itself would fail again."""
+    def is_to_run(self, again=False, repeats=1):
+        """Whether it is to be computed, or timed again. What was killed is tried again; what failed by itself would fail again."""
+        if self.state == "done":
+            return repeats > 1 and len(self.times) < repeats
         return self.state in ("planned", "running") or (self.state == "failed" and (again or self.manifest.get("exit_code", 0) < 0))
 
 

@@ -77,11 +77,13 @@ class Child:
         self.run, self.threads = run, run.manifest.get("threads", 1)
         self.locked = lock(run.path)
         self.taken, self.before = taken, (time.monotonic(), busy_time() - own_time())
-        resumed = run.manifest.get("resumed", 0) + (1 if run.has_begun() else 0)
+        self.other_load = None
         words = run.words(scene)
-        self.was_resumed = words[0] == "--resume"
-        run.update(state="running", taken=taken, resumed=resumed, program=program.version(), reason="")
-        self.console = os.path.join(run.path, "console.txt")
+        self.was_resumed, self.is_repetition = words[0] == "--resume", run.state == "done"
+        if not self.is_repetition:
+            resumed = run.manifest.get("resumed", 0) + (1 if run.has_begun() else 0)
+            run.update(state="running", taken=taken, resumed=resumed, program=program.version(), reason="")
+        self.console = os.devnull if self.is_repetition else os.path.join(run.path, "console.txt")
         with open(self.console, "wb") as console:
             # pylint: disable=subprocess-popen-preexec-fn (one thread; no other way to ask for the signal)
             self.process = subprocess.Popen([program.path(), *words], stdin=subprocess.DEVNULL, stdout=console, stderr=subprocess.STDOUT,
@@ -95,23 +97,30 @@ class Child:
         os.close(self.locked)
         if self.taken == "alone":
             self.judge_time()
+        if self.is_repetition:
+            self.run.take_time(code, self.taken)
+            return True
+        self.run.update(taken=self.taken, **({"other_load": self.other_load} if self.other_load is not None else {}))
         with open(self.console, encoding="utf-8", errors="replace") as console:
             self.run.take_result(code, console.read())
         return True
-
 
     def judge_time(self):
         """Whether the run had the machine for itself."""
         begin, others = self.before
         load = max(0.0, busy_time() - own_time() - others) / max(time.monotonic() - begin, 1e-3)
-        self.run.update(other_load=round(load, 2), taken="alone" if load < OTHER_LOAD * os.cpu_count() else "beside other work")
+        self.other_load = round(load, 2)
+        self.taken = "alone" if load < OTHER_LOAD * os.cpu_count() else "beside other work"
 
 
 class Runner:
-    """jobs: how many runs at once at most; fewer where cores or memory do not suffice. taken: what the manifests say of the times."""
+    """jobs: how many runs at once at most; fewer where cores or memory do not suffice. taken: what the manifests say of the times.
 
-    def __init__(self, scene, jobs=1, taken=None, tell=print):
-        self.scene, self.jobs, self.tell = scene, jobs, tell
+    repeats: how often each run is timed.
+    """
+
+    def __init__(self, scene, jobs=1, taken=None, repeats=1, tell=print):
+        self.scene, self.jobs, self.repeats, self.tell = scene, jobs, repeats, tell
         self.taken = taken or ("side by side" if jobs > 1 else "alone")
         self.cores = len(os.sched_getaffinity(0))
         self.is_stopping = False
@@ -145,8 +154,11 @@ class Runner:
                     child.run.update(state="planned", reason="")
                     waiting.insert(0, child.run)
                     continue
-                count += 1
-                self.report(child.run, count, len(runs))
+                if not child.is_repetition:
+                    count += 1
+                    self.report(child.run, count, len(runs))
+                if child.run.is_to_run(repeats=self.repeats) and child.run.state == "done" and not self.is_stopping:
+                    waiting.append(child.run)
         return not self.is_stopping
 
     def fits(self, run, going, memory):

@@ -57,6 +57,8 @@ def runs(analysis):
 
 def times_of(manifest):
     """How the processor time was taken."""
+    if "times" in manifest:
+        return "%s, least of %d" % (manifest["taken"], len(manifest["times"]))
     return manifest.get("taken", "") + (", resumed" if manifest.get("resumed") else "")
 
 
@@ -99,16 +101,30 @@ def judged(analysis):
     return found
 
 
-def pareto(analysis):
-    """Settings that no other beats in both time and error, by rising time."""
-    found = judged(analysis)
+def problems(analysis):
+    """{words on its models: judged settings}: errors of one problem say nothing of another. Without models one problem, ""."""
+    study, found = analysis.study, {}
+    for entry in judged(analysis):
+        labels = level_columns(study, entry.setting.levels)
+        name = ", ".join("%s %s" % (study.axes[k].short, labels[k]) for k in study.axes_of("models"))
+        found.setdefault(name, []).append(entry)
+    return found
+
+
+def front_of(found):
+    """Of judged settings those that no other beats in both time and error, by rising time."""
     return [found[k] for k in convergence.pareto([entry.cost for entry in found], [entry.error for entry in found])]
+
+
+def pareto(analysis):
+    """The Pareto front of each problem, one after another."""
+    return [entry for found in problems(analysis).values() for entry in front_of(found)]
 
 
 def ladders(analysis):
     """Ladders of each refined parameter, the others at their finest; for every option, and the first of the samples."""
     study, found = analysis.study, []
-    options = study.axes_of("options")
+    options = study.axes_of("options", "models")
     for index in study.axes_of("ladder"):
         for levels in itertools.product(*(range(len(study.axes[k].labels)) for k in options)):
             fixed = list(study.finest)
@@ -207,7 +223,7 @@ def options(analysis):
     if reference is None:
         return table
     others = [("%s = %s" % (study.axes[index].short, label), study.finest[:index] + (k,) + study.finest[index + 1 :], "")
-              for index in study.axes_of("options") for k, label in enumerate(study.axes[index].labels) if k != study.finest[index]]
+              for index in study.axes_of("options", "models") for k, label in enumerate(study.axes[index].labels) if k != study.finest[index]]
     others += [(name, study.finest, name) for name in study.effects]
     if others:
         table.add("finest run", reference.cost, 1.0, None, "")
