@@ -58,8 +58,10 @@ namespace hybrid::output
       for (const Edge &other : ground)
         {
           const Vec2   edge     = other.b - other.a;
-          const double width    = edge.norm(),
-                       fraction = (point - other.a).dot(edge) / (width * width);
+          const double width    = edge.norm();
+          if (!(width > 0.)) // both sides of a bedding plane that ends on the sliding surface
+            continue;
+          const double fraction = (point - other.a).dot(edge) / (width * width);
           if (fraction < 0. || fraction > 1. || along.dot(edge) > -parallel * length * width)
             continue;
           const double distance = std::abs(cross(edge, point - other.a)) / width;

@@ -48,6 +48,32 @@ def other_section(run, reference):
     return ""
 
 
+def chains(segments):
+    """Segments (n x 2 x 2) that meet end to end as polylines, in the order of their first segments: dashes run on along them."""
+    segments = np.asarray(segments, float)
+    if not len(segments):
+        return []
+    size = max(float(np.ptp(segments.reshape(-1, 2), axis=0).max()), 1e-30)
+    keys = [[tuple(end) for end in pair] for pair in np.round(segments / (1e-7 * size)).astype(np.int64).tolist()]
+    at = {}
+    for k, pair in enumerate(keys):
+        for end in pair:
+            at.setdefault(end, []).append(k)
+    left, found = set(range(len(segments))), []
+    for first in range(len(segments)):
+        if first not in left:
+            continue
+        left.discard(first)
+        line = [(keys[first][end], segments[first][end]) for end in (0, 1)]
+        for is_front in (False, True):
+            while len(near := at[line[0 if is_front else -1][0]]) == 2 and (more := [k for k in near if k in left]):
+                left.discard(more[0])
+                far = 1 - keys[more[0]].index(line[0 if is_front else -1][0])
+                line.insert(0 if is_front else len(line), (keys[more[0]][far], segments[more[0]][far]))
+        found.append(np.array([point for _, point in line]))
+    return found
+
+
 def _add_extent(found, what, points):
     low, high = points.min(axis=0), points.max(axis=0)
     size = float(np.hypot(*(high - low)))

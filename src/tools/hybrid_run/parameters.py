@@ -45,6 +45,27 @@ def changed_parameters(path):
     return found
 
 
+def units(path):
+    """{"Section/Name": unit} of a file that says what is allowed for its parameters, as params.used.prm does."""
+    found, sections, comment = {}, [], ""
+    with open(path, encoding="utf-8") as lines:
+        for line in joined(lines):
+            words = line.strip()
+            if words.startswith("#"):
+                comment += " " + words.strip("# ")
+                continue
+            if words.startswith("subsection "):
+                sections.append(words[len("subsection "):].strip())
+            elif words == "end":
+                sections.pop()
+            elif words.startswith("set "):
+                unit = re.search(r"Allowed: .*\[([^\]]+)\]", comment)
+                if unit:
+                    found["/".join(sections + [" ".join(words[len("set "):].partition("=")[0].split())])] = unit[1]
+            comment = ""
+    return found
+
+
 def joined(lines):
     """Lines that end with a backslash go on in the next one."""
     text = ""

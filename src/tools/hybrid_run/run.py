@@ -11,7 +11,7 @@ from .blocks import Blocks
 from .errors import MissingData, UserError
 from .line import Line
 from .monitor import Monitor
-from .parameters import parameters_of_run
+from .parameters import parameters_of_run, units
 from .pictures import Pictures
 
 
@@ -56,6 +56,13 @@ class Run:
             return parameters_of_run(self.directory)
         except OSError as error:
             raise MissingData("no params.used.prm in '%s'" % self.directory) from error
+
+    def unit(self, parameter):
+        """Of "Section/Name", "" if it has none."""
+        try:
+            return units(os.path.join(self.directory, "params.used.prm")).get(parameter, "")
+        except OSError:
+            return ""
 
     def reopen(self):
         """What the file says now: a run that goes on writes while it is read."""

@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace
 {
   using namespace hybrid;
@@ -89,6 +93,32 @@ TEST(SoleSlip, follows_the_point_that_the_sole_lay_on)
   const std::vector<double> now = slip.values(scene.state);
   EXPECT_NEAR(now[0], -0.01 * 1., 1e-14);
   EXPECT_NEAR(now[1], -0.01 * 3., 1e-14);
+}
+
+
+
+/// Where a bedding plane ends on the sliding surface, the surface has a node for each of its sides.
+TEST(SoleSlip, is_known_beside_two_nodes_at_one_place)
+{
+  std::vector<Vec2> base = test::straight_foundation(0., 1., 6., 7);
+  for (const double x : {1., 3.}) // below the middle of each block
+    {
+      const auto at = std::find_if(base.begin(), base.end(), [&](const Vec2 &p) {
+        return std::abs(p.x() - x) < 1e-9;
+      });
+      ASSERT_NE(at, base.end());
+      base.insert(at, *at);
+    }
+  const dda::Model model =
+    dda::build_model(test::square_blocks(2, 1, 2.), test::block_parameters(30.), base);
+  dda::DdaState state = dda::initial_state(model);
+  SoleSlip      slip(&model, 1.);
+  ASSERT_EQ(slip.n_soles(), 2);
+  slip.set_reference(state);
+  for (Vec2 &vertex : state.geometry.vertices)
+    vertex += Vec2(0.5, 0.);
+  for (const double value : slip.values(state))
+    EXPECT_NEAR(value, 0.5, 1e-12);
 }
 
 

@@ -54,7 +54,11 @@ def draw(study, directory):
     return drawn
 
 
-def warn_of_the_end(study):
+def warn(study):
+    for name in study.at_rest():
+        print("warning    %s does not move: is it on a boundary that is fixed? Its figures are left out" % name)
+    for name, points in study.coarse():
+        print("note       %s has %d points, between them straight lines are drawn; Monitors/Line points = 100 records more" % (name, points))
     cut = study.cut_short()
     if cut:
         print("warning    %s still shakes with %.0f %% of its largest acceleration as the run ends: sharp resonances come out too low, let it run on" % (
@@ -71,7 +75,7 @@ def main(words):
     numbers = table.summary(studies[0])
     table.write(studies[0], numbers, directory)
     print(table.text(numbers))
-    warn_of_the_end(studies[0])
+    warn(studies[0])
     figures = [] if found.no_figures else draw(studies[0], directory)
     print("files      %s/: table.csv, table.json, spectral_ratios.csv%s" % (directory, "".join(", " + name + ".png" for name in figures)))
     return 0

@@ -27,7 +27,10 @@ def column_ratio(study, side, k):
 
 
 def draw(study, directory):
-    sides = [side for side in study.sides if side.name != "below"]
+    at_rest = study.at_rest()
+    sides = [side for side in study.sides if side.name != "below" and side.line.name not in at_rest]
+    if not sides:
+        raise MissingData("nothing moves along the lines")
     columns = min(len(sides), 3)
     rows = -(-len(sides) // columns)
     figure, grid = plt.subplots(rows, columns, figsize=(3.6 * columns + 0.8, 3.1 * rows + 0.4), squeeze=False, constrained_layout=True)

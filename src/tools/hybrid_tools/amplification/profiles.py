@@ -10,6 +10,8 @@ from hybrid_tools.amplification.quantities import GAP
 
 SIDES = {"above": ("#0072b2", "-", "above"), "below": ("#d55e00", "--", "below"), "on": ("#0072b2", "-", None)}
 
+FEW = 20  # points of a line that are marked one by one
+
 
 def mass_range(run):
     """x of the sliding mass, or None."""
@@ -33,7 +35,8 @@ def draw_line(study, line, directory):
     along, profile, altitude = figure.add_subplot(grid[0, 0]), figure.add_subplot(grid[1, 0]), figure.add_subplot(grid[:, 1])
     for side in sides:
         colour, dashes, label = SIDES[side.name]
-        along.plot(*broken(side.distance, side.ratio), color=colour, ls=dashes, label=label)
+        marks = {"marker": "o", "ms": 4} if len(side.distance) <= FEW else {}
+        along.plot(*broken(side.distance, side.ratio), color=colour, ls=dashes, label=label, **marks)
         ratio, elevation = (broken(side.distance, values)[1] for values in (side.ratio, side.position[:, 1]))
         altitude.plot(ratio, elevation, color=colour, ls=dashes, marker=".", ms=3, lw=0.8)
     profile.plot(*broken(sides[0].distance, sides[0].position[:, 1]), color=style.TEXT)

@@ -14,6 +14,8 @@ GAP = 5  # times the usual distance of two points: the line has a gap there
 
 END = 0.1  # of a run: what still shakes then is missing in its spectra
 QUIET = 0.1  # of the largest acceleration
+REST = 1e-6  # of the outcrop motion: less is no motion
+FEW = 3  # points of a polyline that say little between them
 
 
 class Side:
@@ -106,6 +108,14 @@ class Study:
                 most = side.line.name, float(left)
         return most
 
+    def at_rest(self):
+        """Names of lines that do not move."""
+        return [line.name for line in self.lines if max(side.ratio.max() for side in self.sides if side.line is line) < REST]
+
+    def coarse(self):
+        """[(name, points)] of lines with few of them."""
+        return [(line.name, len(line.distance)) for line in self.lines if 1 < len(line.distance) <= FEW]
+
     def jumps(self):
         """[{line, ...}] of every line with two sides: what differs across it, and what the plane bears."""
         return [jump_of(self, line) for line in self.lines if "above" in line.sides]
@@ -115,7 +125,7 @@ def jump_of(study, line):
     above, below = (next(s for s in study.sides if s.line is line and s.name == name) for name in ("above", "below"))
     jump = line.jump()
     found = {"line": line.name,
-             "peak_acceleration_difference": float(np.abs(above.ratio / below.ratio - 1).max()),
+             "peak_acceleration_difference": largest_difference(above.ratio, below.ratio),
              "largest_slip_m": float(np.abs(jump[:, :, 0]).max()),
              "largest_opening_m": float(max(jump[:, :, 1].max(), 0.0))}
     run = study.run
@@ -127,6 +137,12 @@ def jump_of(study, line):
         found["largest_shear_stress_pa"] = stiffness * found["largest_slip_m"]
         found["largest_plastic_slip_m"] = 0.0
     return found
+
+
+def largest_difference(values, reference):
+    """Over the reference [-], where that moves; 0 where nothing does."""
+    parts = np.divide(values, reference, out=np.ones_like(values), where=reference > REST * max(reference.max(), 1e-300))
+    return float(np.abs(parts - 1).max())
 
 
 def is_elastic_plane(run, name):

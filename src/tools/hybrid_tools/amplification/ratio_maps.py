@@ -54,4 +54,5 @@ def draw_line(study, line, directory):
 
 
 def draw(study, directory):
-    return [name for line in study.lines for name in draw_line(study, line, directory)]
+    at_rest = study.at_rest()
+    return [name for line in study.lines if line.name not in at_rest for name in draw_line(study, line, directory)]

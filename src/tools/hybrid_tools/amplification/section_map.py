@@ -5,12 +5,15 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize
+from matplotlib.ticker import MaxNLocator
 
 from hybrid_tools import style
 from hybrid_tools.amplification.quantities import GAP
 
 AMPLIFICATION = "plasma"
 OFFSET = 2.6  # points that the two sides of a plane are drawn apart
+SLENDER = 5  # times as high as wide: a column is drawn wider than it is
+PIECES = 100  # of a line at least, in each of which the colour is one
 
 
 def outline(run, axes):
@@ -38,13 +41,22 @@ def frame(run, studied, axes):
     margin = 0.02 * (high - low).max()
     axes.set_xlim(low[0] - margin, high[0] + margin)
     axes.set_ylim(low[1] - margin, high[1] + 3 * margin)
-    axes.set_aspect("equal")
+    width, height = high - low
+    if width < height / SLENDER:
+        axes.set_aspect("auto")
+        axes.set_xlim(low[0] - 0.1 * width, high[0] + 0.1 * width)
+        axes.xaxis.set_major_locator(MaxNLocator(4))
+        axes.set_title("width not to scale", fontweight="normal", fontsize=8)
+    else:
+        axes.set_aspect("equal")
     axes.grid(False)
     axes.set_xlabel("x [m]")
     axes.set_ylabel("elevation [m]")
 
 
 def figure_size(low, high, width=9.0):
+    if high[0] - low[0] < (high[1] - low[1]) / SLENDER:
+        return 3.6, 5.0
     aspect = np.clip((high[1] - low[1]) / max(high[0] - low[0], 1e-9), 0.12, 1.3)
     return (width, width * aspect * 0.9 + 1.0) if aspect < 0.7 else (4.0 / aspect + 2.5, 5.0)
 
@@ -55,11 +67,20 @@ def runs_of(points, gap):
     return [slice(a, b) for a, b in zip([0, *cuts], [*cuts, len(points)]) if b - a > 1]
 
 
+def in_pieces(points, values):
+    """A line of few points with more of them between, as the lines of other figures run."""
+    distance = np.r_[0, np.cumsum(np.hypot(*np.diff(points, axis=0).T))]
+    if len(points) >= PIECES or distance[-1] <= 0:
+        return points, values
+    fine = np.union1d(distance, np.linspace(0, distance[-1], PIECES))
+    return np.column_stack([np.interp(fine, distance, c) for c in points.T]), np.interp(fine, distance, values)
+
+
 def coloured(axes, points, values, norm, shift):
     """@param shift of the line to its left [points]"""
     steps = np.hypot(*np.diff(points, axis=0).T)
     for part in runs_of(points, GAP * np.median(steps)):
-        p, v = points[part], values[part]
+        p, v = in_pieces(points[part], values[part])
         normal = np.array([-(p[-1] - p[0])[1], (p[-1] - p[0])[0]])
         normal = shift * normal / max(np.hypot(*normal), 1e-30)
         moved = axes.transData + plt.matplotlib.transforms.ScaledTranslation(*(normal / 72), axes.figure.dpi_scale_trans)

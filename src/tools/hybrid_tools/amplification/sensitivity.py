@@ -47,6 +47,13 @@ def rows_of(studies, values):
     return rows
 
 
+def axis_of(study, parameter, is_number):
+    """Its name with the unit; that of a value such as 0.3 g is in the value."""
+    text = study.run.parameters[parameter]
+    unit = (text.split()[1:] or [study.run.unit(parameter)])[0] if is_number else ""
+    return parameter + (" [%s]" % unit if unit else "")
+
+
 def draw(rows, parameter, is_number, letter, directory):
     figure, axes = plt.subplots(1, 3, figsize=(11, 3.8), constrained_layout=True)
     order = {value: k for k, value in enumerate(dict.fromkeys(row["value"] for row in rows))}
@@ -84,7 +91,7 @@ def main(studies, parameter, directory, with_figure):
         writer.writeheader()
         writer.writerows(rows)
     print("%s\n%-14s %-12s %-6s %8s %8s %10s %10s %9s %8s" % (
-        parameter, "value", "line", "side", "largest", "mean", "upper tip", "lower tip", "spectral", "at"))
+        axis_of(studies[0], parameter, is_number), "value", "line", "side", "largest", "mean", "upper tip", "lower tip", "spectral", "at"))
     for r in rows:
         value = r["value"] if isinstance(r["value"], str) else "%.6g" % r["value"]
         spectral = "%9.2f %5.3g Hz" % (r["largest_spectral_ratio"], r["at_hz"]) if r["at_hz"] else ""
@@ -92,6 +99,6 @@ def main(studies, parameter, directory, with_figure):
             value, r["line"], "-" if r["side"] == "on" else r["side"], r["largest"], r["mean"], r["upper_tip"], r["lower_tip"], spectral))
     if with_figure:
         style.apply()
-        draw(rows, parameter, is_number, studies[0].letter, directory)
+        draw(rows, axis_of(studies[0], parameter, is_number), is_number, studies[0].letter, directory)
     print("files      %s/: sensitivity.csv, sensitivity.json%s" % (directory, ", sensitivity.png" if with_figure else ""))
     return 0

@@ -50,4 +50,5 @@ def draw_line(study, line, directory):
 
 
 def draw(study, directory):
-    return [draw_line(study, line, directory) for line in study.lines if len(line.distance) > 1]
+    at_rest = study.at_rest()
+    return [draw_line(study, line, directory) for line in study.lines if len(line.distance) > 1 and line.name not in at_rest]

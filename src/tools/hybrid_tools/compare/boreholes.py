@@ -6,7 +6,7 @@ from matplotlib.lines import Line2D
 
 from hybrid_run import MissingData
 from hybrid_tools import style
-from hybrid_tools.plot.boreholes import depth_of_slip
+from hybrid_tools.plot.boreholes import depth_of_slip, with_jump
 
 from . import curves
 
@@ -17,7 +17,7 @@ def profile(comparison, i, name):
     depth = run.get("profiles/%s/depth" % name)
     x = comparison.on_axis(i, "profiles/%s/displacement" % name)[-1, 0::2]
     order = np.argsort(depth)
-    return depth[order], comparison.downhill * x[order]
+    return with_jump(depth[order], comparison.downhill * x[order], depth_of_slip(run, "profiles/" + name))
 
 
 def shared(comparison):

@@ -34,7 +34,7 @@ def words_of(words):
     a.add_argument("runs", metavar="DIRECTORY", nargs="+", help="output directories of runs; the first is the reference")
     a.add_argument("--reference", metavar="DIRECTORY", help="another one of them is the reference")
     a.add_argument("--tolerance", metavar="5%", help="exit code 1 if a run differs by more in any judged number, or has not finished")
-    a.add_argument("--out", metavar="DIRECTORY", help="where table.csv, .json, .md and figures/ go; by default compare/ beside the runs")
+    a.add_argument("--output", "--out", metavar="DIRECTORY", help="where table.csv, .json, .md and figures/ go; by default compare/ beside the runs")
     a.add_argument("--force", action="store_true", help="compare runs of different sections, too")
     a.add_argument("--all", action="store_true", help="print every row of the table, not only those of the monitors that differ most")
     a.add_argument("--no-figures", action="store_true", help="the table only")
@@ -117,7 +117,7 @@ def main(words):
     comparison = Comparison([Run(d) for d in directories], labels_of(directories))
     if not found.force:
         check_sections(comparison)
-    directory = directory_for(comparison.runs, found.out)
+    directory = directory_for(comparison.runs, found.output)
     rows = rows_of(comparison)
     answer = Answer(comparison, Scenes(comparison.runs), rows, warnings_of(comparison, rows), tolerance)
     above, below = answer.markdown()

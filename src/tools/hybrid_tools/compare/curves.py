@@ -14,8 +14,9 @@ FEW = 6  # monitors in a figure
 
 
 def look(i):
-    """Keywords of the curve of run i: the reference lies wide below the others, which are dashed."""
-    return {"color": COLOURS[i % len(COLOURS)], "ls": DASHES[i % len(DASHES)], "lw": 1.2 if i else 2.0, "zorder": 3 if i else 2.5}
+    """Keywords of the curve of run i, others for each of 49 runs: the reference lies wide below the others, which are dashed."""
+    dashes = DASHES[(i + i // len(COLOURS)) % len(DASHES)]  # other dashes once the colours are used up
+    return {"color": COLOURS[i % len(COLOURS)], "ls": dashes, "lw": 1.2 if i else 2.0, "zorder": 3 if i else 2.5}
 
 
 def monitors_to_show(comparison):

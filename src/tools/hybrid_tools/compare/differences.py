@@ -35,4 +35,5 @@ def draw(comparison, directory):
     for axis in axes.flat[max(0, len(names) - columns):len(names)]:
         axis.set_xlabel("time [s]")
     handles = [Line2D([], [], label=label, **curves.look(i)) for i, label in comparison.others]
-    curves.finish(figure, comparison, "Differences from " + comparison.labels[0], directory, "differences", handles)
+    base = " relative to " + comparison.base if comparison.base else ""
+    curves.finish(figure, comparison, "Displacement u%s less that of '%s': how far the runs are apart" % (base, comparison.labels[0]), directory, "differences", handles)

@@ -2,11 +2,15 @@
 """A comparison in words: for the terminal, as Markdown, for table.json."""
 
 import math
+import os
 
 from tabulate import tabulate
 
 from . import verdict
 from .result_table import for_terminal, make_table
+
+LINE, SHORTEST = 100, 16  # characters of all values of a parameter in the terminal, and of each at least
+MOST = 20  # parameters that differ in the terminal
 
 NOTES = ("u: displacement relative to the base, downhill (+x where the surface is level) positive; peaks are largest magnitudes; left: at "
          "the last common time, its change refers to the peak where it is below a tenth of it")
@@ -21,12 +25,35 @@ def head(comparison):
         len(comparison.runs), " | ".join('"%s"' % title for title in titles), comparison.end, cut, comparison.reference.directory)
 
 
-def scene_lines(scenes):
-    """(word, text) lines: same, differs."""
+def entries_that_differ(values):
+    """Of lists such as 'a = 1; b = 2' what is not in all of them; other values as they are."""
+    lists = [[entry.strip() for entry in value.split(";")] for value in values]
+    if not any(len(entries) > 1 for entries in lists):
+        return values
+    return ["; ".join(entry for entry in entries if not all(entry in other for other in lists)) or "-" for entries in lists]
+
+
+def shortened(values):
+    """Values that fit side by side in a line, however long; what differs in them is kept in view."""
+    values, room = entries_that_differ(values), max(SHORTEST, LINE // len(values))
+    alike = len(os.path.commonprefix(values))
+    for k, value in enumerate(values):
+        if len(value) > room:
+            start = max(0, min(alike - room // 3, len(value) - room))
+            part = value[start : start + room]
+            values[k] = ("..." if start else "") + part.strip() + ("..." if start + room < len(value) else "")
+    return values
+
+
+def scene_lines(scenes, is_short=False):
+    """(word, text) lines: same, differs. is_short: for the terminal."""
     if not scenes.is_known:
         return [("differs", "unknown: a run has no params.used.prm")]
     lines = [("same", ", ".join(scenes.same()) or "nothing")]
-    rows = [[name, " | ".join(values), remark] for name, values, remark in scenes.differing()]
+    rows = [[name, " | ".join(shortened(values) if is_short else values), remark] for name, values, remark in scenes.differing()]
+    left_out = len(rows) - MOST if is_short and len(rows) > MOST + 1 else 0
+    if left_out:
+        rows = rows[:MOST] + [["%d more are in the files" % left_out, "", ""]]
     texts = tabulate(rows, tablefmt="plain", disable_numparse=True).splitlines() if rows else ["nothing: the scenes are the same"]
     return lines + [("differs" if k == 0 else "", text.rstrip()) for k, text in enumerate(texts)]
 
@@ -78,7 +105,7 @@ class Answer:
     def terminal(self, files, everything=False):
         """What is printed; files: words on what was written."""
         shown, left_out = (self.rows, "") if everything else for_terminal(self.comparison, self.rows)
-        lines = [("compare", head(self.comparison))] + scene_lines(self.scenes)
+        lines = [("compare", head(self.comparison))] + scene_lines(self.scenes, not everything)
         end = [("note", key(self.comparison))] + several("verdict", self.verdicts) + self.judgement()
         end += several("warning", self.warnings, repeat=True)
         return "\n".join(columns(lines) + [make_table(self.comparison, shown, self.rows).text()] + columns(

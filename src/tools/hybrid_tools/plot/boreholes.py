@@ -29,6 +29,22 @@ def left_at_end(run, x):
     return x[: len(time)][time > time[-1] - span].mean(axis=0), span
 
 
+def with_jump(depth, x, slip_depth):
+    """The profile (depths rising; x: a row per time, or one) with two points at the sliding surface: each side straight on up to it."""
+    if slip_depth is None or not depth[0] < slip_depth < depth[-1]:
+        return depth, x
+    k = int(np.searchsorted(depth, slip_depth))
+
+    def straight_on(near, far):
+        """From two samples of one side; where they are not both there, the value of the one."""
+        if not 0 <= far < len(depth) or depth[far] == depth[near]:
+            return x[..., near]
+        return x[..., near] + (x[..., near] - x[..., far]) * (slip_depth - depth[near]) / (depth[near] - depth[far])
+
+    both = np.stack([straight_on(k - 1, k - 2), straight_on(k, k + 1)], axis=-1)
+    return np.insert(depth, k, [slip_depth] * 2), np.concatenate([x[..., :k], both, x[..., k:]], axis=-1)
+
+
 def name_sliding_surface(axes, depth, curves):
     """Its name stands on the side where the curves are not; its line crosses the whole picture."""
     axes.axhline(depth, color=style.SLIP, lw=1.2)
@@ -43,7 +59,8 @@ def draw_profile(run, axes, name, with_legend=True):
     depth = run.get(path + "/depth")
     x = run.downhill * run.get(path + "/displacement")[:, 0::2]
     order = np.argsort(depth)
-    depth, x = depth[order], x[:, order]
+    slip_depth = depth_of_slip(run, path)
+    depth, x = with_jump(depth[order], x[:, order], slip_depth)
     row = np.abs(x[:, 0]).argmax()
     measured = run.attribute(path, "measured_mm")
     factor, unit = style.length_unit(np.abs(x).max())
@@ -61,7 +78,6 @@ def draw_profile(run, axes, name, with_legend=True):
     axes.axvline(0, color="#8a8a8a", lw=0.7)
     axes.set_ylim(depth.max(), min(depth.min(), 0))
     axes.margins(x=0.08)
-    slip_depth = depth_of_slip(run, path)
     if slip_depth is not None:
         near = np.abs(depth - slip_depth) < 0.12 * depth.max()  # as high as the words, and a little
         name_sliding_surface(axes, slip_depth, factor * np.concatenate([x[row][near], left[near]]))

@@ -9,6 +9,7 @@ from matplotlib.colors import Normalize
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from hybrid_run.geometry import chains
 from hybrid_tools import style
 
 OUTLINE = [effects.withStroke(linewidth=2.6, foreground="#ffffffb0")]
@@ -68,7 +69,7 @@ def draw_rock(section, axes):
     if section.outline is not None:
         axes.add_collection(LineCollection(section.outline.reshape(-1, 2, 2), colors=style.ROCK_EDGE, lw=1.1, zorder=2))
     for segments in section.bedding.values():
-        axes.add_collection(LineCollection(segments, colors=style.BEDDING, lw=0.9, linestyles="--", zorder=2))
+        axes.add_collection(LineCollection(chains(segments), colors=style.BEDDING, lw=0.9, linestyles="--", zorder=2))
     if section.surface is not None:
         axes.plot(section.surface[:, 0], section.surface[:, 1], color=style.SLIP, lw=1.8, zorder=4)
 

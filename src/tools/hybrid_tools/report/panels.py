@@ -193,7 +193,9 @@ def energy(run):
     legend_below(axes[0, 0], 3)
     residual = run.summary.get("energy_residual")
     missing = ": %.2g %% of the energy is missing at the end" % (100 * abs(residual)) if isinstance(residual, float) else ""
-    return figure, "Energy audit%s." % missing
+    rest = energy_balance.grouped(terms)[1]
+    small = " Smaller terms: %s." % ", ".join(name.replace("_", " ") for name in rest) if rest else ""
+    return figure, "Energy audit: all terms add up to zero, work put in is negative%s.%s" % (missing.replace(":", ";"), small)
 
 
 def of_monitor(run, name):

@@ -7,6 +7,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from hybrid_run.geometry import chains
 from hybrid_tools import style
 from hybrid_tools.plot.section_view import HALO
 
@@ -70,7 +71,7 @@ def draw_lines(scene, axes):
     entries = []
 
     def add(edges, label, **looks):
-        axes.add_collection(LineCollection(edges, zorder=4, **looks))
+        axes.add_collection(LineCollection(chains(edges), zorder=4, **looks))
         entries.append(Line2D([], [], color=looks["colors"], lw=looks["lw"], ls=looks.get("linestyles", "-"), label=label))
 
     lines, parameters = scene.shown_lines(), scene.parameters
