@@ -57,8 +57,8 @@ namespace hybrid::output
       SoleGround   below;
       for (const Edge &other : ground)
         {
-          const Vec2   edge     = other.b - other.a;
-          const double width    = edge.norm();
+          const Vec2   edge  = other.b - other.a;
+          const double width = edge.norm();
           if (!(width > 0.)) // both sides of a bedding plane that ends on the sliding surface
             continue;
           const double fraction = (point - other.a).dot(edge) / (width * width);

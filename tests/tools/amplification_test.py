@@ -3,11 +3,13 @@
 import csv
 import json
 
+import h5py
 import numpy as np
 import pytest
 from conftest import ROOT
 
 from hybrid_run import Layer, Run, konno_ohmachi, motion_in_column, transfer_function
+from hybrid_tools.amplification import quantities, section_map
 
 SCENES = ROOT / "parameters/verification"
 
@@ -54,6 +56,26 @@ def test_a_run_that_ends_while_the_ground_shakes_is_told(hybrid, run):
                     "Mesh/Numbers=Width = 40; Height = 100; Layer height = 60; Resolution/h = 10", "Motion/Frequency=2", "Monitors/Points=surface: 5, 100", "Monitors/Lines=ground")
     text, _ = amplification(hybrid, directory, "--no-figures")
     assert "warning    ground still shakes with 100 % of its largest acceleration as the run ends" in text
+
+
+def test_a_line_at_rest_and_one_of_two_points_are_told_and_drawn_without_a_warning(hybrid, run):
+    directory = run("soft_layer.prm", "Time/End time=3", "Time/Time step=0.005", "Mesh/Numbers=Width = 40; Height = 100; Layer height = 60; Resolution/h = 10",
+                    "Motion/Frequency=2", "Monitors/Points=surface: 5, 100", "Monitors/Lines=ground; left; crack: 5, 10, 35, 95")
+    with h5py.File(directory / "run.h5", "a") as file:
+        for name in ("displacement", "acceleration"):
+            file["lines/left/on/" + name][...] = 0
+    result = hybrid("amplification", directory)
+    assert result.returncode == 0 and result.stderr == ""  # no word of numpy or matplotlib
+    assert "warning    left does not move" in result.stdout and "crack has 2 points" in result.stdout
+    drawn = {path.stem for path in (directory / "amplification").glob("*.png")}
+    assert {"wiggles_ground", "ratios_ground", "profile_left", "points"} <= drawn and not {"wiggles_left", "ratios_left"} & drawn
+    points, values = section_map.in_pieces(np.array([(0.0, 0.0), (30.0, 40.0)]), np.array([1.0, 2.0]))
+    assert len(points) >= 100 and values == pytest.approx(1 + np.hypot(*points.T) / 50)
+
+
+def test_what_differs_across_a_plane_at_rest_is_nothing():
+    assert quantities.largest_difference(np.zeros(3), np.zeros(3)) == 0
+    assert quantities.largest_difference(np.array([1.1, 0.0]), np.array([1.0, 0.0])) == pytest.approx(0.1)
 
 
 def test_level_homogeneous_ground_shakes_as_an_outcrop(hybrid, run):

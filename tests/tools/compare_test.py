@@ -9,7 +9,8 @@ import pytest
 from conftest import ROOT
 from moving_run import STEP, Maker, wave
 
-from hybrid_tools.compare import command
+from hybrid_run.parameter_differences import differences, main_difference
+from hybrid_tools.compare import command, curves, words
 
 @pytest.fixture
 def make(tmp_path):
@@ -19,9 +20,9 @@ def make(tmp_path):
 @pytest.fixture
 def compare(capsys):
     """compare(runs and words): exit code, what was printed; table.json as a dictionary."""
-    def call(*words, figures=False):
-        code = command.main([str(word) for word in words] + ([] if figures else ["--no-figures"]))
-        path = next((word for k, word in enumerate(words) if words[k - 1] == "--out"), None) or words[0].parent / "compare"
+    def call(*given, figures=False):
+        code = command.main([str(word) for word in given] + ([] if figures else ["--no-figures"]))
+        path = next((word for k, word in enumerate(given) if given[k - 1] == "--out"), None) or given[0].parent / "compare"
         return code, capsys.readouterr().out, json.loads((path / "table.json").read_text())
 
     return call
@@ -255,3 +256,21 @@ def test_runs_of_the_program(hybrid, tmp_path):
         summary = json.loads((tmp_path / name / "summary.json").read_text())["monitors"]["top"]
         assert rows["top", "peak a"][name] == pytest.approx(abs(summary["peak_acceleration_m_s2"][0]), rel=1e-9)
         assert rows["top", "left u"][name] == pytest.approx(summary["final_displacement_m"][0], rel=1e-9)
+
+
+def test_many_runs_and_long_lists_stay_readable():
+    points = ["; ".join("S%d: %d, 1" % (k, k) for k in range(30)) + "; E: %d, 2" % end for end in (1, 2)]
+    assert words.shortened(points, ["a", "b"]) == ["E: 1, 2", "E: 2, 2"]
+    folders = ["/a/very/long/path/" + 40 * "x" + end for end in ("/first/section.geo", "/second/section.geo")]
+    shown = words.shortened(folders, ["a", "b"])
+    assert all("/%s/section.geo" % name in text and len(text) < 60 for name, text in zip(("first", "second"), shown))
+    values = ["1 m/s2"] * 5 + ["0.3 g"]
+    assert words.shortened(values, list("abcdef")) == ["1 m/s2 (5 runs)", "0.3 g (f)"]
+    looks = [(look["color"], str(look["ls"])) for look in map(curves.look, range(49))]
+    assert len(set(looks)) == 49
+
+
+def test_the_main_difference_is_no_length_of_the_run_and_no_record():
+    found = differences([{"Time/End time": "1", "Monitors/Points": "a: 0, 0", "Motion/Peak": "1 g"},
+                         {"Time/End time": "2", "Monitors/Points": "b: 0, 0", "Motion/Peak": "2 g"}])
+    assert main_difference(found).name == "Motion/Peak" and main_difference(found[:1]).name == "Time/End time"

@@ -12,8 +12,9 @@ from conftest import TOOLS
 
 import tool
 from hybrid_run import Run
+from hybrid_run.geometry import chains
 from hybrid_tools import style
-from hybrid_tools.plot import boreholes, overview
+from hybrid_tools.plot import boreholes, energy_balance, overview
 
 FIGURES = ["overview", "input_motion", "monitors_S", "monitors_D", "monitors_base", "boreholes", "section", "slip", "energy", "steps"]
 
@@ -154,3 +155,37 @@ def draw(run, directory):
     command.write_text(command.read_text().replace("FIGURES = (", 'FIGURES = ("how_long", '))
     subprocess.run([sys.executable, tools / "tool.py", "plot", "--figures", "how_long,overview", directory], check=True)
     assert {"how_long.png", "overview.png"} <= set(os.listdir(directory / "figures"))
+
+
+def test_a_borehole_jumps_at_the_sliding_surface():
+    depth = np.array([0.0, 4.0, 8.0, 12.0, 16.0])
+    field = 3.0 - 0.1 * depth  # without a jump nothing changes
+    at, x = boreholes.with_jump(depth, field, 9.0)
+    assert at.tolist() == [0, 4, 8, 9, 9, 12, 16] and x == pytest.approx(3 - 0.1 * at)
+    at, x = boreholes.with_jump(depth, np.stack([field + 5 * (depth < 9), field]), 9.0)
+    assert x[0, 3:5] == pytest.approx([3 - 0.9 + 5, 3 - 0.9]) and x[1, 3:5] == pytest.approx([2.1, 2.1])
+    assert boreholes.with_jump(depth[:2], field[:2], 2.0)[1].tolist() == [3, 3, 2.6, 2.6]
+    for outside in (None, 20.0, 0.0):
+        assert boreholes.with_jump(depth, field, outside)[0] is depth
+
+
+def test_small_terms_of_energy_are_one_curve():
+    time = np.linspace(0, 1, 11)
+    terms = {"work_%d" % k: time * 10.0**-k for k in range(6)}
+    terms["nothing"] = 0 * time
+    found, rest = energy_balance.grouped(terms)
+    assert list(found) == ["work 0", "work 1", "4 smaller terms"] and rest == ["work_2", "work_3", "work_4", "work_5"]
+    assert found["4 smaller terms"][-1] == pytest.approx(0.011110)
+    assert list(energy_balance.grouped({"a": time, "b": 1e-3 * time})[0]) == ["a", "b"]
+
+
+def test_segments_of_a_line_become_one_line():
+    points = np.array([(0, 0), (1, 0), (2, 1), (3, 1), (4, 0)], float)
+    segments = np.stack([points[:-1], points[1:]], axis=1)[[2, 0, 3, 1]]
+    segments[1] = segments[1, ::-1]  # drawn the other way round
+    (line,) = chains(segments)
+    assert line.tolist() in (points.tolist(), points[::-1].tolist())
+    ring = np.array([[(0, 0), (1, 0)], [(1, 0), (1, 1)], [(1, 1), (0, 0)]], float)
+    assert len(chains(ring)) == 1 and len(chains(ring)[0]) == 4
+    star = np.array([[(0, 0), (1, 0)], [(0, 0), (0, 1)], [(0, 0), (-1, 0)]], float)
+    assert len(chains(star)) == 3 and chains([]) == []

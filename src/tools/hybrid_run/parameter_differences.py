@@ -4,6 +4,7 @@
 from dataclasses import dataclass
 
 WITHOUT_EFFECT = ("Output", "Checkpoint", "Parallel")  # sections that change no result
+RECORDS = ("Monitors", "Boreholes")
 NAMES = ("Title", "Output/Directory")  # of a run: differ always
 FIRST = ("Model/Bedrock", "Model/Blocks")  # what two scenes are compared for if it differs
 DEPENDS = {  # sections that count only with another choice than this
@@ -38,6 +39,7 @@ def differences(scenes):
 def main_difference(found):
     """The one that the scenes seem to be compared for: the model, else what takes most values; None if nothing with an effect differs."""
     effective = [difference for difference in found if difference.has_effect]
+    effective = [d for d in effective if d.name != "Time/End time" and d.name.split("/")[0] not in RECORDS] or effective
     for name in FIRST:
         for difference in effective:
             if difference.name == name:

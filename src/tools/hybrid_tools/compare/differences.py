@@ -10,6 +10,16 @@ from hybrid_tools.table import percent
 
 from . import curves
 
+FEW = 3  # runs whose misfits stand in a title
+
+
+def misfits(values):
+    """In the order of the runs; of many the least and the largest."""
+    if len(values) > FEW:
+        values = [min(values), max(values)]
+        return " to ".join(percent(value).lstrip("+") for value in values)
+    return ", ".join(percent(value).lstrip("+") for value in values)
+
 
 def draw(comparison, directory):
     names = curves.monitors_to_show(comparison)
@@ -26,8 +36,8 @@ def draw(comparison, directory):
         factor, unit = style.length_unit(max(np.nanmax(np.abs(d), initial=0) for d in differences.values()))
         for i, difference in differences.items():
             axis.plot(comparison.axis, factor * difference, **curves.look(i))
-        off = ", ".join(percent(misfit.relative_l2(comparison.displacement(i, name), reference)).lstrip("+") for i in differences)
-        axis.set_title("%s: L2 misfit %s" % (name, off), fontsize=9)
+        axis.set_title("%s: L2 misfit %s" % (name, misfits([misfit.relative_l2(comparison.displacement(i, name), reference) for i in differences])),
+                       fontsize=9)
         axis.axhline(0, color="#8a8a8a", lw=0.7)
         axis.set_ylabel("difference of u %s [%s]" % (curves.along(comparison, c), unit), fontsize=8)
         axis.set_xlim(0, comparison.end)

@@ -4,12 +4,11 @@
 import math
 import os
 
-from tabulate import tabulate
-
 from . import verdict
 from .result_table import for_terminal, make_table
 
 LINE, SHORTEST = 100, 16  # characters of all values of a parameter in the terminal, and of each at least
+FEW = 4  # runs whose values stand in their order
 MOST = 20  # parameters that differ in the terminal
 
 NOTES = ("u: displacement relative to the base, downhill (+x where the surface is level) positive; peaks are largest magnitudes; left: at "
@@ -33,28 +32,39 @@ def entries_that_differ(values):
     return ["; ".join(entry for entry in entries if not all(entry in other for other in lists)) or "-" for entries in lists]
 
 
-def shortened(values):
-    """Values that fit side by side in a line, however long; what differs in them is kept in view."""
-    values, room = entries_that_differ(values), max(SHORTEST, LINE // len(values))
-    alike = len(os.path.commonprefix(values))
-    for k, value in enumerate(values):
-        if len(value) > room:
-            start = max(0, min(alike - room // 3, len(value) - room))
-            part = value[start : start + room]
-            values[k] = ("..." if start else "") + part.strip() + ("..." if start + room < len(value) else "")
-    return values
+def shortened(values, labels):
+    """Values that fit side by side in a line, however long; what differs in them is kept in view. Many runs are told by their values."""
+    values = entries_that_differ(values)
+    groups = {}
+    for value, label in zip(values, labels):
+        groups.setdefault(value, []).append(label)
+    texts = list(groups) if len(values) > FEW else values
+    room, alike = max(SHORTEST, LINE // len(texts)), len(os.path.commonprefix(texts))
+    short = {value: clipped(value, alike, room) for value in texts}
+    if len(values) <= FEW:
+        return [short[value] for value in values]
+    return ["%s (%s)" % (short[value], group[0] if len(group) == 1 else "%d runs" % len(group)) for value, group in groups.items()]
 
 
-def scene_lines(scenes, is_short=False):
-    """(word, text) lines: same, differs. is_short: for the terminal."""
+def clipped(value, alike, room):
+    """About `room` characters of a value, among them what comes after the first `alike`."""
+    if len(value) <= room:
+        return value
+    start = max(0, min(alike - room // 3, len(value) - room))
+    return ("..." if start else "") + value[start : start + room].strip() + ("..." if start + room < len(value) else "")
+
+
+def scene_lines(scenes, labels=None):
+    """(word, text) lines: same, differs. labels: of the runs; shortened for the terminal if given."""
     if not scenes.is_known:
         return [("differs", "unknown: a run has no params.used.prm")]
     lines = [("same", ", ".join(scenes.same()) or "nothing")]
-    rows = [[name, " | ".join(shortened(values) if is_short else values), remark] for name, values, remark in scenes.differing()]
-    left_out = len(rows) - MOST if is_short and len(rows) > MOST + 1 else 0
+    rows = [(name, " | ".join(shortened(values, labels) if labels else values), remark) for name, values, remark in scenes.differing()]
+    left_out = len(rows) - MOST if labels and len(rows) > MOST + 1 else 0
     if left_out:
-        rows = rows[:MOST] + [["%d more are in the files" % left_out, "", ""]]
-    texts = tabulate(rows, tablefmt="plain", disable_numparse=True).splitlines() if rows else ["nothing: the scenes are the same"]
+        rows = rows[:MOST] + [("%d more are in the files" % left_out, "", "")]
+    width = max((len(name) for name, _, _ in rows), default=0)
+    texts = ["%-*s  %s  %s" % (width, *row) for row in rows] or ["nothing: the scenes are the same"]
     return lines + [("differs" if k == 0 else "", text.rstrip()) for k, text in enumerate(texts)]
 
 
@@ -105,7 +115,7 @@ class Answer:
     def terminal(self, files, everything=False):
         """What is printed; files: words on what was written."""
         shown, left_out = (self.rows, "") if everything else for_terminal(self.comparison, self.rows)
-        lines = [("compare", head(self.comparison))] + scene_lines(self.scenes, not everything)
+        lines = [("compare", head(self.comparison))] + scene_lines(self.scenes, None if everything else self.comparison.labels)
         end = [("note", key(self.comparison))] + several("verdict", self.verdicts) + self.judgement()
         end += several("warning", self.warnings, repeat=True)
         return "\n".join(columns(lines) + [make_table(self.comparison, shown, self.rows).text()] + columns(
