@@ -199,6 +199,7 @@ def test_how_amplification_depends_on_a_parameter(hybrid, run, bar):
     found = json.loads((bar / "amplification/sensitivity.json").read_text())
     soft, hard = (next(r for r in found["rows"] if r["value"] == k and r["side"] == "above") for k in (1e8, 1e12))
     assert soft["mean"] < 0.9 * hard["mean"] and hard["mean"] == pytest.approx(0.5, abs=0.02)  # the incident wave is half of the outcrop motion
+    assert "Bedding planes/Normal stiffness [Pa/m]" in result.stdout
     assert (bar / "amplification/sensitivity.png").stat().st_size > 1000
 
 

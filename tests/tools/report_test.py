@@ -12,7 +12,7 @@ from selenium import webdriver
 
 from hybrid_run import Run
 from hybrid_run.parameters import changed_parameters
-from hybrid_tools.report import facts, panels, vector
+from hybrid_tools.report import costs, facts, panels, vector
 
 WIDTHS = {"phone": 390, "desk": 1280}
 
@@ -114,7 +114,8 @@ def look(driver, path, width, scheme="light"):
 @pytest.fixture(scope="module")
 def column(hybrid, tmp_path_factory):
     directory = tmp_path_factory.mktemp("column") / "run <1> & co"
-    result = hybrid(ROOT / "parameters/verification/coupled_column.prm", "-s", "Time/End time=0.3", "-s", f"Output/Directory={directory}")
+    result = hybrid(ROOT / "parameters/verification/coupled_column.prm", "-s", "Time/End time=0.3", "-s", "Heterogeneity/Modulus shape=3",
+                    "-s", f"Output/Directory={directory}")
     assert result.returncode == 0, result.stderr
     return directory
 
@@ -128,6 +129,10 @@ def test_a_run_of_the_program(hybrid, column, browser):
     assert f"Finished: 0.3 s in {run.summary['steps']} steps" in page.text and "End time 0.3 1" in page.text  # value and default
     for name, monitor in run.monitors.items():
         assert "%.3g" % monitor.peak().max() in page.text
+    spread = run.get("heterogeneity/modulus_factor")
+    assert "distribution of shape 3, seed 1; %d values from %.2g to %.2g" % (len(spread), spread.min(), spread.max()) in page.text
+    assert {"r1-random", "r1-cost"} <= set(page.ids) and "{:,} steps of %.3g iterations".format(run.summary["steps"]) % (
+        run.summary["iterations"] / run.summary["steps"]) in page.text
     for warning in facts.warnings(run):
         assert " ".join(warning.split()) in page.text
     assert {"r1-summary", "r1-motion", "r1-monitors", "r1-histories", "r1-card", "r1-parameters"} <= set(page.ids)
@@ -182,6 +187,20 @@ def test_changed_parameters_and_their_defaults(tmp_path):
     path = tmp_path / "params.used.prm"
     path.write_text("set Title = a # default: \nsubsection Time\n  set End time = 3 # default: 1\n  set Time step = 0.001\nend\n")
     assert changed_parameters(path) == {"Title": ("a", ""), "Time/End time": ("3", "1")}
+
+
+def test_parts_of_the_time_are_the_whole_run(column):
+    run = Run(column)
+    parts = dict(costs.parts_of(run))
+    assert sum(parts.values()) == pytest.approx(run.summary["wall_time_s"], rel=2e-3)
+    assert parts["writing files"] == run.summary["timings_s"]["output"] and all(seconds >= 0 for seconds in parts.values())
+    assert sum(float(row[2]) for row in costs.rows_of(run)) == pytest.approx(100, abs=2)
+
+
+def test_each_number_of_the_first_screen_says_of_what_it_is(column):
+    found = facts.facts(Run(column))
+    assert len({fact.name for fact in found}) == len(found) and not any("argest" in fact.name for fact in found)
+    assert all(fact.more for fact in found)
 
 
 def test_a_thinned_history_keeps_its_peaks():

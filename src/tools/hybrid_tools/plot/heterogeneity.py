@@ -38,6 +38,14 @@ def draw_section(section, axes, collection, label):
     set_view(axes, section.low, section.high, margin_of(section))
 
 
+def marks_of(run, section, name):
+    """Blocks by their modulus, or joints by their strength."""
+    values = run.get("heterogeneity/%s_factor" % name)
+    if name == "modulus":
+        return PolyCollection(section.blocks, array=values, cmap="viridis", edgecolors="none", zorder=3)
+    return LineCollection(run.get("heterogeneity/joint_ends").reshape(-1, 2, 2), array=values, cmap="viridis", lw=1.2, zorder=5)
+
+
 def draw(run, directory):
     rows = []
     section = None
@@ -47,12 +55,7 @@ def draw(run, directory):
         section = section or Section(run)
         values = run.get("heterogeneity/" + name + "_factor")
         shape = float(np.ravel(run.attribute("heterogeneity", name + "_shape"))[0])
-        if name == "modulus":
-            marks = PolyCollection(section.blocks, array=values, cmap="viridis", edgecolors="none", zorder=3)
-        else:
-            ends = run.get("heterogeneity/joint_ends").reshape(-1, 2, 2)
-            marks = LineCollection(ends, array=values, cmap="viridis", lw=1.2, zorder=5)
-        rows.append((values, shape, label, marks))
+        rows.append((values, shape, label, marks_of(run, section, name)))
     if not rows:
         raise NotInScene("the scene is not heterogeneous")
     figure, axes = plt.subplots(len(rows), 2, figsize=(12, 3.4 * len(rows) + 0.4), squeeze=False,

@@ -3,7 +3,7 @@
 
 from dataclasses import dataclass, field
 
-from . import facts, panels
+from . import costs, facts, panels, random_field
 
 # (identifier, heading, drawings); a chapter whose data the run lacks is left out.
 CHAPTERS = (("motion", "Motion of the ground", (panels.motion, panels.spectrum)),
@@ -56,7 +56,10 @@ def chapters(run, identifier):
     found.insert(2, monitors(run, identifier))
     found.append(Chapter("boreholes", "Boreholes", [panel for name in holes(run) if (panel := panels.panel(
         run, panels.of_borehole, "%s-hole-%s" % (identifier, safe(name)), name))]))
+    found.append(Chapter("random", "Heterogeneity", drawn(run, identifier, (random_field.modulus, random_field.strength))))
     found.append(Chapter("energy", "Energy", drawn(run, identifier, (panels.energy,))))
+    rows = costs.rows_of(run)
+    found.append(Chapter("cost", "Where the time went", drawn(run, identifier, (costs.steps,)), costs.HEAD if rows else None, rows))
     found.append(histories(run, identifier))
     return [chapter for chapter in found if chapter.panels or chapter.rows]
 

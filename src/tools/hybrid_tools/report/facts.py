@@ -102,14 +102,21 @@ def headline(run):
     found = slip(run)
     if found is not None:
         mean = "" if run.is_level else ", by %s %s on average" % length(found[0])  # on level ground left and right cancel
-        words.append("the mass has slipped by up to %s %s%s" % (length(found[1]) + (mean,)))
+        words.append("the mass has slipped for good by up to %s %s%s" % (length(found[1]) + (mean,)))
     elif run.has("section/blocks_displacement"):
-        words.append("blocks have moved by up to %s %s" % length(np.hypot(*run.blocks.displacement[run.blocks.mass].T).max(initial=0)))
+        words.append("blocks lie up to %s %s from where they were" % length(np.hypot(*run.blocks.displacement[run.blocks.mass].T).max(initial=0)))
     joints = failed_joints(run)
     if joints is not None and is_bonded(run):
         n = joints[0] + joints[1]
         words.append("%s failed" % ("no joint has" if n == 0 else "one joint has" if n == 1 else "%d joints have" % n))
     return subject + ("; " + ", and ".join(words) if words else "") + "."
+
+
+def most_of_blocks(run):
+    """The same of all blocks, where it is known."""
+    if not run.has("section/blocks_peak_displacement") or not len(run.blocks.peak_displacement[run.blocks.mass]):
+        return ""
+    return "; of all blocks up to %s %s" % length(run.blocks.peak_displacement[run.blocks.mass].max())
 
 
 def facts(run):
@@ -118,19 +125,20 @@ def facts(run):
     moved = farthest(run)
     if moved:
         against = ", relative to " + run.base if run.base else ""
-        found.append(Fact("Largest displacement", *length(moved[1]), "monitor %s%s" % (moved[0], against)))
-        found.append(Fact("Left at the end", *length(moved[2]), "monitor %s" % moved[0]))
+        found.append(Fact("Peak displacement", *length(moved[1]), "of %s, the monitor that moves most%s, at any time%s" % (
+            moved[0], against, most_of_blocks(run))))
+        found.append(Fact("Displacement left", *length(moved[2]), "of %s, at the end" % moved[0]))
     elif run.has("section/blocks_peak_displacement"):
-        found.append(Fact("Largest displacement", *length(run.blocks.peak_displacement[run.blocks.mass].max(initial=0)), "of a block"))
+        found.append(Fact("Peak displacement", *length(run.blocks.peak_displacement[run.blocks.mass].max(initial=0)), "of the block that moves most, at any time"))
     hardest, outcrop = strongest(run), outcrop_peak(run)
     if hardest:
         times = ", %.2f × outcrop" % (hardest[1] / outcrop) if outcrop > 0 else ""
-        more = "%.2g g, monitor %s%s" % (hardest[1] / GRAVITY, hardest[0], times)
+        more = "%.2g g, at monitor %s%s" % (hardest[1] / GRAVITY, hardest[0], times)
         found.append(Fact("Peak acceleration", "%.3g" % hardest[1], "m/s²", more))
     slipped = slip(run)
     if slipped:
-        mean = "" if run.is_level else "; mean %s %s" % length(slipped[0])
-        found.append(Fact("Slip on the surface", *length(slipped[1]), "largest that is left" + mean))
+        mean = "" if run.is_level else "; mean over all of it %s %s" % length(slipped[0])
+        found.append(Fact("Slip left", *length(slipped[1]), "at the end, where the mass has slid farthest on its surface" + mean))
     joints = failed_joints(run)
     if joints and (is_bonded(run) or sum(joints)):
         more = "%d tensile, %d shear%s" % (joints[:2] + ("; %d before the motion" % joints[2] if joints[2] else "",))
