@@ -49,6 +49,15 @@ namespace hybrid
 
 
 
+  void Simulation::Run::count_processor_time(const std::string &name)
+  {
+    const double now = processor_time();
+    summary.stages[name] += now - counted_processor_time;
+    counted_processor_time = now;
+  }
+
+
+
   Simulation::Simulation(const scene::SceneParameters &scene,
                          output::Log                  &run_log,
                          MPI_Comm                      communicator)
@@ -74,6 +83,7 @@ namespace hybrid
   {
     Run        run(*this, output::HistoryFile::Mode::create);
     const auto start = SteadyClock::now();
+    run.count_processor_time("preparation");
     if (!settle(interruption))
       {
         log.info("Interrupted in the static stage: there are no results and no checkpoint yet; to "
@@ -83,6 +93,7 @@ namespace hybrid
       }
     run.summary.timings["static_stage"] = seconds_since(start);
     run.summary.static_stage            = static_summary();
+    run.count_processor_time("static_stage");
     if (has_failed_to_stand())
       {
         run.recorder.start(state);
@@ -146,6 +157,8 @@ namespace hybrid
                         summary.steps - first_step,
                         summary.iterations - first_iteration);
         output_time += seconds_since(accepted);
+        if (summary.steps == 1)
+          run.count_processor_time("first_step");
         if (!watch_energy(run))
           status = RunStatus::energy_limit;
         else if (interruption.is_requested())
@@ -189,6 +202,7 @@ namespace hybrid
         summary.contact_search            = {search.steps, search.searches, search.lists};
         summary.timings["contact_search"] = search.time;
       }
+    run.count_processor_time_of_steps();
     summary.wall_time      = run.wall_time();
     summary.processor_time = run.processor_time();
     summary.peak_memory    = peak_memory();

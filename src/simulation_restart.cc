@@ -38,13 +38,15 @@ namespace hybrid
       model.continuum->serialize_rest(archive);
     if (run.solver != nullptr)
       archive(*run.solver);
+    if (!archive.is_reading() && run.summary.steps > 0)
+      run.count_processor_time_of_steps();
     double        wall_time      = run.wall_time();
     double        processor_time = run.processor_time();
     std::uint64_t log_length     = log.file_length();
     archive(run.step, run.clock, wall_time, processor_time, log_length);
     output::Summary &summary                          = run.summary;
     auto &[cuts, retries, moved_too_far, unconverged] = summary.wasted;
-    archive(summary.steps, summary.iterations, summary.timings);
+    archive(summary.steps, summary.iterations, summary.timings, summary.stages);
     archive(cuts, retries, moved_too_far, unconverged);
     auto &[settled_blocks, equilibrium, planes_hold, residual, iterations, displacement] =
       summary.static_stage;
@@ -54,6 +56,8 @@ namespace hybrid
       return;
     run.earlier_wall_time      = wall_time;
     run.earlier_processor_time = processor_time;
+    run.counted_processor_time = processor_time;
+    run.count_processor_time("preparation"); // of the part that begins
     log.resume_file(model.scene.output.directory + "/log.txt", log_length);
   }
 

@@ -77,6 +77,8 @@ namespace hybrid
       {"section", "a picture of a scene's section, before it is run"},
       {"fos",
        "factor of safety by strength reduction, yield acceleration, Newmark's displacements"},
+      {"benchmark",
+       "how fast the program is: scenes that are known to be hard, timed and compared"},
     };
     return all;
   }

@@ -44,5 +44,16 @@ namespace hybrid
     }
 
     double processor_time() const;
+
+    /// Adds the processor time since the last call to a part of the run: what one of @p name took.
+    void count_processor_time(const std::string &name);
+
+    /// The same for the time loop: its first step, in which factors are made, and the others.
+    void count_processor_time_of_steps()
+    {
+      count_processor_time(summary.steps > 1 ? "steps" : "first_step");
+    }
+
+    double counted_processor_time = 0.; ///< [s]
   };
 } // namespace hybrid

@@ -115,6 +115,7 @@ namespace hybrid::output
                          {"filter_frequency_hz", summary.filter_frequency},
                          {"outcrop_peak_acceleration_m_s2", summary.outcrop_peak_acceleration},
                          {"monitors", monitors(summary)},
+                         {"processor_times_s", summary.stages},
                          {"timings_s", summary.timings}};
     // JSON is UTF-8: a title in another encoding loses its letters, not the summary.
     return object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -65,6 +65,7 @@ namespace hybrid::output
     std::ostringstream text;
     text << "hybrid " << HYBRID_VERSION << " (commit " << HYBRID_COMMIT << ")\n"
          << "compiler    " << __VERSION__ << "\n"
+         << "flags       " << HYBRID_COMPILER_FLAGS << "\n"
          << "deal.II     " << DEAL_II_PACKAGE_VERSION << "\n"
          << "Trilinos    " << TRILINOS_VERSION_STRING << "\n"
          << "gmsh        " << gmsh_version() << "\n"

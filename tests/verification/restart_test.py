@@ -27,7 +27,7 @@ TOPPLING = ["Mesh/Numbers=Angle = 20; Columns = 4; Rows = 4; Base above = 20", "
 FINE = ["Mesh/Numbers=Resolution/h = 0.35", "Time/End time=0.01"]
 ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
 # Of summary.json, besides steps/wall_time of run.h5; a run that goes on makes its list of near blocks anew.
-WALL = {"wall_time_s", "processor_time_s", "peak_memory_mb", "timings_s", "contact_search"}
+WALL = {"wall_time_s", "processor_time_s", "processor_times_s", "peak_memory_mb", "timings_s", "contact_search"}
 complaints = []
 
 
@@ -75,6 +75,8 @@ def results(directory):
     for file in [*directory.glob("*.pvd"), *directory.glob("vtu/*.vtu")]:
         found[file.name] = file.read_bytes()
     summary = json.loads((directory / "summary.json").read_text(encoding="utf-8"))
+    parts = sum(summary["processor_times_s"].values())
+    require(abs(parts - summary["processor_time_s"]) < 0.05, f"{directory.name}: parts of the processor time make {parts} s")
     found.update({"summary " + key: value for key, value in summary.items() if key not in WALL})
     log = (directory / "log.txt").read_text(encoding="utf-8").splitlines()
     found["log"] = [line for line in log if not line.startswith("Resumed")]

@@ -124,6 +124,7 @@ namespace hybrid::output
 
     std::map<std::string, MonitorSummary> monitors; ///< by name
     std::map<std::string, double>         timings;  ///< wall time per effect [s]
+    std::map<std::string, double>         stages;   ///< processor time of the parts of a run [s]
     std::map<std::string, double>         energy;   ///< terms at the end [J/m]
   };
 
