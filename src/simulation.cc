@@ -31,6 +31,21 @@ namespace hybrid
 
 
 
+    /// Parts of steps of blocks, by name.
+    void add_parts(const dda::PartTimes          &times,
+                   const std::string             &prefix,
+                   std::map<std::string, double> &timings)
+    {
+      timings[prefix + "contact_search"]   = times.search;
+      timings[prefix + "springs"]          = times.springs;
+      timings[prefix + "assembly"]         = times.assembly;
+      timings[prefix + "factors"]          = times.factors;
+      timings[prefix + "products"]         = times.products;
+      timings[prefix + "surface_products"] = times.surface_products;
+    }
+
+
+
     double seconds(const timeval &time)
     {
       return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
@@ -54,6 +69,16 @@ namespace hybrid
     const double now = processor_time();
     summary.stages[name] += now - counted_processor_time;
     counted_processor_time = now;
+  }
+
+
+
+  void Simulation::Run::summarize_timings()
+  {
+    summary.timings["continuum"] = step.timings().continuum;
+    summary.timings["blocks"]    = step.timings().blocks;
+    if (solver != nullptr)
+      add_parts(solver->part_times(), "", summary.timings);
   }
 
 
@@ -94,6 +119,8 @@ namespace hybrid
     run.summary.timings["static_stage"] = seconds_since(start);
     run.summary.static_stage            = static_summary();
     run.count_processor_time("static_stage");
+    if (settled.steps > 0)
+      add_parts(settled.times, "static_", run.summary.timings);
     if (has_failed_to_stand())
       {
         run.recorder.start(state);
@@ -193,14 +220,14 @@ namespace hybrid
     summarize(output::resolve(
                 model.scene, model.motion.outcrop(), model.blocks.get(), model.continuum.get()),
               summary);
-    summary.wasted.cuts          = run.clock.cuts();
-    summary.timings["continuum"] = run.step.timings().continuum;
-    summary.timings["blocks"]    = run.step.timings().blocks;
+    summary.wasted.cuts = run.clock.cuts();
+    run.summarize_timings();
+    if (model.continuum != nullptr)
+      summary.timings["continuum_factors"] = model.continuum->factor_time();
     if (run.solver != nullptr)
       {
         const dda::BlockSolver::SearchSummary &search = run.solver->search();
-        summary.contact_search            = {search.steps, search.searches, search.lists};
-        summary.timings["contact_search"] = search.time;
+        summary.contact_search = {search.steps, search.searches, search.lists};
       }
     run.count_processor_time_of_steps();
     summary.wall_time      = run.wall_time();

@@ -54,6 +54,9 @@ namespace hybrid
       count_processor_time(summary.steps > 1 ? "steps" : "first_step");
     }
 
+    /// Wall time of the parts of the steps so far goes to the summary.
+    void summarize_timings();
+
     double counted_processor_time = 0.; ///< [s]
   };
 } // namespace hybrid

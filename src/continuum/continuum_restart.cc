@@ -50,7 +50,7 @@ namespace hybrid::continuum
 
   void Continuum::serialize_rest(Archive &archive)
   {
-    archive(impl->static_displacement);
+    archive(impl->static_displacement, impl->factor_time);
     if (impl->slip != nullptr)
       impl->slip->serialize_rest(archive);
   }

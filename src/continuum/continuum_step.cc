@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/continuum/continuum_implementation.h>
+#include <hybrid/scene/stopwatch.h>
 
 #include <algorithm>
 
@@ -20,6 +21,7 @@ namespace hybrid::continuum
           return step_matrices.front();
         }
 
+    const Stopwatch watch(factor_time);
     // A = K + M / (beta dt^2) + gamma / (beta dt) C,  C = alpha_M M + beta_K K + dashpots; the
     // correction of the inertia is no part of C.
     const double        to_rate = newmark.gamma / (newmark.beta * dt);
@@ -252,6 +254,13 @@ namespace hybrid::continuum
       accelerate_by(force.ended, c1);
     state.contact_acceleration = c1;
   }
+
+
+  double Continuum::factor_time() const
+  {
+    return impl->factor_time;
+  }
+
 
 
   const Eigen::MatrixXd &Continuum::surface_stiffness(const double dt)

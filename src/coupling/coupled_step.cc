@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/coupling/coupled_step.h>
 #include <hybrid/restart/archive.h>
+#include <hybrid/scene/stopwatch.h>
 
 #include <cassert>
-#include <chrono>
 
 namespace hybrid::coupling
 {
@@ -11,25 +11,6 @@ namespace hybrid::coupling
   {
     /// Solutions of the blocks with new slip of bedding planes, before the step is cut.
     constexpr int max_slip_rounds = 30;
-
-    /// Adds the time of a scope to a sum.
-    class Stopwatch
-    {
-    public:
-      explicit Stopwatch(double &seconds)
-        : sum(seconds)
-        , start(std::chrono::steady_clock::now())
-      {}
-
-      ~Stopwatch()
-      {
-        sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      }
-
-    private:
-      double                                     &sum;
-      const std::chrono::steady_clock::time_point start;
-    };
   } // namespace
 
 

@@ -149,6 +149,9 @@ namespace hybrid::continuum
     /// times as stiff.
     const Eigen::MatrixXd &surface_stiffness(double dt);
 
+    /// Wall time that factors for the step sizes so far took [s].
+    double factor_time() const;
+
     /// Forward substitution of the step from @p state to state.time + dt. @return g [N/m].
     const Eigen::VectorXd &predict(const ContinuumState &state, double dt);
 

@@ -66,7 +66,8 @@ namespace hybrid::continuum
       Eigen::MatrixXd                                 slip_relaxation; ///< G of BeddingPlanes
       std::vector<BaseCoupling>                       base;
     };
-    std::list<StepMatrix> step_matrices; ///< most recently used first, at most 3
+    std::list<StepMatrix> step_matrices;    ///< most recently used first, at most 3
+    double                factor_time = 0.; ///< wall time that making them took [s]
     std::shared_ptr<CondensedFactorisation::Factor>
       inertia_factor; ///< of M without supported unknowns; null before it is asked for
 

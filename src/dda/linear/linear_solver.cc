@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/linear/linear_solver.h>
 #include <hybrid/restart/archive.h>
+#include <hybrid/scene/stopwatch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -298,16 +299,19 @@ namespace hybrid::dda
           return result;
       }
 
-    const int spent    = result.iterations;
-    bool      factored = false;
+    const int spent       = result.iterations;
+    bool      factored    = false;
+    double    factor_time = 0.;
     if (!factor_is_current || !use_factor)
       {
+        const Stopwatch watch(factor_time);
         factored = use_factor = factor_is_current = factor.factorize(matrix);
         ++factors;
       }
     result = attempt(hard_limit);
     result.iterations += spent;
-    result.factored = factored;
+    result.factored    = factored;
+    result.factor_time = factor_time;
     return result;
   }
 } // namespace hybrid::dda

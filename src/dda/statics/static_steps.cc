@@ -186,6 +186,9 @@ namespace hybrid::dda
         dt = std::min(largest_step, pace.growth * dt);
       }
     stop_blocks(state);
+    result.times = solver.part_times();
+    if (from_hold)
+      result.times += from_hold->part_times();
     return result;
   }
 } // namespace hybrid::dda

@@ -4,9 +4,9 @@
 #include <hybrid/dda/geometry/outline_frames.h>
 #include <hybrid/dda/step/block_solver.h>
 #include <hybrid/restart/archive.h>
+#include <hybrid/scene/stopwatch.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <map>
 
@@ -204,7 +204,7 @@ namespace hybrid::dda
 
   void BlockSolver::search_contacts(DdaState &state)
   {
-    const auto                     start          = std::chrono::steady_clock::now();
+    const Stopwatch                watch(search_summary.time);
     const ContactDetection::Report before         = detection.report();
     const bool                     joints_changed = update_skipped_pairs(state);
     detection.set_was_awake(state.contact_scope);
@@ -221,7 +221,5 @@ namespace hybrid::dda
     ++search_summary.steps;
     search_summary.searches += detection.report().searches - before.searches;
     search_summary.lists += detection.report().builds - before.builds;
-    search_summary.time +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 } // namespace hybrid::dda

@@ -3,6 +3,7 @@
 #include <hybrid/dda/springs/bedrock_forces.h>
 #include <hybrid/dda/step/open_close_iteration.h>
 #include <hybrid/restart/archive.h>
+#include <hybrid/scene/stopwatch.h>
 
 #include <Eigen/Cholesky>
 
@@ -76,15 +77,17 @@ namespace hybrid::dda
     const int    n = model.n_blocks(), m = model.n_foundation_nodes();
     const double dt = trial.dt, beta = model.newmark.beta, weight = contact_weight(model.newmark);
     move(state);
-    springs.evaluate(model,
-                     state,
-                     trial,
-                     full_steps ? Springs::SlipReversal::locks : Springs::SlipReversal::slides);
-
     residual.setZero(6 * n + 2 * m);
     contact_force.setZero(6 * n + 2 * m);
     absolute.setZero(n);
-    springs.add_forces(residual, contact_force, absolute);
+    {
+      const Stopwatch timer(times.springs);
+      springs.evaluate(model,
+                       state,
+                       trial,
+                       full_steps ? Springs::SlipReversal::locks : Springs::SlipReversal::slides);
+      springs.add_forces(residual, contact_force, absolute);
+    }
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
@@ -126,6 +129,7 @@ namespace hybrid::dda
       {
         foundation_moved = trial.foundation - foundation.displacement;
         residual.tail(2 * m) += foundation_start + weight * contact_increment;
+        const Stopwatch timer(times.surface_products);
         if (!foundation_moved.isZero(0.))
           subtract_foundation_product(foundation_moved, residual.tail(2 * m));
       }
@@ -191,7 +195,8 @@ namespace hybrid::dda
                                     const FoundationResponse &foundation,
                                     const Tangent            &tangent)
   {
-    const double dt = trial.dt, beta = model.newmark.beta;
+    const Stopwatch timer(times.assembly);
+    const double    dt = trial.dt, beta = model.newmark.beta;
     update_stiffness(model, tangent);
     const std::vector<int> &rows = stiffness.changed_blocks();
 #pragma omp parallel for schedule(static) if (is_worth_sharing(rows.size()))
@@ -226,6 +231,17 @@ namespace hybrid::dda
     tangent_dt             = dt;
     tangent_regularisation = sliding_regularisation.value();
     tangent_pattern        = matrix.pattern_version();
+  }
+
+
+
+  LinearSolver::Result OpenCloseIteration::solve_linear(const double tolerance)
+  {
+    const Stopwatch            timer(times.products);
+    const LinearSolver::Result result = solver.solve(matrix, residual, scale, tolerance, update);
+    times.factors += result.factor_time;
+    times.products -= result.factor_time;
+    return result;
   }
 
 
@@ -301,7 +317,10 @@ namespace hybrid::dda
     // The first linear system is solved to the end where that may be all.
     double previous = expects_many ? result.residual : std::numeric_limits<double>::infinity();
     expects_many    = true;
-    springs.connect(model, matrix);
+    {
+      const Stopwatch timer(times.springs);
+      springs.connect(model, matrix);
+    }
     bool stale = tangent_dt != dt || tangent_pattern != matrix.pattern_version() ||
                  tangent_regularisation > 0.;
     full_steps = full_step_phase.begin(model.iteration.max_full_steps, result.residual);
@@ -338,10 +357,9 @@ namespace hybrid::dda
           }
         stale = false;
 
-        const double               left = std::max(0.2 * model.iteration.tolerance,
+        const double               left   = std::max(0.2 * model.iteration.tolerance,
                                      forcing_term(result.residual, previous) * result.residual);
-        const LinearSolver::Result linear =
-          solver.solve(matrix, residual, scale, left * reference, update);
+        const LinearSolver::Result linear = solve_linear(left * reference);
         result.solver_iterations += linear.iterations;
         result.factorizations += linear.factored ? 1 : 0;
         previous                  = result.residual;
@@ -384,6 +402,7 @@ namespace hybrid::dda
     bool is_current = tangent_pattern == matrix.pattern_version();
     archive(matrix, stiffness, tangent_dt, is_current, expects_many);
     solver.serialize(archive, matrix);
+    archive(times);
     if (!archive.is_reading())
       return;
     tangent_pattern = is_current ? matrix.pattern_version() : -1;

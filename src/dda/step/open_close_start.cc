@@ -3,6 +3,7 @@
 #include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/model/block_damping.h>
 #include <hybrid/dda/step/open_close_iteration.h>
+#include <hybrid/scene/stopwatch.h>
 
 #include <cassert>
 
@@ -43,6 +44,7 @@ namespace hybrid::dda
     if (foundation.prescribed)
       return;
     foundation_start = foundation.load;
+    const Stopwatch timer(times.surface_products);
     subtract_foundation_product(foundation.displacement, foundation_start);
   }
 
@@ -91,7 +93,10 @@ namespace hybrid::dda
                                  const double              dt,
                                  const std::vector<Vec6>  *guess)
   {
-    springs.collect(model, state);
+    {
+      const Stopwatch timer(times.springs);
+      springs.collect(model, state);
+    }
     incoming = foundation.boundary_force;
     solver.set_slices(model.slice);
     solver.set_foundation_stiffness(foundation.prescribed ? nullptr : foundation.stiffness);

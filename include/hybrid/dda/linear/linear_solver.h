@@ -29,9 +29,10 @@ namespace hybrid::dda
   public:
     struct Result
     {
-      bool converged  = false;
-      int  iterations = 0;
-      bool factored   = false; ///< a new sparse factor was made
+      bool   converged   = false;
+      int    iterations  = 0;
+      bool   factored    = false; ///< a new sparse factor was made
+      double factor_time = 0.;    ///< that it took [s]
     };
 
     /// The foundation's own stiffness S (n x n, symmetric positive definite) for the next solves;

@@ -3,6 +3,7 @@
 
 #include <hybrid/dda/model/model.h>
 #include <hybrid/dda/model/state.h>
+#include <hybrid/dda/step/part_times.h>
 
 #include <functional>
 
@@ -23,6 +24,8 @@ namespace hybrid::dda
     int    fallen_block = -1; ///< came to rest farther than elasticity explains, most of all; or -1
     double fallen_by    = 0.; ///< its displacement [m]
     double turned_by    = 0.; ///< its rotation [rad]
+
+    PartTimes times; ///< of the steps
   };
 
 

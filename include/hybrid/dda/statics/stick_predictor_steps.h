@@ -37,6 +37,12 @@ namespace hybrid::dda
       solver.accept(state);
     }
 
+    PartTimes part_times() const
+    {
+      PartTimes times = solver.part_times();
+      return times += hold_solver.part_times();
+    }
+
   private:
     Model       held, eased;
     double      tolerance; ///< of the problem [-]

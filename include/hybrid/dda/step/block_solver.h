@@ -61,6 +61,14 @@ namespace hybrid::dda
       return search_summary;
     }
 
+    /// Where the time of all steps so far went.
+    PartTimes part_times() const
+    {
+      PartTimes times = iteration.part_times();
+      times.search    = search_summary.time;
+      return times;
+    }
+
     /// Vertices found deeper inside another block than any contact explains, at the last step.
     int lost_vertices() const
     {

@@ -6,6 +6,7 @@
 #include <hybrid/dda/springs/springs.h>
 #include <hybrid/dda/step/foundation_response.h>
 #include <hybrid/dda/step/full_step_phase.h>
+#include <hybrid/dda/step/part_times.h>
 #include <hybrid/dda/step/sliding_regularisation.h>
 
 #include <functional>
@@ -76,6 +77,12 @@ namespace hybrid::dda
     /// energy.
     void accept(const Model &model, DdaState &state) const;
 
+    /// Wall time of all steps so far, but for the search.
+    const PartTimes &part_times() const
+    {
+      return times;
+    }
+
     /// The tangent that is kept from one step to the next, for the checkpoint.
     void serialize(restart::Archive &archive);
 
@@ -133,6 +140,7 @@ namespace hybrid::dda
     bool            full_steps           = false; ///< updates: no line search, SlipReversal::locks
     bool            guesses_acceleration = true;  ///< the trial begins as if it stayed the same
     double          reference            = 0.;    ///< norm of absolute forces [N]
+    PartTimes       times;
 
     /// Collect the springs and set where the iteration starts.
     void begin(const Model              &model,
@@ -184,6 +192,9 @@ namespace hybrid::dda
                   const DdaState           &state,
                   const FoundationResponse &foundation,
                   const Tangent            &tangent);
+
+    /// The update that takes the residual away but for @p tolerance [N].
+    LinearSolver::Result solve_linear(double tolerance);
 
     /// Where a line search ended.
     struct LineSearch
