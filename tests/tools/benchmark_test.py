@@ -69,6 +69,7 @@ def test_row_has_its_counts_and_times(measured):
     exponent = found["growth"]["rest"]["exponent"]
     assert rows["rest_400"]["value"] / rows["rest_100"]["value"] == pytest.approx(4 ** exponent)
     page = (directory / "benchmark.md").read_text()
+    assert "springs [%]" in page
     assert "rest: time grows as n^" in page and "| slide_100" in page and "rest: time grows as n^" in said
 
 

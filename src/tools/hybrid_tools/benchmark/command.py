@@ -111,7 +111,7 @@ def write(words, facts, rows, before, name):
     said = ["- %s: %s." % (catalogue.UNITS[kind], catalogue.MEANINGS[kind]) for kind in kinds]
     with open(os.path.join(words.output, "benchmark.md"), "w", encoding="utf-8") as file:
         file.write("\n".join(["# Benchmark", ""] + headline(facts) + ["", made.markdown(), ""] + said + ["- " + line for line in lines]))
-        file.write("\n")
+        file.write("\n\nWhere the wall time of the time loop goes:\n\n%s\n" % results.parts_table(rows).markdown())
     return made, lines
 
 

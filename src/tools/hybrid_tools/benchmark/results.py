@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from hybrid_run import UserError
+from hybrid_run import UserError, timings
 from hybrid_tools.benchmark import catalogue
 from hybrid_tools.benchmark.measure import value
 from hybrid_tools.table import Column, Table
@@ -109,6 +109,18 @@ def table(results, before=None, before_name="before"):
             old = before.get(r["row"])
             line += [time_ratio(r, old), old.get("iterations_per_step") if old else None]
         made.add(*line)
+    return made
+
+
+def parts_table(results):
+    """Where the wall time of each row's time loop went."""
+    found = {r["row"]: timings.parts(r) for r in results if "timings_s" in r}
+    labels = list(dict.fromkeys(label for parts in found.values() for label in parts))
+    made = Table([Column("row")] + [Column(label, "%", "%.0f") for label in labels])
+    for row, parts in found.items():
+        total = sum(parts.values())
+        if total > 0:
+            made.add(row, *[100 * parts[label] / total if label in parts else None for label in labels])
     return made
 
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What each step cost: step size (cuts), iterations, wall time."""
+"""What each step cost: step size (cuts), iterations, wall time; and where the wall time of all went."""
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 
-from hybrid_run import MissingData
+from hybrid_run import MissingData, timings
 from hybrid_tools import style
 
 
@@ -23,6 +23,20 @@ def log_axis(axis, values):
     axis.set_ylim(low / 1.3, high * max(1.3, (high / low) ** 0.25))
 
 
+def draw_parts(axis, parts):
+    """One bar of parts of the wall time."""
+    total, begin = sum(parts.values()), 0.0
+    colours = plt.get_cmap("tab20").colors
+    for k, (label, seconds) in enumerate(parts.items()):
+        share = 100 * seconds / total
+        axis.barh(0, share, left=begin, color=colours[k % len(colours)], height=0.6, label="%s %.0f %%" % (label, share))
+        begin += share
+    axis.set_xlim(0, 100)
+    axis.set_yticks([])
+    axis.set_xlabel("wall time of the time loop [%]")
+    axis.legend(loc="upper center", bbox_to_anchor=(0.5, -1.1), ncol=4, fontsize=8, frameon=False)
+
+
 def draw(run, directory):
     dt = run.get("steps/dt")
     panels = [(dt * 1e3, "step size [ms]", "log")]
@@ -35,9 +49,16 @@ def draw(run, directory):
     n = min([len(time)] + [len(p[0]) for p in panels])
     if n < 2:
         raise MissingData("fewer than two steps in run.h5")
-    figure, axes = plt.subplots(len(panels), 1, figsize=(9, 1.7 * len(panels) + 0.6), sharex=True, squeeze=False,
-                                constrained_layout=True)
+    parts = timings.parts(run.summary, minimum=0.005)
+    heights = [1.7] * len(panels) + ([1.0] if parts else [])
+    figure, axes = plt.subplots(len(heights), 1, figsize=(9, sum(heights) + 0.6), squeeze=False, constrained_layout=True,
+                                gridspec_kw={"height_ratios": [1.0] * len(panels) + ([0.25] if parts else [])})
+    if parts:
+        draw_parts(axes[-1, 0], parts)
+        axes = axes[:-1]
     for axis, (values, label, scale) in zip(axes[:, 0], panels):
+        axis.sharex(axes[-1, 0])
+        axis.tick_params(labelbottom=axis is axes[-1, 0])
         values = values[:n]
         axis.plot(time[:n], values, ".", ms=1.5, color=style.HORIZONTAL, alpha=0.35, rasterized=True)
         window = max(n // 200, 1)
