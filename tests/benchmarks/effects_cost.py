@@ -3,6 +3,7 @@
 """What each effect costs: the table of doc/effects.md.
 
     effects_cost.py HYBRID WORK_DIR [--write]     prints the table; --write puts it into doc/effects.md
+    effects_cost.py HYBRID WORK_DIR --only TEXT   rows with this in their title, and what they are compared with
 
 The Majiagou section with h = 8 m and a sine burst runs without an effect and with it, 400 steps of 1 ms and none, each
 five times in turn. Processor time (not wall time: other work on the machine counts little) per step is the difference of the least
@@ -49,6 +50,8 @@ ROWS = [
     ("block damping", BARE, ["Blocks/Damping ratio=0.05"]),
     ("dynamic coefficient", BARE, ["Time/Dynamic coefficient=0.999"]),
     ("edge load", BARE, [SURFACE]),
+    ("no peak fields (they are on)", BARE, ["Monitors/Peak fields=false"]),
+    ("lines, a row every 5 ms: ground, sliding surface", BARE, ["Monitors/Lines=ground; sliding_surface"]),
     ("**the same**, shaken with 30 m/s2", None, STRONG),
     ("strengths that nothing reaches", STRONG, ["Materials/%s/%s=1e9" % (m, s) for m in ("body", "body_saturated", "belt", "belt_saturated")
                                                    for s in ("Cohesion", "Tensile strength")]),
@@ -72,18 +75,28 @@ def measure(binary, work, overrides, steps):
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, summary
 
 
+def chosen_rows():
+    """All, or those that --only names with their bases."""
+    if "--only" not in sys.argv:
+        return ROWS
+    text = sys.argv[sys.argv.index("--only") + 1]
+    bases = [base for title, base, _ in ROWS if text in title]
+    return [row for row in ROWS if text in row[0] or (row[1] is None and row[2] in bases)]
+
+
 def main():
     binary, work = sys.argv[1], sys.argv[2]
-    best = [[float("inf"), float("inf")] for _ in ROWS]
-    summaries = [None] * len(ROWS)
+    rows = chosen_rows()
+    best = [[float("inf"), float("inf")] for _ in rows]
+    summaries = [None] * len(rows)
     for _ in range(REPETITIONS):
-        for i, (_, base, overrides) in enumerate(ROWS):
+        for i, (_, base, overrides) in enumerate(rows):
             for k, steps in enumerate((0, STEPS)):
                 seconds, summaries[i] = measure(binary, work, (base or []) + overrides, steps)
                 best[i][k] = min(best[i][k], seconds)
     lines = ["| scene or effect | ms per step | more by | iterations per step | preparation [s] | memory [MB] | more by |",
              "|---|---|---|---|---|---|---|"]
-    for i, (title, base, _) in enumerate(ROWS):
+    for i, (title, base, _) in enumerate(rows):
         step = (best[i][1] - best[i][0]) / STEPS * 1e3
         memory = summaries[i]["peak_memory_mb"]
         if base is None:

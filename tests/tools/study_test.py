@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT
 
 from hybrid_run import UserError, convergence
-from hybrid_tools.study import analysis, axes, command, plan, quantities, report, runner, study_file, tables
+from hybrid_tools.study import analysis, axes, command, plan, quantities, report, runner, stated, study_file, tables
 from hybrid_tools.study.run_directory import RunDirectory, reason_of
 
 SCENES = ROOT / "parameters/verification"
@@ -393,6 +393,36 @@ def test_a_workflow_computes_one_run_at_a_time_and_a_closed_form_is_the_referenc
     assert next(manifest for manifest in manifests(directory) if manifest["state"] == "done")["taken"] == "by a scheduler"
     errors = [row for row in table(directory, "values") if row["error"]]
     assert [row["reference"] for row in errors] == ["closed form"] and float(errors[0]["error"]) < 3e-3
+
+
+def test_a_scene_states_its_closed_form_and_its_order_is_that_of_the_elements(hybrid, tmp_path):
+    """Waves in elements of degree 2: the error of their phase is of fourth order in h. No option names the closed form."""
+    directory = tmp_path / "study"
+    result = hybrid("study", SCENES / "wave_packet.prm", "--vary", "Mesh/Numbers=Resolution/h = 25|12.5|6.25", "--directory", directory)
+    assert result.returncode == 0, result.stderr
+    order, reference, verdict = orders(directory)["h", "here/displacement"]
+    assert reference == "closed form" and order == pytest.approx(4, abs=0.3) and verdict == "converges"
+    errors = [float(row["error"]) for row in table(directory, "values") if row["quantity"] == "here/displacement"]
+    assert errors[0] / errors[1] == pytest.approx(12.8, rel=0.1) and errors[2] < 0.002
+    steps = tmp_path / "steps"
+    result = hybrid("study", SCENES / "wave_packet.prm", "--vary", "Time/Time step=4e-3,2e-3,1e-3", "-s", "Continuum/Degree=4",
+                    "-s", "Time/Scheme=trapezoidal", "--directory", steps)
+    order, reference, _ = orders(steps)["Time step", "here/displacement"]
+    assert reference == "closed form" and order == pytest.approx(2, abs=0.1)
+
+
+def test_the_closed_form_of_a_scene_is_that_of_its_problem_alone(tmp_path):
+    scene = tmp_path / "a.prm"
+    scene.write_text("# Closed form: a/final displacement = 1.5\n#Closed form:  a/displacement=b.csv\n")
+    with pytest.raises(UserError, match="closed form of a/displacement: 'b.csv' is no number"):
+        stated.read(str(scene))
+    (tmp_path / "b.csv").write_text("")
+    assert stated.read(str(scene)) == {"a/final displacement": 1.5, "a/displacement": str(tmp_path / "b.csv")}
+    step, motion = axes.parse_axis("Time/Time step=1e-3,2e-3"), axes.parse_axis("Motion/Peak=1,2")
+    assert stated.other_problem([step], ["Time/End time=3", "Continuum/Degree=4", "Mesh/Numbers=Resolution/h = 2; Resolution/far = 3"]) == ""
+    assert stated.other_problem([step, motion], []) == "Motion/Peak"
+    assert stated.other_problem([step], ["Mesh/Numbers=Resolution/h = 2; Width = 3"]) == "Mesh/Numbers"
+    assert stated.other_problem([step], ["Blocks/Damping ratio=0.1"]) == "Blocks/Damping ratio"
 
 
 @pytest.mark.parametrize("words, message", [

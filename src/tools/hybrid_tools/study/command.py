@@ -7,7 +7,7 @@ import sys
 from hybrid_run import UserError
 from hybrid_run.parameters import parse_parameters
 from hybrid_tools.arguments import Arguments
-from hybrid_tools.study import axes, plan, program, runner, study_file, workflow
+from hybrid_tools.study import axes, plan, program, runner, stated, study_file, workflow
 from hybrid_tools.study.run_directory import RunDirectory, read_json, write_json
 
 AUTOMATIC_SEEDS = 3
@@ -103,12 +103,21 @@ def make_study(words):
         common.append(plan.PICTURES_OFF)
     name = os.path.splitext(os.path.basename(words.what))[0] + "-study"
     directory = os.path.abspath(words.directory or content.get("directory") or os.path.join("output", name))
-    study = plan.Study(scene, directory, common, varied, effects,
-                       dict(content.get("closed_form", {}), **own["closed_form"]), seeds=content.get("seeds"),
+    given = dict(content.get("closed_form", {}), **own["closed_form"])
+    study = plan.Study(scene, directory, common, varied, effects, dict(stated_closed_forms(scene, varied, common), **given), seeds=content.get("seeds"),
                        quantities=content.get("quantities", []),
                        tolerance=plan.parse_tolerance(content["tolerance"]) if "tolerance" in content else None)
     check(study)
     return study
+
+
+def stated_closed_forms(scene, varied, common):
+    """Those of the scene, unless the study is of another problem."""
+    found = stated.read(scene) if os.path.isfile(scene) else {}
+    other = stated.other_problem(varied, common) if found else ""
+    if other:
+        print("note      the closed form that the scene states is left out: %s makes it another problem" % other)
+    return {} if other else found
 
 
 def check(study):
