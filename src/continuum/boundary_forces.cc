@@ -252,11 +252,13 @@ namespace hybrid::continuum
       input.acceleration = motion.outcrop_acceleration(time + dt);
     for (std::size_t c = 0; c < columns.size(); ++c)
       {
-        const int o = column_offset[c];
-        columns[c].step({old.u + o, old.v + o, old.a + o},
-                        {next.u + o, next.v + o, next.a + o},
-                        dt,
-                        input);
+        const int  o     = column_offset[c];
+        const bool keeps = next.change != nullptr;
+        columns[c].step(
+          {old.u + o, old.v + o, old.a + o, keeps ? old.change + o : nullptr, old.filter},
+          {next.u + o, next.v + o, next.a + o, keeps ? next.change + o : nullptr},
+          dt,
+          input);
       }
   }
 

@@ -179,7 +179,7 @@ namespace hybrid::continuum
       x->assign(n_dofs(), 0.);
     rhs.assign(dof_of_system.size(), 0.);
     solution.assign(dof_of_system.size(), 0.);
-    for (auto *x : {&column_u, &column_v, &column_a})
+    for (auto *x : {&column_u, &column_v, &column_a, &column_change})
       x->assign(boundary->n_column_unknowns(), 0.);
     for (auto *x : {&edge0, &edge1, &edge_force0, &edge_force1, &edge_du, &edge_du_ff, &edge_v_ff})
       x->assign(2 * boundary->boundary_nodes().size(), 0.);
@@ -198,6 +198,8 @@ namespace hybrid::continuum
     state.displacement.assign(n, 0.);
     state.velocity.assign(n, 0.);
     state.acceleration.assign(n, 0.);
+    if (impl->newmark.filter > 0.)
+      state.acceleration_change.assign(n, 0.);
     state.surface_force.assign(2 * impl->surface.size(), 0.);
     if (impl->slip != nullptr)
       state.slip = impl->slip->initial_state();

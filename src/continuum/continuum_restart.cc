@@ -34,9 +34,19 @@ namespace hybrid::continuum
 
   void serialize(Archive &archive, ContinuumState &state)
   {
-    auto &[time, displacement, velocity, acceleration, of_contacts, force, contact, slip, energy] =
-      state;
-    archive(time, displacement, velocity, acceleration, of_contacts, force, contact, slip, energy);
+    auto &[time,
+           last_step,
+           displacement,
+           velocity,
+           acceleration,
+           of_contacts,
+           change,
+           force,
+           contact,
+           slip,
+           energy] = state;
+    archive(time, last_step, displacement, velocity, acceleration, of_contacts, change, force);
+    archive(contact, slip, energy);
   }
 
 

@@ -106,18 +106,24 @@ namespace hybrid::continuum
     const double beta       = newmark.beta;
     const double to_inertia = 1. / (beta * dt * dt);
     newmark_acceleration(state);
+    filter               = newmark.filter_in(dt, state.last_step);
+    const bool    keeps  = newmark.filter > 0.;
+    const double *change = keeps ? state.acceleration_change.data() : nullptr;
 
-    boundary->step_columns({u + n, v + n, a + n},
-                           {column_u.data(), column_v.data(), column_a.data()},
-                           state.time,
-                           dt);
+    boundary->step_columns(
+      {u + n, v + n, a + n, keeps ? change + n : nullptr, filter},
+      {column_u.data(), column_v.data(), column_a.data(), keeps ? column_change.data() : nullptr},
+      state.time,
+      dt);
     boundary->incoming(state.time + dt, column_u.data(), column_v.data(), incoming1);
 
     for (std::size_t i = 0; i < n; ++i)
       {
         predicted[i] = u[i] + dt * v[i] + dt * dt * (0.5 - beta) * a0[i];
-        rate[i]      = 2. / dt * u[i] + v[i]; // v1 = 2 (u1 - u0) / dt - v0, as 2 beta = gamma
-        load[i]      = to_inertia * predicted[i] + rayleigh_mass * rate[i];
+        if (filter > 0.)
+          predicted[i] -= 0.5 * dt * dt * filter * change[i];
+        rate[i] = 2. / dt * u[i] + v[i]; // v1 = 2 (u1 - u0) / dt - v0, as 2 beta = gamma
+        load[i] = to_inertia * predicted[i] + rayleigh_mass * rate[i];
       }
     for (const int i : fixed_dofs)
       predicted[i] = rate[i] = load[i] = 0.;
@@ -210,6 +216,8 @@ namespace hybrid::continuum
         v1[i] = supports[i] == Support::zero
                   ? 0.
                   : state.velocity[i] + dt * ((1. - gamma) * a0[i] + gamma * a1[i]);
+        if (filter > 0. && supports[i] != Support::zero)
+          v1[i] -= dt * filter * state.acceleration_change[i];
       }
     accelerate_by(force.contacts, c1);
     for (std::size_t i = 0; i < c1.size(); ++i) // a is u's second difference less what contacts did
@@ -217,6 +225,8 @@ namespace hybrid::continuum
     add_energy(state, dt, force);
     if (slip != nullptr)
       add_slip_energy(state);
+    if (newmark.filter > 0.)
+      keep_change(state, dt);
 
     std::copy(u1.begin(), u1.end(), state.displacement.begin());
     std::copy(v1.begin(), v1.end(), state.velocity.begin());
@@ -229,6 +239,16 @@ namespace hybrid::continuum
     std::copy(force.all.begin(), force.all.end(), state.surface_force.begin());
     state.surface_contact.assign(force.ended.begin(), force.ended.end());
     state.time += dt;
+  }
+
+
+  void Continuum::Implementation::keep_change(ContinuumState &state, const double dt) const
+  {
+    const std::size_t n = n_dofs();
+    for (std::size_t i = 0; i < n; ++i)
+      state.acceleration_change[i] = a1[i] - a0[i];
+    std::copy(column_change.begin(), column_change.end(), state.acceleration_change.begin() + n);
+    state.last_step = dt;
   }
 
 

@@ -36,6 +36,7 @@ namespace hybrid::coupling
     , compliant(scene.has_compliant_base())
     , line(scene.continuum.degree)
     , damping_time(scene.continuum.rayleigh_stiffness)
+    , newmark(scene.time.newmark)
   {
     if (scene.continuum.sides.has_free_field)
       for (const BoundaryPart side : {BoundaryPart::left, BoundaryPart::right})
@@ -85,13 +86,15 @@ namespace hybrid::coupling
             column.foot_impedance = Vec2(edge.s_impedance, edge.p_impedance);
           }
       }
-    column.newmark            = scene.time.newmark;
+    column.newmark            = newmark;
     column.rayleigh_stiffness = damping_time;
     column_offset.push_back(offset);
     columns.emplace_back(line, column);
     for (std::vector<double> *values :
          {&at_end.displacement, &at_end.velocity, &at_end.acceleration})
       values->resize(offset + 2 * columns.back().n_nodes());
+    if (newmark.filter > 0.)
+      at_end.change.resize(at_end.acceleration.size());
   }
 
 
@@ -99,14 +102,16 @@ namespace hybrid::coupling
   void BlockFoundation::start(CoupledState &state) const
   {
     const std::vector<double> zero(at_end.displacement.size(), 0.);
-    state.columns = {zero, zero, zero};
+    state.columns        = {zero, zero, zero, {}, 0.};
+    state.columns.change = std::vector<double>(at_end.change.size(), 0.);
   }
 
 
 
   void BlockFoundation::step_columns(const CoupledState &state, const double dt)
   {
-    const double                            time = state.time + dt;
+    const double                            time  = state.time + dt;
+    const bool                              keeps = newmark.filter > 0.;
     const continuum::FreeFieldColumn::Input input{motion.upgoing_velocity(time),
                                                   motion.outcrop_acceleration(time)};
     for (std::size_t c = 0; c < columns.size(); ++c)
@@ -114,10 +119,13 @@ namespace hybrid::coupling
         const int o = column_offset[c];
         columns[c].step({state.columns.displacement.data() + o,
                          state.columns.velocity.data() + o,
-                         state.columns.acceleration.data() + o},
+                         state.columns.acceleration.data() + o,
+                         keeps ? state.columns.change.data() + o : nullptr,
+                         newmark.filter_in(dt, state.columns.last_step)},
                         {at_end.displacement.data() + o,
                          at_end.velocity.data() + o,
-                         at_end.acceleration.data() + o},
+                         at_end.acceleration.data() + o,
+                         keeps ? at_end.change.data() + o : nullptr},
                         dt,
                         input);
       }
@@ -183,10 +191,11 @@ namespace hybrid::coupling
 
 
   void BlockFoundation::correct(CoupledState &state,
-                                const double,
+                                const double  dt,
                                 const Eigen::VectorXd &,
                                 const continuum::SurfaceForce &)
   {
-    state.columns = at_end;
+    state.columns           = at_end;
+    state.columns.last_step = newmark.filter > 0. ? dt : 0.;
   }
 } // namespace hybrid::coupling

@@ -6,8 +6,8 @@ namespace hybrid::coupling
 {
   void serialize(restart::Archive &archive, CoupledState &state)
   {
-    auto &[time, blocks, continuum, columns]     = state;
-    auto &[displacement, velocity, acceleration] = columns;
-    archive(time, blocks, continuum, displacement, velocity, acceleration);
+    auto &[time, blocks, continuum, columns]                        = state;
+    auto &[displacement, velocity, acceleration, change, last_step] = columns;
+    archive(time, blocks, continuum, displacement, velocity, acceleration, change, last_step);
   }
 } // namespace hybrid::coupling

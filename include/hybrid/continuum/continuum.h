@@ -35,13 +35,16 @@ namespace hybrid::continuum
   /// All mutable state of the continuum: copied for roll-back, written for restart.
   struct ContinuumState
   {
-    double              time = 0.;    ///< [s]
-    std::vector<double> displacement; ///< u [m], all unknowns, free-field columns last; increment
-                                      ///< since the static state
-    std::vector<double> velocity;     ///< v [m/s]
-    std::vector<double> acceleration; ///< a [m/s2]
+    double              time      = 0.; ///< [s]
+    double              last_step = 0.; ///< of acceleration_change [s]; 0: none
+    std::vector<double> displacement;   ///< u [m], all unknowns, free-field columns last; increment
+                                        ///< since the static state
+    std::vector<double> velocity;       ///< v [m/s]
+    std::vector<double> acceleration;   ///< a [m/s2]
     std::vector<double> contact_acceleration; ///< part of a that ends with the step, see
                                               ///< SurfaceForce [m/s2]; empty: none
+    std::vector<double> acceleration_change;  ///< of a over the last step, without contacts [m/s2];
+                                              ///< kept for a Newmark::filter only, else empty
     std::vector<double> surface_force;        ///< lambda of the last step [N/m]; empty: zero
     std::vector<double> surface_contact; ///< its part that ended with the step [N/m]; empty: zero
     SlipState           slip;            ///< of bedding planes

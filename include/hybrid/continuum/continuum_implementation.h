@@ -73,11 +73,12 @@ namespace hybrid::continuum
 
     // work vectors of a step, allocated once
     std::vector<double>      predicted, rate, load, product, product2, mean, rhs, solution;
-    std::vector<double>      column_u, column_v, column_a;
+    std::vector<double>      column_u, column_v, column_a, column_change;
     BoundaryForces::Incoming incoming0, incoming1;
     std::vector<double>      edge0, edge1, edge_force0, edge_force1, edge_du, edge_du_ff, edge_v_ff;
     std::vector<double>      edge_u0, edge_u1, edge_u_ff; ///< with boundary springs only
     std::vector<double>      du, da, u1, v1, a0, a1, c1;
+    double                   filter = 0.;                 ///< Newmark::filter_in() of this step [-]
     std::vector<double>      slip_work, excess0, excess1; ///< with slipping planes only
     Eigen::VectorXd          surface_load, surface_motion;
 
@@ -113,6 +114,7 @@ namespace hybrid::continuum
     std::vector<BaseCoupling> base_coupling(const std::vector<double> &blocks) const;
     void                      predict(const ContinuumState &state, double dt);
     void                      newmark_acceleration(const ContinuumState &state);
+    void                      keep_change(ContinuumState &state, double dt) const;
     void solve_inertia(const std::vector<double> &force, std::vector<double> &a);
     void accelerate_by(const Eigen::VectorXd &surface_force, std::vector<double> &a);
     void add_contacts(ContinuumState &state, const SurfaceForce &force);

@@ -62,6 +62,7 @@ namespace hybrid::coupling
     const bool                              compliant;
     const continuum::LagrangeLine           line;
     const double                            damping_time; ///< beta_K of the columns [s]
+    const Newmark                           newmark;      ///< of the columns
     std::vector<continuum::FreeFieldColumn> columns;
     std::vector<int>                        column_offset; ///< first unknown of each
     std::vector<BesideColumn>               sides;

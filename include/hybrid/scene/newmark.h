@@ -10,6 +10,10 @@ namespace hybrid
    *   u1 = u0 + dt v0 + dt^2 ((1/2 - beta) a0 + beta a1),
    *   v1 = v0 + dt ((1 - gamma) a0 + gamma a1).
    * The same pair serves blocks and continuum.
+   *
+   * With a filter both brackets lose filter (a0 - a-1), where a-1 is the acceleration one step
+   * earlier: beside the mean of both ends then stands a second difference of a, the scheme is of
+   * second order, and what it damps is (w dt)^3 filter / 4 of critical (doc/theory.md).
    */
   struct Newmark
   {
@@ -20,11 +24,21 @@ namespace hybrid
     /// [s]; 0: inertia is mass.
     double corrected_step = 0.;
 
+    /// Of the change of the acceleration over the last step, what this step takes back [-]: gamma -
+    /// 1/2 of a scheme of second order, or 0: none.
+    double filter = 0.;
+
+    /// The filter in a step of @p dt after one of @p last_step [s] (0: there was none). A shorter
+    /// step takes back as much less; a longer one no more than the change that there was, so that
+    /// no step creates energy.
+    double filter_in(double dt, double last_step) const;
+
     /**
-     * Named presets: "dissipative" (0.3, 0.6), also the pair of Newmark(); "trapezoidal" (1/4,
-     * 1/2); "fourth order", the same pair, to be given its corrected_step; "shi" (1/2, 1), the
-     * constant-acceleration scheme of Shi (1988). All have 2 beta = gamma, with which kinetic and
-     * strain energy never rise by themselves (Hughes 1987, chapter 9).
+     * Named presets: "dissipative" (0.3, 0.6), also the pair of Newmark(); "filtered" (0.275, 0.55)
+     * with a filter; "trapezoidal" (1/4, 1/2); "fourth order", the same pair, to be given its
+     * corrected_step; "shi" (1/2, 1), the constant-acceleration scheme of Shi (1988). All have 2
+     * beta = gamma, with which kinetic and strain energy never rise by themselves (Hughes 1987,
+     * chapter 9).
      * @throws InputError for another name.
      */
     static Newmark preset(const std::string &name);

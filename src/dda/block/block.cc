@@ -87,4 +87,13 @@ namespace hybrid::dda
     result[5]                    = 2. * strain[2];
     return result;
   }
+
+
+  Vec6 carried_rates(const Vec6 &rates, const double c, const double s)
+  {
+    Vec6 result = rotated_rates(rates, c, s);
+    result[0]   = c * rates[0] - s * rates[1];
+    result[1]   = s * rates[0] + c * rates[1];
+    return result;
+  }
 } // namespace hybrid::dda

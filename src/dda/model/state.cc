@@ -59,11 +59,16 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, BlockState &block)
   {
-    auto
-      &[centroid, rotation, velocity, acceleration, contact_acceleration, stress, viscous_stress] =
-        block;
-    archive(
-      centroid, rotation, velocity, acceleration, contact_acceleration, stress, viscous_stress);
+    auto &[centroid,
+           rotation,
+           velocity,
+           acceleration,
+           contact_acceleration,
+           acceleration_change,
+           stress,
+           viscous_stress] = block;
+    archive(centroid, rotation, velocity, acceleration, contact_acceleration, acceleration_change);
+    archive(stress, viscous_stress);
   }
 
 
@@ -126,6 +131,7 @@ namespace hybrid::dda
   void serialize(Archive &archive, DdaState &state)
   {
     auto &[time,
+           last_step,
            geometry,
            blocks,
            joints,

@@ -23,6 +23,7 @@ namespace hybrid::dda
     {
       const Newmark &nm = step.model.newmark;
       const double   dt = step.trial.dt, excess = nm.gamma - 0.5;
+      const double   filter         = nm.filter_in(dt, step.before.last_step);
       const double   k01            = step.model.dynamic_coefficient;
       double         kinetic_before = 0.;
       energy.kinetic = energy.strain = 0.;
@@ -38,6 +39,8 @@ namespace hybrid::dda
           const Eigen::Vector3d e = d.tail<3>(), stiff = p.elasticity * e;
           energy.strain += p.area * strain_energy_density(p.elasticity, s.stress + stiff);
           energy.integration_loss += excess * p.area * stiff.dot(e);
+          if (filter > 0.)
+            energy.integration_loss += filter * d.dot(m * s.acceleration_change);
           energy.gravity +=
             p.weight * step.model.gravity * d[1] - p.pushed_mass * step.model.horizontal * d[0];
           energy.damping_loss += p.area * e.dot((1. - nm.gamma) * s.viscous_stress +

@@ -110,6 +110,8 @@ namespace hybrid::dda
         .dot(trial.foundation - state.foundation_displacement);
     state.surface_force = surface_force(model, springs);
     state.time += dt;
+    if (model.newmark.filter > 0.)
+      state.last_step = dt;
 
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
@@ -120,6 +122,11 @@ namespace hybrid::dda
         block.rotation += trial.increment[b][2];
         block.velocity               = rotated_rates(trial.rate[b], move.cosine, move.sine);
         const Eigen::Vector3d stress = model.blocks[b].elasticity * trial.increment[b].tail<3>();
+        if (model.newmark.filter > 0.)
+          block.acceleration_change =
+            carried_rates(acceleration[b] - (block.acceleration - block.contact_acceleration),
+                          move.cosine,
+                          move.sine);
         block.viscous_stress =
           rotated_stress(damping_time[b] / dt * stress, move.cosine, move.sine);
         block.acceleration =

@@ -28,6 +28,7 @@ namespace hybrid::dda
     contact_acceleration.resize(n);
     scale.setOnes(6 * n + 2 * m);
     block_damping_times(model, state, damping_time);
+    const double filtered = 0.5 * dt * dt * model.newmark.filter_in(dt, state.last_step);
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
@@ -36,7 +37,9 @@ namespace hybrid::dda
         const Vec6        a     = block.acceleration - block.contact_acceleration;
         mass[b]                 = mass_matrix(model.blocks[b], block.rotation);
         predicted[b]            = dt * v + dt * dt * (0.5 - beta) * a;
-        start_rate[b]           = v;
+        if (filtered > 0.)
+          predicted[b] -= filtered * block.acceleration_change;
+        start_rate[b] = v;
         scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
       }
     assert(foundation.displacement.size() == 2 * m);

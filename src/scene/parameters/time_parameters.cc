@@ -23,7 +23,7 @@ namespace hybrid::scene
                     "The smallest step is dt / 2^this; a run that needs a smaller one stops.");
     section.choice(
       "Scheme",
-      {"automatic", "dissipative", "trapezoidal", "fourth order", "shi"},
+      {"automatic", "filtered", "dissipative", "trapezoidal", "fourth order", "shi"},
       "automatic",
       [&time](const std::string &name) { time.scheme = name; },
       "Newmark time integration of blocks and continuum (beta, gamma): dissipative (0.3, 0.6) damps "
@@ -59,7 +59,7 @@ namespace hybrid::scene
     if (name == fourth_order && !linear)
       throw table.error("Time/Scheme",
                         "is for a continuum alone without planes that slip; allowed here: "
-                        "automatic | dissipative | trapezoidal | shi");
+                        "automatic | filtered | dissipative | trapezoidal | shi");
     time.newmark = Newmark::preset(name);
     if (name == fourth_order)
       time.newmark.corrected_step = time.time_step;

@@ -40,11 +40,13 @@ namespace hybrid::dda
   /// Where a block is and how it moves; part of the mutable state.
   struct BlockState
   {
-    Vec2            centroid = Vec2::Zero(); ///< [m]
-    double          rotation = 0.;           ///< since the start [rad]
-    Vec6            velocity = Vec6::Zero(); ///< rates of the six unknowns, in the current frame
-    Vec6            acceleration         = Vec6::Zero();
-    Vec6            contact_acceleration = Vec6::Zero(); ///< contacts' part of it, see Springs
+    Vec2   centroid             = Vec2::Zero(); ///< [m]
+    double rotation             = 0.;           ///< since the start [rad]
+    Vec6   velocity             = Vec6::Zero(); ///< rates of the six unknowns, in the current frame
+    Vec6   acceleration         = Vec6::Zero();
+    Vec6   contact_acceleration = Vec6::Zero(); ///< contacts' part of it, see Springs
+    Vec6 acceleration_change = Vec6::Zero(); ///< over the last step, without contacts; turned with
+                                             ///< the block. Kept for a Newmark::filter only
     Eigen::Vector3d stress =
       Eigen::Vector3d::Zero(); ///< elastic (xx, yy, xy) [Pa], tension positive
     Eigen::Vector3d viscous_stress =
@@ -93,4 +95,8 @@ namespace hybrid::dda
 
   /// Rates of the six unknowns as seen after a rotation: the strain part is turned as a tensor.
   Vec6 rotated_rates(const Vec6 &rates, double c, double s);
+
+
+  /// Rates that turn with the block: those of its centroid as well.
+  Vec6 carried_rates(const Vec6 &rates, double c, double s);
 } // namespace hybrid::dda

@@ -97,7 +97,8 @@ namespace hybrid::dda
   /// All mutable state of the blocks: copied for roll-back, written for restart.
   struct DdaState
   {
-    double                    time = 0.; ///< [s]
+    double                    time      = 0.; ///< [s]
+    double                    last_step = 0.; ///< of BlockState::acceleration_change [s]; 0: none
     Geometry                  geometry;
     std::vector<BlockState>   blocks;
     std::vector<JointState>   joints;
