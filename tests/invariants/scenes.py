@@ -15,7 +15,7 @@ FACTORS = {
     "bedding": ["off", "elastic", "Mohr-Coulomb"],
     "static": ["equilibrium", "held", "none"],
     "water": ["none", "submerged", "pressures", "paper"],
-    "scheme": ["automatic", "dissipative", "trapezoidal", "shi"],
+    "scheme": ["automatic", "filtered", "dissipative", "trapezoidal", "shi"],
     "base": ["compliant", "rigid", "fixed"],
     "sides": ["viscous", "free field", "roller", "fixed"],
     "kind": ["quads", "triangles", "columns", "plate"],

@@ -80,7 +80,7 @@ namespace hybrid::test
 
   TEST(BlockStability, block_hits_the_base_at_50_m_per_s)
   {
-    for (const char *preset : {"dissipative", "shi"})
+    for (const char *preset : {"dissipative", "filtered", "shi"})
       for (const double dt : {1e-4, 1e-3})
         {
           scene::SceneParameters scene          = block_parameters(30., 50e9);

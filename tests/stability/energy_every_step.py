@@ -24,7 +24,7 @@ from hard_cases import NOISE, created_energy, energy_terms, exchanged_energy, ph
 from hybrid_run import Run  # noqa: E402
 from run_hybrid import run_hybrid  # noqa: E402
 
-SCHEMES = ("dissipative", "trapezoidal", "fourth order", "shi")
+SCHEMES = ("filtered", "dissipative", "trapezoidal", "fourth order", "shi")
 NOT_ADMITTED = "is for a continuum alone"  # what the program says of the scheme of fourth order elsewhere
 TOO_LONG = ("lamb_80x60",)  # lamb is the same problem
 EVERY_STEP = ["Output/Audit interval=1e-12", "Output/Picture interval=0"]

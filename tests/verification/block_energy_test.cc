@@ -64,7 +64,7 @@ namespace
 
 TEST(BlockEnergyAudit, cantilever_released_under_its_weight_vibrates)
 {
-  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+  for (const char *preset : {"dissipative", "filtered", "trapezoidal", "shi"})
     {
       FixedBaseRun run   = cantilever(1e9, preset);
       const Audit  audit = run_with_audit(run, 1., 1e-3);
@@ -90,7 +90,7 @@ TEST(BlockEnergyAudit, block_slides_down_an_incline)
 
 TEST(BlockEnergyAudit, cantilever_breaks_under_its_weight_and_falls_on_the_base)
 {
-  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+  for (const char *preset : {"dissipative", "filtered", "trapezoidal", "shi"})
     {
       FixedBaseRun run    = cantilever(1e5, preset);
       const Audit  audit  = run_with_audit(run, 1.2, 1e-3);

@@ -25,7 +25,7 @@ namespace
 
 TEST(BlockFlight, thrown_block_follows_the_parabola_to_round_off)
 {
-  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+  for (const char *preset : {"dissipative", "filtered", "trapezoidal", "shi"})
     {
       scene::SceneParameters p = block_parameters(30.);
       p.time.newmark           = Newmark::preset(preset);
@@ -47,7 +47,7 @@ TEST(BlockFlight, thrown_block_follows_the_parabola_to_round_off)
 
 TEST(BlockFlight, falls_with_gravity_from_the_first_step)
 {
-  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+  for (const char *preset : {"dissipative", "filtered", "trapezoidal", "shi"})
     {
       scene::SceneParameters p = block_parameters(30.);
       p.time.newmark           = Newmark::preset(preset);
@@ -63,7 +63,7 @@ TEST(BlockFlight, falls_with_gravity_from_the_first_step)
 
 TEST(BlockFlight, spinning_block_keeps_its_area_for_a_hundred_turns)
 {
-  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+  for (const char *preset : {"dissipative", "filtered", "trapezoidal", "shi"})
     {
       scene::SceneParameters p = block_parameters(30.);
       p.environment.gravity    = 0.;
@@ -81,7 +81,7 @@ TEST(BlockFlight, spinning_block_keeps_its_area_for_a_hundred_turns)
 
 TEST(BlockFlight, spinning_bonded_pair_neither_grows_nor_gains_energy)
 {
-  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+  for (const char *preset : {"dissipative", "filtered", "trapezoidal", "shi"})
     {
       scene::SceneParameters p             = block_parameters(30.);
       p.environment.gravity                = 0.;

@@ -129,6 +129,13 @@ TEST(BlockImpact, dissipative_scheme_gains_no_energy)
 
 
 
+TEST(BlockImpact, filtered_scheme_gains_no_energy)
+{
+  check_family("filtered");
+}
+
+
+
 TEST(BlockImpact, constant_acceleration_scheme_of_shi_gains_no_energy)
 {
   check_family("shi");

@@ -130,7 +130,7 @@ namespace
 
 TEST(BlockIncline, slides_as_the_closed_form_says)
 {
-  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+  for (const char *preset : {"dissipative", "filtered", "trapezoidal", "shi"})
     EXPECT_NEAR(slide(15., 1e-3, 1, true, preset), closed_form, 1e-4 * closed_form) << preset;
 }
 
@@ -228,7 +228,7 @@ TEST(BlockIncline, rests_above_the_slope_angle_at_any_step)
 
 TEST(BlockIncline, block_on_the_level_rests_in_every_scheme_at_any_step)
 {
-  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+  for (const char *preset : {"dissipative", "filtered", "trapezoidal", "shi"})
     for (const double dt : {1e-4, 1e-3, 2e-3})
       EXPECT_LT(moved_at_rest(1, 10., dt, preset), 1e-6) << preset << ' ' << dt;
 }
@@ -237,7 +237,7 @@ TEST(BlockIncline, block_on_the_level_rests_in_every_scheme_at_any_step)
 
 TEST(BlockIncline, stack_of_five_rests_in_every_scheme_at_any_step)
 {
-  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+  for (const char *preset : {"dissipative", "filtered", "trapezoidal", "shi"})
     for (const double dt : {1e-4, 1e-3, 2e-3})
       EXPECT_LT(moved_at_rest(5, 1., dt, preset), 1e-6) << preset << ' ' << dt;
 }

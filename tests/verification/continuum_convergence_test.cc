@@ -184,6 +184,7 @@ TEST(Convergence, in_time)
   };
   for (const auto &[scheme, expected, per_period] : {Preset{"trapezoidal", 2, 80},
                                                      {"fourth order", 4, 40},
+                                                     {"filtered", 2, 80},
                                                      {"dissipative", 1, 80},
                                                      {"shi", 1, 80}})
     {

@@ -33,7 +33,7 @@ def draw_convergence(text):
         figure.subplots(1, 2),
         (r"degree (\d): errors %s %s %s" % ((NUMBER,) * 3), r"([a-z ]+): errors %s %s %s" % ((NUMBER,) * 3)),
         ("cell size (coarsest mesh = 1)", "time step (largest = 1)"),
-        (lambda name: int(name) + 1, {"trapezoidal": 2, "fourth order": 4, "dissipative": 1, "shi": 1}.get),
+        (lambda name: int(name) + 1, {"trapezoidal": 2, "fourth order": 4, "filtered": 2, "dissipative": 1, "shi": 1}.get),
     ):
         for name, *errors in re.findall(pattern, text):
             if name.isdigit() != ("cell" in label):

@@ -111,7 +111,7 @@ TEST(ContinuumStart, packet_travels_at_its_speed_and_keeps_its_energy)
 
 TEST(ContinuumStart, audit_closes_from_the_first_step)
 {
-  for (const char *scheme : {"trapezoidal", "dissipative", "fourth order"})
+  for (const char *scheme : {"trapezoidal", "filtered", "dissipative", "fourth order"})
     {
       Scene scene(scene::WaveType::shear);
       scene.parameters.time.newmark = Newmark::preset(scheme);

@@ -136,7 +136,7 @@ TEST(Continuum, rigid_base_moves_as_prescribed)
   for (int i = 0; i <= 200; ++i)
     a.push_back(2. * std::sin(0.05 * i));
   const scene::Motion motion(1e-3, a);
-  for (const char *scheme : {"dissipative", "trapezoidal", "shi"})
+  for (const char *scheme : {"dissipative", "filtered", "trapezoidal", "shi"})
     {
       auto scene           = test::rock_scene();
       scene.continuum.base = scene::rigid_base();

@@ -100,7 +100,7 @@ TEST(ContinuumEnergy, closes_with_every_boundary_and_scheme)
 {
   for (const auto &base : {compliant_base(), rigid_base(), fixed_base()})
     for (const auto &sides : {viscous_side(), free_field_side(), roller_side(), fixed_side()})
-      for (const char *scheme : {"dissipative", "trapezoidal", "fourth order", "shi"})
+      for (const char *scheme : {"dissipative", "filtered", "trapezoidal", "fourth order", "shi"})
         {
           auto scene                         = test::rock_scene();
           scene.time.newmark                 = preset(scheme);
@@ -124,7 +124,7 @@ TEST(ContinuumEnergy, closes_with_another_side_and_base)
   sides.normal_dashpots = 0.8;
   scene::BaseBoundary base{"quiet", "base that waves leave through"};
   base.is_compliant = true;
-  for (const char *scheme : {"dissipative", "trapezoidal", "fourth order", "shi"})
+  for (const char *scheme : {"dissipative", "filtered", "trapezoidal", "fourth order", "shi"})
     {
       auto scene            = test::rock_scene();
       scene.time.newmark    = preset(scheme);
@@ -154,7 +154,7 @@ TEST(ContinuumEnergy, closes_with_springs_on_the_boundary)
 {
   for (const auto &base : {compliant_base(), rigid_base(), fixed_base()})
     for (const auto &sides : {viscous_side(), free_field_side()})
-      for (const char *scheme : {"dissipative", "trapezoidal", "fourth order", "shi"})
+      for (const char *scheme : {"dissipative", "filtered", "trapezoidal", "fourth order", "shi"})
         {
           auto scene                         = test::rock_scene();
           scene.time.newmark                 = preset(scheme);
@@ -173,7 +173,7 @@ TEST(ContinuumEnergy, closes_while_planes_slip_and_open)
   for (const auto &base : {compliant_base(), rigid_base()})
     for (const auto &sides : {viscous_side(), roller_side()})
       for (const double damping : {0., 1e-4})
-        for (const char *scheme : {"dissipative", "trapezoidal", "shi"})
+        for (const char *scheme : {"dissipative", "filtered", "trapezoidal", "shi"})
           {
             auto scene                          = test::rock_scene();
             scene.time.newmark                  = Newmark::preset(scheme);

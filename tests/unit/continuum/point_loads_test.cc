@@ -65,7 +65,7 @@ TEST(PointLoads, shares_of_the_nodes_add_up_to_the_force)
 // Two equal loads do twice what one does; the energy of every term closes with each scheme.
 TEST(PointLoads, in_the_rock)
 {
-  for (const char *scheme : {"dissipative", "trapezoidal", "shi"})
+  for (const char *scheme : {"dissipative", "filtered", "trapezoidal", "shi"})
     {
       auto scene                         = test::rock_scene();
       scene.time.newmark                 = Newmark::preset(scheme);

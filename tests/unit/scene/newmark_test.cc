@@ -25,6 +25,26 @@ TEST(Newmark, DissipativePresetIsTheDefaultAndUnconditionallyStable)
   EXPECT_DOUBLE_EQ(dissipative.gamma, Newmark().gamma);
 }
 
+TEST(Newmark, FilteredPresetIsOfSecondOrder)
+{
+  const Newmark filtered = Newmark::preset("filtered");
+  EXPECT_DOUBLE_EQ(filtered.beta, 0.5 * filtered.gamma);
+  EXPECT_NEAR(filtered.filter, filtered.gamma - 0.5, 1e-15); // takes back what the ends differ by
+  EXPECT_LE(filtered.filter, 0.25);                          // dashpots stay passive
+  for (const char *name : {"dissipative", "trapezoidal", "fourth order", "shi"})
+    EXPECT_EQ(Newmark::preset(name).filter, 0.) << name;
+}
+
+TEST(Newmark, FilterOfAStepAfterAnother)
+{
+  const Newmark filtered = Newmark::preset("filtered");
+  EXPECT_EQ(filtered.filter_in(1e-3, 0.), 0.); // the first step
+  EXPECT_DOUBLE_EQ(filtered.filter_in(1e-3, 1e-3), filtered.filter);
+  EXPECT_DOUBLE_EQ(filtered.filter_in(1e-3, 4e-3), 0.25 * filtered.filter);
+  EXPECT_DOUBLE_EQ(filtered.filter_in(4e-3, 1e-3), filtered.filter);
+  EXPECT_EQ(Newmark().filter_in(1e-3, 1e-3), 0.);
+}
+
 TEST(Newmark, UnknownPresetIsRefusedWithTheKnownOnes)
 {
   try
@@ -36,7 +56,8 @@ TEST(Newmark, UnknownPresetIsRefusedWithTheKnownOnes)
     {
       const std::string text = error.what();
       EXPECT_NE(text.find("'central'"), std::string::npos) << text;
-      EXPECT_NE(text.find("dissipative | trapezoidal | fourth order | shi"), std::string::npos)
+      EXPECT_NE(text.find("dissipative | filtered | trapezoidal | fourth order | shi"),
+                std::string::npos)
         << text;
     }
 }

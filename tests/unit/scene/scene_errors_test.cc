@@ -82,8 +82,9 @@ TEST_F(SceneErrors, WordsMustBeAmongTheChoices)
 {
   expect_option_error("Continuum/Base=soft",
                       {"Continuum/Base = 'soft'", "one of compliant | rigid | fixed"});
-  expect_option_error("Time/Scheme=euler",
-                      {"one of automatic | dissipative | trapezoidal | fourth order | shi"});
+  expect_option_error(
+    "Time/Scheme=euler",
+    {"one of automatic | filtered | dissipative | trapezoidal | fourth order | shi"});
   expect_option_error("Motion/Unit=G", {"one of m/s2 | g | cm/s2 | gal"});
   expect_option_error("Blocks/Stiffness correction=maybe", {"must be true or false"});
 }

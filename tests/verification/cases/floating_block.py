@@ -40,7 +40,7 @@ def check(case):
         case.below(method + ": energy residual", run.summary["energy_residual"], 1e-4)
         shown[method] = run.time, y, floating.heave(run.time)
     case.below("submerged less pressures", np.abs(heave["submerged"] - heave["pressures"]).max(), 1e-9, "m")
-    for scheme in ("trapezoidal", "dissipative"):
+    for scheme in ("trapezoidal", "filtered", "dissipative"):
         run = case.run("dropped_" + scheme, "Water/Level=-1.6", "Time/Scheme=" + scheme)
         y = run.history("monitors/block/displacement")[:, 1]
         case.true("dropped, %s: falls into the water (to %.3f m)" % (scheme, y.min()), y.min() < -1.5)

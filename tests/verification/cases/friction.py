@@ -12,7 +12,7 @@ def check(case):
     for step in (1e-4, 2e-3):
         run = case.run("step_%g" % step, "Time/Time step=%g" % step, "Time/End time=1")
         case.below("movement in 1 s at dt = %g s" % step, largest(run), 1e-6, "m")
-    for scheme in ("dissipative", "trapezoidal", "shi"):
+    for scheme in ("dissipative", "filtered", "trapezoidal", "shi"):
         run = case.run("damped_" + scheme, "Time/Scheme=" + scheme, "Time/Time step=2e-3", "Time/End time=2",
                        "Blocks/Damping ratio=0.02", "Blocks/Damping frequency=50")
         case.below("movement in 2 s of a damped block, " + scheme, largest(run), 1e-6, "m")

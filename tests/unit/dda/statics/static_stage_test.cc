@@ -218,7 +218,7 @@ TEST(StaticStage, motion_starts_with_the_acceleration_of_the_real_strengths)
 {
   // Held on 30 degrees; with 15 degrees of friction it starts with g (sin - cos tan 15).
   const double angle = 30. * M_PI / 180.;
-  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+  for (const char *preset : {"dissipative", "filtered", "trapezoidal", "shi"})
     {
       scene::SceneParameters p = block_parameters(15.);
       p.time.newmark           = Newmark::preset(preset);
@@ -244,7 +244,7 @@ TEST(StaticStage, energy_of_a_held_mass_closes_from_the_first_step_on)
   // Bonded to a belt that cannot hold it: the shear traction falls to its friction in the first
   // step.
   const double angle = 30. * M_PI / 180.;
-  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+  for (const char *preset : {"dissipative", "filtered", "trapezoidal", "shi"})
     {
       scene::SceneParameters p           = strong(30.);
       p.time.newmark                     = Newmark::preset(preset);
