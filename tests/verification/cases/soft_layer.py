@@ -77,6 +77,8 @@ def check(case):
             case.curves.append((wave, name, run, compare(case, wave + ", " + name, run, wave)))
     shallow = case.run("shallow", *SHALLOW, *undamped, mesh=SHALLOW_MESH)
     compare(case, "S, shallow layer", shallow, "S")
+    beside = case.run("shallow_filtered", *SHALLOW, *undamped, "Time/Scheme=filtered", mesh=SHALLOW_MESH)
+    compare(case, "S, shallow layer, scheme of scenes with blocks", beside, "S")
 
 
 def draw(case, figure):
