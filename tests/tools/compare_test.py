@@ -258,6 +258,14 @@ def test_runs_of_the_program(hybrid, tmp_path):
         assert rows["top", "left u"][name] == pytest.approx(summary["final_displacement_m"][0], rel=1e-9)
 
 
+def test_a_monitor_that_does_not_move_is_named_as_such(make, compare):
+    """Within rigid bedrock -100 % says nothing of the mass."""
+    within = {"crest": ((0, 10), 1.0), "toe": ((9, 1), 0.0), "base": ((0, -9), 0.0)}
+    a, b = make("a", slip=1.0, failures=[]), make("b", gain=1.3, slip=1.0, failures=[], monitors=within)
+    verdict = compare(a, b)[2]["verdict"][0]
+    assert "toe does not move" in verdict and "toe peak" not in verdict and "crest" in verdict and "+30 %" in verdict, verdict
+
+
 def test_many_runs_and_long_lists_stay_readable():
     points = ["; ".join("S%d: %d, 1" % (k, k) for k in range(30)) + "; E: %d, 2" % end for end in (1, 2)]
     assert words.shortened(points, ["a", "b"]) == ["E: 1, 2", "E: 2, 2"]

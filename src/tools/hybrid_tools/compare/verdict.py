@@ -10,6 +10,7 @@ from hybrid_tools.table import percent
 
 EQUAL, NEAR = 0.02, 0.10  # largest change of a judged row: "=", "near"; beyond: "differs"
 HARDLY_BEGUN = 0.01  # of the motion's peak
+WHOLE = ("slip", "blocks", "failed joints")  # rows of the mass as a whole: zero says something
 NAMED = 2  # quantities that differ most
 
 RULES = ("%g %% or less is '=', %g %% or less 'near', more 'differs'; judged are peaks, what is left at the end, slip, failed joints "
@@ -65,12 +66,20 @@ def sentence(comparison, rows, i):
     worst = max(abs(change) for change, _ in changes)
     if worst == 0:
         return "%s = %s in every digit of all %d numbers" % (label, reference, len(changes))
-    words = named(most(rows, i))
+    still = at_rest(rows, i)
+    moving = [row for row in rows if row.place not in still and (row.values[i] != 0 or row.place in WHOLE)]
+    words = named((most(moving, i) if worst > NEAR else []) or most(rows, i))
+    words += "; %s do%s not move" % (", ".join(still), "" if len(still) > 1 else "es") if still and worst > NEAR else ""
     if worst <= EQUAL:
         return "%s = %s within %s everywhere (most: %s)" % (label, reference, rounded_up(worst), words)
     within = sum(abs(change) <= EQUAL for change, _ in changes)
     verb = "near" if worst <= NEAR else "differs from"
     return "%s %s %s: %s; %d of %d numbers within %g %%" % (label, verb, reference, words, within, len(changes), 100 * EQUAL)
+
+
+def at_rest(rows, i):
+    """Monitors that move in the reference and not at all in run i: within a bedrock that is rigid."""
+    return [row.place for row in rows if row.quantity == "peak u" and row.values[i] == 0 and row.values[0] and row.is_judged(i)]
 
 
 def most(rows, i):

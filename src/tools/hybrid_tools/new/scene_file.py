@@ -120,6 +120,15 @@ def motion(section, options):
     return "subsection Motion\n" + "".join("  %s\n" % line for line in lines) + "end\n"
 
 
+def lines_of(section):
+    """Bedding planes and the ground, where there are planes: what hybrid amplification tells of."""
+    if not section.planes:
+        return ""
+    names = sorted({"bedding_%d" % n for _, n, _ in section.planes}, key=lambda name: int(name[8:]))
+    names += ["ground"] + ["mass_surface"] * (section.mass is not None)
+    return "  set Lines  = %s # for hybrid amplification\n" % "; ".join(names)
+
+
 def records(section, directory, options):
     points, boreholes = place_monitors(section)
     name = os.path.basename(os.path.abspath(directory))
@@ -130,7 +139,7 @@ def records(section, directory, options):
 subsection Monitors
   set Points = %s
   set Base   = B1
-end
+%send
 
 subsection Boreholes
   set Lines = %s
@@ -140,5 +149,5 @@ subsection Output
   set Directory        = output/%s
   set Picture interval = %g
 end
-""" % (sum(key[0] == "S" for key in points), listed(["%s: %.9g, %.9g" % (key, *p) for key, p in points.items()]),
+""" % (sum(key[0] == "S" for key in points), listed(["%s: %.9g, %.9g" % (key, *p) for key, p in points.items()]), lines_of(section),
        listed(["%s: %.9g, %.9g, %.9g, %.9g" % (key, x, top, x, bottom) for key, (x, top, bottom) in boreholes.items()]), name, options.pictures)
