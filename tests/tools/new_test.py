@@ -99,7 +99,8 @@ def test_the_frequencies_of_records_are_those_of_their_waves(tmp_path):
         assert read_record(at2).mean_frequency == pytest.approx(3, abs=0.05)
 
 
-@pytest.mark.parametrize("comma, separator, is_known", [(False, ",", True), (True, ";", True), (True, "\t", True), (True, " ", True), (True, ",", False)])
+@pytest.mark.parametrize("comma, separator, is_known", [
+    (False, ",", True), (True, ";", True), (True, "\t", True), (True, " ", True), (True, ",", False)])
 def test_records_with_decimal_commas_are_read_as_the_program_reads_them(hybrid, tmp_path, comma, separator, is_known):
     rows = [(0.01 * k, 20 * np.sin(0.2 * k) * np.sin(np.pi * k / 300)) for k in range(301)]
     text = "# Zeit, Beschleunigung\n" + "".join("%.4f%s%.5f\n" % (t, "|", a) for t, a in rows)

@@ -36,8 +36,8 @@ def draw(comparison, directory):
         factor, unit = style.length_unit(max(np.nanmax(np.abs(d), initial=0) for d in differences.values()))
         for i, difference in differences.items():
             axis.plot(comparison.axis, factor * difference, **curves.look(i))
-        axis.set_title("%s: L2 misfit %s" % (name, misfits([misfit.relative_l2(comparison.displacement(i, name), reference) for i in differences])),
-                       fontsize=9)
+        found = [misfit.relative_l2(comparison.displacement(i, name), reference) for i in differences]
+        axis.set_title("%s: L2 misfit %s" % (name, misfits(found)), fontsize=9)
         axis.axhline(0, color="#8a8a8a", lw=0.7)
         axis.set_ylabel("difference of u %s [%s]" % (curves.along(comparison, c), unit), fontsize=8)
         axis.set_xlim(0, comparison.end)

@@ -24,7 +24,7 @@ def cut_planes(planes, rock, slip, limits, notes):
             raise UserError("bedding plane %s crosses itself" % name)
         line, shared = without(line, slip)
         if shared > 0 and line.is_empty:
-            raise UserError("bedding plane %s coincides with the slip line: leave it out, the sliding surface is there already (material belt)" % name)
+            raise UserError("bedding plane %s coincides with the slip line: leave it out, the sliding surface is there already" % name)
         if shared > 0:
             notes.append("bedding_%d (%s): %.3g m of it on the slip line were left out, the sliding surface is there" % (number, name, shared))
         parts = inside(line, rock, limits)

@@ -3,33 +3,32 @@
 
 import numpy as np
 
-from hybrid_run import MissingData
+from hybrid_run import MissingData, timings
 from hybrid_tools import style
 
-PARTS = {"static_stage": "static stage", "blocks": "blocks: equations, open-close iteration", "contact_search": "search for contacts",
-         "continuum": "bedrock and its columns of level ground", "output": "writing files"}
-REST = "reading, meshing, all else"
+STATIC, REST = "static stage", "reading, meshing, all else"
 CURVE = 200  # points of the curve over time
+HEAD = ["part", "wall time [s]", "part of it [%]", "per step [ms]"]
 
 
 def parts_of(run):
-    """[(words, wall time [s])], all of them together the whole run; empty where it has not ended."""
-    timings, whole = run.summary.get("timings_s", {}), run.summary.get("wall_time_s", 0.0)
-    found = [(PARTS.get(name, name.replace("_", " ")), float(timings[name])) for name in sorted(timings, key=lambda name: -timings[name])]
-    rest = whole - sum(seconds for _, seconds in found)
-    return found + [(REST, rest)] if found and rest > 1e-3 * whole else found
+    """{words: wall time [s]}, the largest first, all of them together the whole run; empty where it has not ended."""
+    summary = run.summary
+    loop = timings.parts(summary)
+    if not loop:
+        return {}
+    found = {**loop, STATIC: float(summary["timings_s"].get("static_stage", 0.0))}
+    found = {words: found[words] for words in sorted(found, key=lambda words: -found[words]) if found[words] > 0}
+    rest = summary.get("wall_time_s", 0.0) - sum(found.values())
+    return {**found, REST: rest} if rest > 1e-3 * summary.get("wall_time_s", 0.0) else found
 
 
 def rows_of(run):
     """[[part, s, %, ms per step]] as text."""
     parts, steps = parts_of(run), run.summary.get("steps", 0)
-    whole = sum(seconds for _, seconds in parts)
-    return [[words, "%.3g" % seconds, "%.2g" % (100 * seconds / whole), "%.3g" % (1e3 * seconds / steps) if steps and words in PER_STEP else "–"]
-            for words, seconds in parts if seconds > 0]
-
-
-HEAD = ["part", "wall time [s]", "part of it [%]", "per step [ms]"]
-PER_STEP = [words for name, words in PARTS.items() if name != "static_stage"]
+    whole = sum(parts.values())
+    return [[words, "%.3g" % seconds, "%.2g" % (100 * seconds / whole), "%.3g" % (1e3 * seconds / steps) if steps and words not in (STATIC, REST) else "–"]
+            for words, seconds in parts.items()]
 
 
 def in_words(run):

@@ -129,7 +129,8 @@ def facts(run):
             moved[0], against, most_of_blocks(run))))
         found.append(Fact("Displacement left", *length(moved[2]), "of %s, at the end" % moved[0]))
     elif run.has("section/blocks_peak_displacement"):
-        found.append(Fact("Peak displacement", *length(run.blocks.peak_displacement[run.blocks.mass].max(initial=0)), "of the block that moves most, at any time"))
+        most = run.blocks.peak_displacement[run.blocks.mass].max(initial=0)
+        found.append(Fact("Peak displacement", *length(most), "of the block that moves most, at any time"))
     hardest, outcrop = strongest(run), outcrop_peak(run)
     if hardest:
         times = ", %.2f × outcrop" % (hardest[1] / outcrop) if outcrop > 0 else ""

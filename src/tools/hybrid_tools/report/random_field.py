@@ -28,8 +28,8 @@ def panel_of(run, name):
     heterogeneity.draw_histogram(axes[1], values, shape, name + " / mean")
     seed = run.parameters.get("Heterogeneity/Seed", "?")
     weak = np.mean(values < 0.5)
-    return figure, "%s over the mean that the material says: Weibull's distribution of shape %g, seed %s; %d values from %.2g to %.2g, %.0f %% of them below one half." % (
-        OF[name], shape, seed, len(values), values.min(), values.max(), 100 * weak)
+    about = "%s over the mean that the material says: Weibull's distribution of shape %g, seed %s; " % (OF[name], shape, seed)
+    return figure, about + "%d values from %.2g to %.2g, %.0f %% of them below one half." % (len(values), values.min(), values.max(), 100 * weak)
 
 
 def modulus(run):
