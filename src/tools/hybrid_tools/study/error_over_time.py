@@ -97,5 +97,6 @@ def draw(analysis, directory):
     names = "labels: " + ", ".join(study.axes[k].title for k in ladders)
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), title=names, title_fontsize=8)
     style.title(figure, "What accuracy costs: " + (study.base.get("Title") or "study"))
-    write_labels(figure, axes, [(e.cost, max(e.error, FLOOR), label_of(study, e.setting, ladders)) for e in labelled], corners)
+    lines = corners + [[(x, study.tolerance) for x in axes.get_xlim()]] * bool(study.tolerance)
+    write_labels(figure, axes, [(e.cost, max(e.error, FLOOR), label_of(study, e.setting, ladders)) for e in labelled], lines)
     style.save(figure, directory, "error_over_time")
