@@ -82,13 +82,10 @@ namespace hybrid::coupling
     }
     const Stopwatch                watch(elapsed.continuum);
     const dda::OpenCloseIteration &solved = blocks->solved_step();
-    foundation->correct(state,
-                        dt,
-                        solved.foundation_displacement(),
-                        {solved.foundation_force_increment(),
-                         solved.foundation_contact_increment(),
-                         state.blocks.foundation_contact_force -
-                           state.blocks.static_contact_force});
+    surface_force.all                     = solved.foundation_force_increment();
+    surface_force.contacts                = solved.foundation_contact_increment();
+    surface_force.ended = state.blocks.foundation_contact_force - state.blocks.static_contact_force;
+    foundation->correct(state, dt, solved.foundation_displacement(), surface_force);
     state.time += dt;
     return result;
   }

@@ -51,5 +51,7 @@ namespace hybrid::coupling
     Foundation           *foundation;
     continuum::Continuum *continuum;
     StepTimings           elapsed;
+
+    continuum::SurfaceForce surface_force; ///< of the last step, kept for its memory alone
   };
 } // namespace hybrid::coupling

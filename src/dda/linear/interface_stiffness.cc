@@ -50,7 +50,7 @@ namespace hybrid::dda
 
   void InterfaceStiffness::set(const Eigen::MatrixXd *stiffness)
   {
-    std::vector<double> entries;
+    std::array<double, 4> entries{};
     if (stiffness != nullptr && stiffness->rows() > 0)
       entries = {static_cast<double>(stiffness->rows()),
                  (*stiffness)(0, 0),

@@ -103,7 +103,7 @@ namespace hybrid::dda
     if (incoming.size() > 0)
       state.boundary_force = incoming;
     const double          gamma    = model.newmark.gamma;
-    const Eigen::VectorXd contacts = contact_force.tail(2 * model.n_foundation_nodes());
+    const auto            contacts = contact_force.tail(2 * model.n_foundation_nodes());
     state.energy.foundation_work -=
       ((1. - gamma) * (state.foundation_force - state.foundation_contact_force) +
        gamma * (force_increment + state.static_force - contacts) + contacts)

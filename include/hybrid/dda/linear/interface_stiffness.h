@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <vector>
 
 namespace hybrid::dda
@@ -47,14 +48,15 @@ namespace hybrid::dda
 
   private:
     const Eigen::MatrixXd *source = nullptr;
-    std::vector<double> key; ///< a few entries of S, to notice another matrix at the same address
-    int                 size  = 0;
-    int                 width = 0; ///< half band width of the tangent's S, at least that of P
-    int                 reach = 0; ///< half band width of S to round-off
-    Eigen::MatrixXd     band;      ///< rows 0..width: S(j + r, j), LAPACK lower band storage
-    Eigen::MatrixXd     foundation_factor;  ///< Cholesky factor of S, same storage
-    Eigen::MatrixXd     joined_factor;      ///< of S + P
-    bool                joined = false;     ///< P is not zero
+    std::array<double, 4>
+                    key{}; ///< a few entries of S, to notice another matrix at the same address
+    int             size  = 0;
+    int             width = 0;         ///< half band width of the tangent's S, at least that of P
+    int             reach = 0;         ///< half band width of S to round-off
+    Eigen::MatrixXd band;              ///< rows 0..width: S(j + r, j), LAPACK lower band storage
+    Eigen::MatrixXd foundation_factor; ///< Cholesky factor of S, same storage
+    Eigen::MatrixXd joined_factor;     ///< of S + P
+    bool            joined = false;    ///< P is not zero
     std::vector<Eigen::Matrix2d> own, next; ///< P between a node and itself or the next
 
     bool factorize(Eigen::MatrixXd &matrix) const;
