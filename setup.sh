@@ -3,6 +3,7 @@
 #
 # ./setup.sh                        install what is missing, then configure and build the program (build/release/hybrid)
 # ./setup.sh run PARAMS.prm [args]  the same, then run a scene
+# ./setup.sh benchmark [args]       the same with the kernels, then times them and the scenes of `hybrid benchmark`
 # ./setup.sh test [--long]          the same with the tests, then every test, also under address and undefined-behaviour
 #                                   sanitizers; --long adds the long runs
 set -euo pipefail
@@ -31,7 +32,7 @@ declare -A detect_leaks=([dda]=1 [restart]=1 [scene]=0)
 export OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 usage() {
-  sed -n '4,7s/^# //p' "${BASH_SOURCE[0]}" >&2
+  sed -n '4,8s/^# //p' "${BASH_SOURCE[0]}" >&2
   exit 2
 }
 
@@ -125,21 +126,29 @@ command="${1:-build}"
 case "$command" in
   build) [[ $# -eq 0 ]] || usage ;;
   run)   [[ $# -ge 1 ]] || usage ;;
+  benchmark) ;;
   test)  [[ $# -eq 0 || "$*" == --long ]] || usage ;;
   *)     usage ;;
 esac
 
 [[ "$command" == test ]] && packages+=("${test_packages[@]}")
 [[ "$command" == test && "$*" == --long ]] && packages+=("${long_test_packages[@]}")
+[[ "$command" == benchmark ]] && packages+=(libbenchmark-dev)
 install_packages
 mkdir -p "$root/build"
 if [[ "$command" == test ]]; then
   configure_and_build release
+elif [[ "$command" == benchmark ]]; then
+  configure_and_build release hybrid kernels
 else
   configure_and_build release hybrid
 fi
 
 case "$command" in
   run)  exec "$root/build/release/hybrid" "$@" ;;
+  benchmark)
+    "$root/build/release/tests/benchmarks/kernels"
+    exec "$root/build/release/hybrid" benchmark "$@"
+    ;;
   test) run_tests "$@" ;;
 esac

@@ -96,7 +96,7 @@ def value_text(found):
 
 def table(results, before=None, before_name="before"):
     """For people. before: {row: result} of an earlier measurement, or None."""
-    columns = [Column("row"), Column("blocks", show=number_text), Column("time"), Column("goal", show=number_text),
+    columns = [Column("row"), Column("blocks", show="{:,}".format), Column("time"), Column("goal", show=number_text),
                Column("over goal", show="%.3g"), Column("steps", show="%d"), Column("iterations/step", show="%.3g"),
                Column("solver its/step", show="%.3g"), Column("cuts", show="%d"), Column("block-steps/s", show=number_text),
                Column("memory", "MB", "%.0f"), Column("spread", show=lambda part: "%.0f %%" % (100 * part))]
@@ -131,7 +131,7 @@ def growth_text(found, before=None):
         old = (before or {}).get(name)
         was = ", was n^%.2f" % old["exponent"] if old and (old["from"], old["to"]) == (g["from"], g["to"]) else ""
         lines.append("%s: time grows as n^%.2f, %s to %s blocks%s" % (
-            name, g["exponent"], number_text(g["from"]), number_text(g["to"]), was))
+            name, g["exponent"], "{:,}".format(g["from"]), "{:,}".format(g["to"]), was))
     return lines
 
 
