@@ -79,13 +79,18 @@ def test_ratio_to_an_earlier_measurement(hybrid, measured, tmp_path):
     for r in old["rows"]:
         r["value"] *= 1000.0
     (tmp_path / "old.json").write_text(json.dumps(old))
-    done = hybrid("benchmark", "slide_100", *SHORT, "--repeat", "1", "--output", tmp_path / "new", "--against", tmp_path / "old.json")
+    page = tmp_path / "page.md"
+    page.write_text("before\n<!-- tables by hybrid benchmark -->\nold\n<!-- end of the tables -->\nafter\n")
+    done = hybrid("benchmark", "slide_100", *SHORT, "--repeat", "1", "--output", tmp_path / "new", "--against", tmp_path / "old.json",
+                  "--page", page)
     assert done.returncode == 0, done.stderr
     new = read(tmp_path / "new")
     row, before = new["rows"][0], next(r for r in old["rows"] if r["row"] == "slide_100")
     assert new["against"]["time_ratio"] == {"slide_100": pytest.approx(row["value"] / before["value"])}
     assert row["iterations"] == before["iterations"]  # counts do not depend on time
     assert "time over before" in done.stdout
+    text = page.read_text()
+    assert text.startswith("before\n<!--") and text.endswith("tables -->\nafter\n") and "| slide_100" in text and "\nold\n" not in text
 
 
 def test_two_programs_in_turn(hybrid, tmp_path):
@@ -128,7 +133,7 @@ def test_growth_and_ratios_of_rates():
 
 @pytest.mark.parametrize("words, said", [
     (["--against", "no.json"], "no.json"), (["--repeat", "0"], "--repeat is 0"), (["--beside", "no/program"], "is no program"),
-    (["--limit", "-1"], "--limit is -1"), (["no_such_row"], "no row is called 'no_such_row'")])
+    (["--limit", "-1"], "--limit is -1"), (["--page", str(ROOT / "README.md")], "no page with the marks"), (["no_such_row"], "no row is called 'no_such_row'")])
 def test_mistakes_are_one_sentence(hybrid, words, said):
     done = hybrid("benchmark", *words)
     assert done.returncode == 2 and done.stderr.startswith("error: ") and said in done.stderr and len(done.stderr.splitlines()) == 1

@@ -6,8 +6,16 @@ OF_BLOCKS = (("contact search", "contact_search"), ("springs", "springs"), ("ass
              ("products and sweeps", "products"), ("surface products", "surface_products"))
 
 
+def parts_of_static_stage(summary):
+    """{label: wall time [s]} of the static stage; its rest is that of the bedrock, of planes, motion and balance."""
+    timings = summary.get("timings_s") or {}
+    found = {label: timings["static_" + key] for label, key in OF_BLOCKS if timings.get("static_" + key)}
+    rest = timings.get("static_stage", 0.0) - sum(found.values())
+    return dict(found, other=rest) if rest > 0 else found
+
+
 def parts(summary, minimum=0.0):
-    """{label: wall time [s]} of the time loop, less parts below `minimum` of it; without the parts where an older run does not tell them."""
+    """{label: wall time [s]} of the time loop, less parts below `minimum` of it. Of an older run blocks are one part."""
     timings = summary.get("timings_s") or {}
     found = {}
     if "blocks" in timings:

@@ -15,6 +15,7 @@ from hybrid_tools.study import program
 
 ENOUGH = 60.0  # of processor time: a row that took more is not repeated unless --repeat says so [s]
 OTHER_LOAD = 0.15  # cores
+BEGIN, END = "<!-- tables by hybrid benchmark -->", "<!-- end of the tables -->"
 EXAMPLES = """  hybrid benchmark                              # all rows that take less than a minute or so
   hybrid benchmark slide rest --repeat 5        # two families
   hybrid benchmark --against old/benchmark.json # ratio of each row to an earlier measurement
@@ -37,6 +38,7 @@ def read_words(words):
     arguments.add_argument("--against", metavar="FILE", help="benchmark.json of an earlier measurement")
     arguments.add_argument("--beside", metavar="PROGRAM", help="another build of hybrid, which takes turns with this one")
     arguments.add_argument("--output", metavar="DIR", default="output/benchmark", help="where results go (default output/benchmark)")
+    arguments.add_argument("--page", metavar="FILE", help="put the tables into this page too, as into doc/performance.md")
     arguments.add_argument("--list", action="store_true", help="the rows, and nothing else")
     found = arguments.read(words)
     if found.repeat is not None and found.repeat < 1:
@@ -45,6 +47,8 @@ def read_words(words):
         raise UserError("--limit is %g: more than 0 s are allowed" % found.limit)
     if found.against and found.beside:
         raise UserError("--against and --beside exclude each other: one thing is compared with")
+    if found.page:
+        around_tables(found.page)
     if found.beside and not os.access(found.beside, os.X_OK):
         raise UserError("--beside '%s' is no program" % found.beside)
     return found
@@ -107,12 +111,36 @@ def write(words, facts, rows, before, name):
     with open(os.path.join(words.output, "benchmark.json"), "w", encoding="utf-8") as file:
         json.dump(content, file, indent=2)
         file.write("\n")
+    text = page_text(facts, rows, made, lines)
+    with open(os.path.join(words.output, "benchmark.md"), "w", encoding="utf-8") as file:
+        file.write("# Benchmark\n\n" + text)
+    if words.page:
+        put_into_page(words.page, text)
+    return made, lines
+
+
+def page_text(facts, rows, made, lines):
+    """Machine, tables and growth in Markdown."""
     kinds = dict.fromkeys(r["kind"] for r in rows)
     said = ["- %s: %s." % (catalogue.UNITS[kind], catalogue.MEANINGS[kind]) for kind in kinds]
-    with open(os.path.join(words.output, "benchmark.md"), "w", encoding="utf-8") as file:
-        file.write("\n".join(["# Benchmark", ""] + headline(facts) + ["", made.markdown(), ""] + said + ["- " + line for line in lines]))
-        file.write("\n\nWhere the wall time of the time loop goes:\n\n%s\n" % results.parts_table(rows).markdown())
-    return made, lines
+    return "\n".join(headline(facts) + ["", made.markdown(), ""] + said + ["- " + line for line in lines] + [
+        "", "Where the wall time goes (of the time loop; `static_*`: of the static stage):", "", results.parts_table(rows).markdown(), ""])
+
+
+def around_tables(path):
+    """What stands before and after the tables of a page. @raises UserError without its marks."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            page = file.read()
+        return page[: page.index(BEGIN) + len(BEGIN)], page[page.index(END):]
+    except (OSError, ValueError) as error:
+        raise UserError("'%s' is no page with the marks '%s' and '%s'" % (path, BEGIN, END)) from error
+
+
+def put_into_page(path, text):
+    head, tail = around_tables(path)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(head + "\n" + text + tail)
 
 
 def headline(facts):

@@ -113,8 +113,9 @@ def table(results, before=None, before_name="before"):
 
 
 def parts_table(results):
-    """Where the wall time of each row's time loop went."""
-    found = {r["row"]: timings.parts(r) for r in results if "timings_s" in r}
+    """Where the wall time of each row's time loop went, or of its static stage where that is what it measures."""
+    found = {r["row"]: timings.parts_of_static_stage(r) if r["kind"] == catalogue.STATIC else timings.parts(r)
+             for r in results if "timings_s" in r}
     labels = list(dict.fromkeys(label for parts in found.values() for label in parts))
     made = Table([Column("row")] + [Column(label, "%", "%.0f") for label in labels])
     for row, parts in found.items():
