@@ -48,8 +48,7 @@ namespace hybrid::test
       trial.foundation = Eigen::VectorXd::Zero(8);
     }
 
-    void move(const Eigen::VectorXd      &d,
-              const Springs::SlipReversal reversed = Springs::SlipReversal::slides)
+    void move(const Eigen::VectorXd &d)
     {
       trial.motion.clear();
       trial.displacement.resize(8);
@@ -61,7 +60,7 @@ namespace hybrid::test
             trial.displacement[v] = trial.motion[b].displacement(state.geometry.vertices[v]);
         }
       trial.foundation = d.tail(8);
-      springs.evaluate(model, state, trial, reversed);
+      springs.evaluate(model, state, trial);
     }
 
     Eigen::VectorXd forces(const Eigen::VectorXd &d)

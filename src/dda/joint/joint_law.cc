@@ -125,6 +125,65 @@ namespace hybrid::dda
 
 
 
+  bool JointLaw::is_coulomb(const JointHistory &history, const double cohesion_length_ratio) const
+  {
+    const bool gone =
+      cohesion_length_ratio == 0. || (strength.opening_ends_cohesion && history.damage >= 1.);
+    const double c     = gone ? 0. : strength.residual_cohesion;
+    const bool   fixed = strength.tan_phi == strength.residual_tan_phi ||
+                       std::isinf(strength.softening_slip) ||
+                       (history.softening > 0. && history.softening >= strength.softening_slip);
+    return strength.rule == nullptr && (c == 0. || std::isinf(c)) &&
+           (std::isinf(c) || (fixed && (history.damage >= 1. || strength.tensile == 0.)));
+  }
+
+
+
+  double JointLaw::friction(const JointHistory &history) const
+  {
+    return std::isinf(strength.residual_cohesion) ? strength.residual_cohesion
+                                                  : strength.friction_at(history.softening);
+  }
+
+
+
+  JointResponse JointLaw::respond_in(const Condition        condition,
+                                     const JointKinematics &kinematics,
+                                     const JointHistory    &history,
+                                     const JointDamping    &damping) const
+  {
+    JointResponse r;
+    r.history = history;
+    if (condition == Condition::open)
+      {
+        r.history.plastic_slip = kinematics.slip;
+        return r;
+      }
+    r.normal = r.elastic_normal = -k_n * kinematics.gap;
+    r.k_nn                      = k_n;
+    const double spring         = (1. + damping.ratio) * k_s;
+    const double shift          = damping.ratio / (1. + damping.ratio) * damping.elastic_slip;
+    if (condition == Condition::sticks)
+      {
+        r.shear         = -spring * (kinematics.slip - history.plastic_slip - shift);
+        r.shear_by_slip = spring;
+        r.state         = ContactState::locked;
+      }
+    else
+      {
+        const double sign      = condition == Condition::slides_forward ? 1. : -1.;
+        r.shear                = sign * friction(history) * r.normal;
+        r.k_tn                 = sign * friction(history) * k_n;
+        r.history.plastic_slip = kinematics.slip + r.shear / spring - shift;
+        r.state                = ContactState::sliding;
+      }
+    r.elastic_shear  = -k_s * (kinematics.slip - r.history.plastic_slip);
+    r.shear_strength = std::abs(r.shear);
+    return r;
+  }
+
+
+
   void JointLaw::resist_opening(const double   viscous,
                                 const double   dashpot,
                                 const bool     cracks,

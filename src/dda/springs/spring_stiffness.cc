@@ -52,6 +52,14 @@ namespace hybrid::dda
     const double length   = weight * spring.length;
     const bool   coupled  = choice.follow_softening || response.k_nn >= 0.;
     const bool   slides   = fraction == 1. && response.now.state == ContactState::sliding;
+    if (fraction == 1. && response.k_nn > 0.) // also between open and closed, see InteriorContacts
+      {
+        const double kept =
+          slides ? choice.sliding_regularisation * spring.law->shear_stiffness() : 0.;
+        return {choice.contact_weight * spring.length * response.k_nn,
+                length * (std::max(floor, response.shear_by_slip) + kept),
+                length * response.k_tn};
+      }
     const double kept_shear =
       slides ? choice.sliding_regularisation * spring.law->shear_stiffness() : 0.;
     // Open, only the bond of a joint acts; closed, its contact has the part of k_n.
@@ -60,6 +68,25 @@ namespace hybrid::dda
               choice.contact_weight * spring.length * pressing,
             length * (std::max(floor, response.shear_by_slip) + kept_shear),
             coupled ? length * response.k_tn : 0.};
+  }
+
+
+
+  Vec2 SpringStiffness::displacement_jump(const Springs         &springs,
+                                          const std::size_t      number,
+                                          const Eigen::VectorXd &update) const
+  {
+    const Kept            &k      = kept[number];
+    const Springs::Spring &spring = springs.springs[number];
+    Vec2                   jump   = -k.of_block * update.segment<6>(6 * spring.block);
+    if (spring.other != foundation_body)
+      return jump + k.of_other * update.segment<6>(6 * spring.other);
+    const Springs::Response &response = springs.responses[number];
+    const double            *nodes    = update.data() + 6 * springs.n_blocks();
+    for (int i = 0; i < 2; ++i)
+      jump += response.weight[i] * k.of_block.leftCols<2>() *
+              Eigen::Map<const Vec2>(nodes + 2 * spring.node[i]);
+    return jump;
   }
 
 

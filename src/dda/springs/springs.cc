@@ -51,11 +51,6 @@ namespace hybrid::dda
 
 
 
-    /// It slides, but not the way it slid in the trial that was remembered.
-    bool is_reversed(const double slid, const SpringState &now)
-    {
-      return now.state == ContactState::sliding && slid * now.shear < 0.;
-    }
   } // namespace
 
 
@@ -115,6 +110,8 @@ namespace hybrid::dda
             s.length           = 0.5 * joint.length;
             s.old              = state.joints[j].points[end];
             s.contact_fraction = joint.law.contact_fraction(s.old.history);
+            s.coulomb          = s.contact_fraction == 1. &&
+                        joint.law.is_coulomb(s.old.history, s.cohesion_length_ratio);
             if (joint.other == foundation_body)
               {
                 s.node[0] = s.node[1] = joint.points[end].other_vertex;
@@ -172,6 +169,7 @@ namespace hybrid::dda
         s.old.normal = s.old.elastic_normal = r.normal;
         s.old.shear = s.old.elastic_shear = r.shear;
         s.old.state                       = r.state;
+        s.coulomb = law.law.is_coulomb(s.old.history, s.cohesion_length_ratio);
         springs.push_back(s);
       }
   }
@@ -203,37 +201,76 @@ namespace hybrid::dda
 
 
 
-  void Springs::remember()
+  Condition Springs::condition_of(const SpringState &now)
   {
-    for (Response &r : responses)
-      r.slid = r.now.state == ContactState::sliding ? r.now.shear : 0.;
+    if (now.state == ContactState::open)
+      return Condition::open;
+    if (now.state == ContactState::locked)
+      return Condition::sticks;
+    return now.shear > 0. ? Condition::slides_forward : Condition::slides_backward;
   }
 
 
 
-  void Springs::evaluate(const Model       &model,
-                         const DdaState    &state,
-                         const Trial       &trial,
-                         const SlipReversal reversed)
+  bool Springs::prescribe(const Model                  &model,
+                          const DdaState               &state,
+                          const Trial                  &trial,
+                          const std::vector<Condition> &conditions)
+  {
+    bool any = false;
+#pragma omp parallel for schedule(static) reduction(|| : any) if (is_worth_sharing(springs.size()))
+    for (std::size_t s = 0; s < springs.size(); ++s)
+      {
+        if (conditions[s] == Condition::law || conditions[s] == condition(s) ||
+            (!springs[s].coulomb && conditions[s] != Condition::sticks))
+          continue;
+        any = true;
+        if (springs[s].joint >= 0)
+          evaluate_joint(model, state, trial, s, conditions[s]);
+        else
+          evaluate_contact(state, trial, s, conditions[s]);
+        set_forces(trial, s);
+      }
+    return any;
+  }
+
+
+
+  JointResponse Springs::respond(const Spring          &spring,
+                                 const Condition        condition,
+                                 const JointKinematics &kinematics,
+                                 const JointDamping    &damping)
+  {
+    const JointHistory &history = spring.old.history;
+    if (condition != Condition::law && spring.coulomb)
+      return spring.law->respond_in(condition, kinematics, history, damping);
+    if (condition == Condition::sticks)
+      return spring.law->respond_locked(kinematics, history, damping);
+    return spring.law->respond(kinematics, history, damping);
+  }
+
+
+
+  void Springs::evaluate(const Model &model, const DdaState &state, const Trial &trial)
   {
 #pragma omp parallel for schedule(static) if (is_worth_sharing(springs.size()))
     for (std::size_t s = 0; s < springs.size(); ++s)
       {
         if (springs[s].joint >= 0)
-          evaluate_joint(model, state, trial, s, reversed);
+          evaluate_joint(model, state, trial, s);
         else
-          evaluate_contact(state, trial, s, reversed);
+          evaluate_contact(state, trial, s);
         set_forces(trial, s);
       }
   }
 
 
 
-  void Springs::evaluate_joint(const Model       &model,
-                               const DdaState    &state,
-                               const Trial       &trial,
-                               const std::size_t  s,
-                               const SlipReversal reversed)
+  void Springs::evaluate_joint(const Model      &model,
+                               const DdaState   &state,
+                               const Trial      &trial,
+                               const std::size_t s,
+                               const Condition   condition)
   {
     const Spring   &spring   = springs[s];
     Response       &response = responses[s];
@@ -278,18 +315,15 @@ namespace hybrid::dda
                                old.gap,
                                old.slip - old.history.plastic_slip};
     const JointKinematics kinematics{now.gap, now.slip, spring.cohesion_length_ratio, trial.dt};
-    set_response(spring.law->respond(kinematics, old.history, damping), response);
-    response.held = reversed == SlipReversal::locks && is_reversed(response.slid, now);
-    if (response.held)
-      set_response(spring.law->respond_locked(kinematics, old.history, damping), response);
+    set_response(respond(spring, condition, kinematics, damping), response);
   }
 
 
 
-  void Springs::evaluate_contact(const DdaState    &state,
-                                 const Trial       &trial,
-                                 const std::size_t  s,
-                                 const SlipReversal reversed)
+  void Springs::evaluate_contact(const DdaState   &state,
+                                 const Trial      &trial,
+                                 const std::size_t s,
+                                 const Condition   condition)
   {
     const Spring   &spring           = springs[s];
     Response       &response         = responses[s];
@@ -322,17 +356,13 @@ namespace hybrid::dda
     response.weight[0]     = edge_on_foundation ? 1. - xi : 1.;
     response.weight[1]     = edge_on_foundation ? xi : 0.;
 
-    const JointHistory   &history = spring.old.history;
     const JointKinematics kinematics{frame.gap - contact.stress_free_gap,
                                      frame.slip,
                                      spring.cohesion_length_ratio,
                                      trial.dt};
     response.now.gap  = kinematics.gap;
     response.now.slip = kinematics.slip;
-    set_response(spring.law->respond(kinematics, history), response);
-    response.held = reversed == SlipReversal::locks && is_reversed(response.slid, response.now);
-    if (response.held)
-      set_response(spring.law->respond_locked(kinematics, history), response);
+    set_response(respond(spring, condition, kinematics, {}), response);
   }
 
 
@@ -452,14 +482,5 @@ namespace hybrid::dda
         bond.on_block -= response.contact.on_block;
         add_force_on_foundation(s, bond, bonds);
       }
-  }
-
-
-
-  bool Springs::any_held() const
-  {
-    return std::any_of(responses.begin(), responses.end(), [](const Response &r) {
-      return r.held;
-    });
   }
 } // namespace hybrid::dda

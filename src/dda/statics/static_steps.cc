@@ -87,7 +87,7 @@ namespace hybrid::dda
     copy.dynamic_coefficient = 1.;
     copy.iteration.tolerance = 0.1 * target_residual;
     // Without inertia full steps go anywhere: a column of 50 took 1,629 iterations, not 114.
-    copy.iteration.max_full_steps = 0;
+    copy.iteration.changes_together = false;
     return copy;
   }
 

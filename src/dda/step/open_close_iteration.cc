@@ -19,17 +19,6 @@ namespace hybrid::dda
     {
       return 0.5 / newmark.beta;
     }
-
-
-
-    /// Fraction of the @p residual that the linear solver may leave: the faster the residual falls,
-    /// the less (Eisenstat and Walker 1996, choice 2).
-    double forcing_term(const double residual, const double previous)
-    {
-      constexpr double max_term = 1e-3, factor = 0.1;
-      const double     ratio = residual / previous;
-      return std::min(max_term, factor * ratio * ratio);
-    }
   } // namespace
 
 
@@ -74,18 +63,27 @@ namespace hybrid::dda
                                       const DdaState           &state,
                                       const FoundationResponse &foundation)
   {
+    move(state);
+    {
+      const Stopwatch timer(times.springs);
+      springs.evaluate(model, state, trial);
+    }
+    return balance(model, state, foundation);
+  }
+
+
+
+  double OpenCloseIteration::balance(const Model              &model,
+                                     const DdaState           &state,
+                                     const FoundationResponse &foundation)
+  {
     const int    n = model.n_blocks(), m = model.n_foundation_nodes();
     const double dt = trial.dt, beta = model.newmark.beta, weight = contact_weight(model.newmark);
-    move(state);
     residual.setZero(6 * n + 2 * m);
     contact_force.setZero(6 * n + 2 * m);
     absolute.setZero(n);
     {
       const Stopwatch timer(times.springs);
-      springs.evaluate(model,
-                       state,
-                       trial,
-                       full_steps ? Springs::SlipReversal::locks : Springs::SlipReversal::slides);
       springs.add_forces(residual, contact_force, absolute);
     }
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
@@ -235,64 +233,6 @@ namespace hybrid::dda
 
 
 
-  LinearSolver::Result OpenCloseIteration::solve_linear(const double tolerance)
-  {
-    const Stopwatch            timer(times.products);
-    const LinearSolver::Result result = solver.solve(matrix, residual, scale, tolerance, update);
-    times.factors += result.factor_time;
-    times.products -= result.factor_time;
-    return result;
-  }
-
-
-
-  OpenCloseIteration::LineSearch
-  OpenCloseIteration::search_line(const Model              &model,
-                                  const DdaState           &state,
-                                  const FoundationResponse &foundation)
-  {
-    // Work of the residual along the update; zero at the best place. Falling work is followed to
-    // its end: only a spring that grew stiffer on the way can turn its sign. No search where the
-    // unsymmetric tangent points uphill.
-    constexpr double good_fraction = 0.3;
-    constexpr int    maximum_cuts  = 10;
-    const double     start         = residual.dot(update);
-    double           lower = 0., upper = 1., work_lower = start, work_upper = 0.;
-    double           fraction = 1., done = 0.;
-    for (int cut = 0;; ++cut)
-      {
-        for (int b = 0; b < model.n_blocks(); ++b)
-          trial.increment[b] += (fraction - done) * update.segment<6>(6 * b);
-        if (!foundation.prescribed)
-          trial.foundation += (fraction - done) * update.tail(trial.foundation.size());
-        done = fraction;
-        if (full_steps)
-          springs.remember();
-        const double norm = evaluate(model, state, foundation);
-        const double work = residual.dot(update);
-        if (full_steps || start <= 0. || cut == maximum_cuts || !std::isfinite(norm) ||
-            std::abs(work) <= good_fraction * start || (cut == 0 && work > 0.))
-          return {norm, done};
-        // Regula falsi; an end that stays is given half its weight (Illinois).
-        if (work > 0.)
-          {
-            lower      = fraction;
-            work_lower = work;
-            work_upper *= 0.5;
-          }
-        else
-          {
-            upper      = fraction;
-            work_upper = work;
-            work_lower *= cut > 0 ? 0.5 : 1.;
-          }
-        const double zero = work_lower / (work_lower - work_upper);
-        fraction          = lower + std::min(0.95, std::max(0.05, zero)) * (upper - lower);
-      }
-  }
-
-
-
   StepResult OpenCloseIteration::solve(const Model              &model,
                                        const DdaState           &state,
                                        const FoundationResponse &foundation,
@@ -303,80 +243,77 @@ namespace hybrid::dda
     begin(model, state, foundation, dt, guess);
     if (flies_too_far(model, result))
       return result;
-
-    constexpr int    stall_window     = 10;
-    constexpr double stalled_fraction = 0.3;
-    constexpr int    whole_every      = 3; ///< of a step's tangents is made of all rows
-    constexpr int    few_iterations   = 4;
-    int              repairs          = 0;
-    double           window_start     = std::numeric_limits<double>::infinity();
-    int              search_start     = 0; ///< iteration in which the line search begins
-
     result.residual = guess == nullptr ? choose_guess(model, state, foundation)
                                        : evaluate(model, state, foundation);
-    // The first linear system is solved to the end where that may be all.
-    double previous = expects_many ? result.residual : std::numeric_limits<double>::infinity();
-    expects_many    = true;
     {
       const Stopwatch timer(times.springs);
       springs.connect(model, matrix);
     }
-    bool stale = tangent_dt != dt || tangent_pattern != matrix.pattern_version() ||
-                 tangent_regularisation > 0.;
-    full_steps = full_step_phase.begin(model.iteration.max_full_steps, result.residual);
-    for (; result.iterations < model.iteration.maximum_iterations; ++result.iterations)
-      {
-        if (full_steps && !full_step_phase.go_on())
-          {
-            search_start    = result.iterations;
-            result.residual = begin_line_search(model, state, foundation);
-            stale           = true;
-          }
-        if (!std::isfinite(result.residual))
-          return result;
-        if (result.iterations > 0 && result.residual <= model.iteration.tolerance &&
-            !springs.any_held())
-          {
-            result.converged = true;
-            break;
-          }
-        result.stopped = watch && !watch(result);
-        if (result.stopped)
-          return result;
-        if (!full_steps && (result.iterations - search_start) % stall_window == 0)
-          {
-            if (result.residual > stalled_fraction * window_start)
-              return result; // a shorter step is cheaper than more of the same
-            window_start = result.residual;
-          }
-        // A kept tangent that no longer takes most of the residual away is rebuilt.
-        if (stale || (result.iterations > 0 && result.residual > 1e-3 * previous))
-          {
-            const bool all = stale || ++repairs % whole_every == 0;
-            assemble(model, state, foundation, {result.residual <= previous, all});
-          }
-        stale = false;
+    stale = stale || tangent_dt != dt || tangent_pattern != matrix.pattern_version() ||
+            tangent_regularisation > 0.;
+    repairs = 0;
 
-        const double               left   = std::max(0.2 * model.iteration.tolerance,
-                                     forcing_term(result.residual, previous) * result.residual);
-        const LinearSolver::Result linear = solve_linear(left * reference);
-        result.solver_iterations += linear.iterations;
-        result.factorizations += linear.factored ? 1 : 0;
-        previous                  = result.residual;
-        const LineSearch searched = search_line(model, state, foundation);
-        result.residual           = searched.residual;
-        if (full_steps)
-          full_step_phase.judge(result.residual);
-        if (model.iteration.regularises_sliding)
-          stale = sliding_regularisation.adapt(searched.fraction);
-      }
+    const Step step{model, state, foundation, result};
+    Attempt    attempt = Attempt::failed;
+    if (model.iteration.changes_together)
+      attempt = settle_contacts(step);
+    if (attempt == Attempt::failed)
+      attempt = search(step);
+    constexpr int few_iterations = 4;
+    expects_many                 = result.iterations > few_iterations;
+    result.converged             = attempt == Attempt::converged;
     if (!result.converged)
       return result;
-    expects_many = result.iterations > few_iterations;
     finish(model);
     judge(model, result);
     result.converged = result.displacement_ratio <= model.iteration.maximum_displacement_ratio;
     return result;
+  }
+
+
+
+  bool OpenCloseIteration::may_go_on(const Step &step)
+  {
+    StepResult &result = step.result;
+    if (result.iterations >= step.model.iteration.maximum_iterations)
+      return false;
+    result.stopped = watch && !watch(result);
+    return !result.stopped;
+  }
+
+
+
+  void OpenCloseIteration::repair(const Step &step, const bool served, const double previous)
+  {
+    constexpr int whole_every = 3; ///< of a step's tangents is made of all rows
+    if (!stale && served)
+      return;
+    const bool all = stale || ++repairs % whole_every == 0;
+    assemble(step.model, step.state, step.foundation, {step.result.residual <= previous, all});
+    stale = false;
+  }
+
+
+
+  void OpenCloseIteration::solve_linear(const Step &step, const double tolerance)
+  {
+    const Stopwatch            timer(times.products);
+    const LinearSolver::Result linear =
+      solver.solve(matrix, residual, scale, tolerance * reference, update);
+    times.factors += linear.factor_time;
+    times.products -= linear.factor_time;
+    step.result.solver_iterations += linear.iterations;
+    step.result.factorizations += linear.factored ? 1 : 0;
+  }
+
+
+
+  void OpenCloseIteration::take(const Step &step, const double fraction)
+  {
+    for (int b = 0; b < step.model.n_blocks(); ++b)
+      trial.increment[b] += fraction * update.segment<6>(6 * b);
+    if (!step.foundation.prescribed)
+      trial.foundation += fraction * update.tail(trial.foundation.size());
   }
 
 
@@ -400,7 +337,8 @@ namespace hybrid::dda
   void OpenCloseIteration::serialize(restart::Archive &archive)
   {
     bool is_current = tangent_pattern == matrix.pattern_version();
-    archive(matrix, stiffness, tangent_dt, is_current, expects_many);
+    archive(matrix, stiffness, tangent_dt, is_current, expects_many, stale);
+    archive(memory.from_guess, memory.path_steps, memory.path_span);
     solver.serialize(archive, matrix);
     archive(times);
     if (!archive.is_reading())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a step begins: prediction, guesses, and the change from full steps to the line search.
+// How a step begins: prediction and guesses.
 #include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/model/block_damping.h>
 #include <hybrid/dda/step/open_close_iteration.h>
@@ -75,8 +75,9 @@ namespace hybrid::dda
                                           const DdaState           &state,
                                           const FoundationResponse &foundation)
   {
-    const double with_acceleration = evaluate(model, state, foundation);
-    if (!full_step_phase.begin(model.iteration.max_full_steps, with_acceleration))
+    constexpr double near_balance      = 1e-3;
+    const double     with_acceleration = evaluate(model, state, foundation);
+    if (with_acceleration <= near_balance)
       return with_acceleration;
     guesses_acceleration = false;
     start_trial(model, state, foundation);
@@ -110,21 +111,7 @@ namespace hybrid::dda
     predict(model, state, foundation, dt);
     if (guess != nullptr)
       trial.increment = *guess;
-    full_steps             = false;
     sliding_regularisation = {};
   }
 
-
-
-  double OpenCloseIteration::begin_line_search(const Model              &model,
-                                               const DdaState           &state,
-                                               const FoundationResponse &foundation)
-  {
-    full_steps        = false;
-    const double norm = evaluate(model, state, foundation);
-    if (norm <= full_step_phase.first_residual())
-      return norm;
-    start_trial(model, state, foundation);
-    return evaluate(model, state, foundation);
-  }
 } // namespace hybrid::dda

@@ -17,4 +17,15 @@ namespace hybrid::dda
     sliding, ///< closed, shear strength exhausted: Coulomb force only
     locked   ///< closed and sticking: normal and shear spring act
   };
+
+
+  /// What a joint or contact is taken to do, whatever its gap and its strength say.
+  enum class Condition : char
+  {
+    law,             ///< what its law says
+    open,            ///< it bears nothing
+    sticks,          ///< closed; a joint only does not slide
+    slides_forward,  ///< closed and at its strength, with positive shear traction
+    slides_backward, ///< likewise, negative
+  };
 } // namespace hybrid::dda

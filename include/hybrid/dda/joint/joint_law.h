@@ -55,6 +55,20 @@ namespace hybrid::dda
                                  const JointHistory    &history,
                                  const JointDamping    &damping = {}) const;
 
+    /// What a torn or never bonded point would bear in this condition: linear in gap and slip.
+    /// @pre is_coulomb() and @p condition is not Condition::law
+    JointResponse respond_in(Condition              condition,
+                             const JointKinematics &kinematics,
+                             const JointHistory    &history,
+                             const JointDamping    &damping = {}) const;
+
+    /// True if a point that bears no tension has a friction that slip does not change, and no
+    /// cohesion or an unlimited one. @param cohesion_length_ratio see JointKinematics [-]
+    bool is_coulomb(const JointHistory &history, double cohesion_length_ratio) const;
+
+    /// Tan of its friction angle now, infinite if it never slides [-].
+    double friction(const JointHistory &history) const;
+
     /// Opening from which an intact bond bears nothing any more [m].
     double parting_opening() const;
 

@@ -112,7 +112,7 @@ namespace hybrid::dda
     double maximum_displacement_ratio = 0.05; ///< displacement per step over block size [-]
     bool   regularises_sliding =
       false; ///< sliding contacts keep a share of stiffness, see SlidingRegularisation
-    int max_full_steps = 16; ///< iterations before the line search, see OpenCloseIteration
+    bool changes_together = true; ///< contacts, before the line search, see OpenCloseIteration
   };
 
 

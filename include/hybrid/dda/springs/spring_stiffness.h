@@ -49,6 +49,12 @@ namespace hybrid::dda
     /// Add rows and columns of the foundation nodes, and say if the matrix is symmetric.
     void add_foundation(const Springs &springs, BlockMatrix &matrix) const;
 
+    /// What an update of the unknowns adds to gap and slip of one spring, as the stiffness was
+    /// assembled [m].
+    Vec2 displacement_jump(const Springs         &springs,
+                           std::size_t            number,
+                           const Eigen::VectorXd &update) const;
+
     static constexpr std::size_t bytes_per_spring()
     {
       return sizeof(Kept);

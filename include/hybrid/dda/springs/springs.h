@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/dda/block/block_motion.h>
+#include <hybrid/dda/joint/contact_state.h>
 #include <hybrid/dda/linear/block_matrix.h>
 #include <hybrid/dda/model/model.h>
 #include <hybrid/dda/model/state.h>
@@ -70,7 +71,8 @@ namespace hybrid::dda
       const JointLaw *law     = nullptr;
       double          length  = 0.;               ///< [m]
       double          cohesion_length_ratio = 1.; ///< see JointKinematics [-]
-      SpringState     old;                        ///< when the step began
+      bool            coulomb = false; ///< acts as a contact alone, see JointLaw::is_coulomb()
+      SpringState     old;             ///< when the step began
 
       /// What acts as a contact at the start or end of the step.
       Traction contact_traction(const SpringState &state) const
@@ -100,19 +102,9 @@ namespace hybrid::dda
       double      edge_position = 0.;       ///< projection on the contact's edge [-]
       SpringState now;                      ///< if the step is accepted
       double      shear_strength = 0.;      ///< that its shear may reach [Pa]
-      double      slid = 0.;    ///< shear traction in the trial of remember() if it slid there [Pa]
-      bool        held = false; ///< locked beyond its strength, see SlipReversal::locks
-      Forces      force;        ///< without sense if there is no traction
+      Forces      force;                    ///< without sense if there is no traction
       Forces contact; ///< of a joint's part that is a contact; without sense if it is all or none
       double k_nn = 0., shear_by_slip = 0., k_tn = 0.; ///< tangents [Pa/m]
-    };
-
-    /// What becomes of a joint or contact that slid one way in the trial remembered and slides the
-    /// other way now.
-    enum class SlipReversal
-    {
-      slides, ///< the law is followed: its friction turns round
-      locks   ///< it is held, as in Shi's (1988) open-close iteration: between the two it sticks
     };
 
     /// Collect the springs of the step that starts from @p state.
@@ -122,19 +114,26 @@ namespace hybrid::dda
     /// slots.
     void connect(const Model &model, BlockMatrix &matrix);
 
-    /// Keep which way every spring slides in the trial that was evaluated last, for
-    /// SlipReversal::locks.
-    void remember();
+    /// Forces of the springs in a trial: of that trial alone. Same bits for any number of threads.
+    void evaluate(const Model &model, const DdaState &state, const Trial &trial);
 
-    /// Forces of the springs in a trial: of that trial alone, and with SlipReversal::locks of the
-    /// one that remember() kept. Same bits for any number of threads.
-    void evaluate(const Model       &model,
-                  const DdaState    &state,
-                  const Trial       &trial,
-                  const SlipReversal reversed = SlipReversal::slides);
+    /// What a spring did in the trial evaluated last.
+    Condition condition(std::size_t number) const
+    {
+      return condition_of(responses[number].now);
+    }
 
-    /// True if a contact is held: the forces are not those of its law.
-    bool any_held() const;
+    static Condition condition_of(const SpringState &state);
+
+    /// Let springs bear in the trial evaluated last what they would in these conditions: contacts
+    /// in any (Spring::coulomb), others if they shall stick. @return whether that changes one.
+    bool prescribe(const Model                  &model,
+                   const DdaState               &state,
+                   const Trial                  &trial,
+                   const std::vector<Condition> &conditions);
+
+    /// Bring the forces of one spring up to date with tractions that were set.
+    void set_forces(const Trial &trial, std::size_t s);
 
     /// Add forces on blocks and foundation nodes, of bonds and of contacts apart, and their
     /// absolute values to @p absolute.
@@ -200,9 +199,6 @@ namespace hybrid::dda
     /// List the springs of each block and of the foundation.
     void sort_by_block(int n_blocks);
 
-    /// Generalised forces of one spring on its bodies.
-    void set_forces(const Trial &trial, std::size_t s);
-
     void add_force_on_foundation(std::size_t s, const Forces &force, Eigen::VectorXd &forces) const;
 
     void add_forces_on_foundation(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts) const;
@@ -211,12 +207,18 @@ namespace hybrid::dda
                         const DdaState &state,
                         const Trial    &trial,
                         std::size_t     s,
-                        SlipReversal    reversed);
+                        Condition       condition = Condition::law);
 
     void evaluate_contact(const DdaState &state,
                           const Trial    &trial,
                           std::size_t     s,
-                          SlipReversal    reversed);
+                          Condition       condition = Condition::law);
+
+    /// The answer of a spring in a condition.
+    static JointResponse respond(const Spring          &spring,
+                                 Condition              condition,
+                                 const JointKinematics &kinematics,
+                                 const JointDamping    &damping);
 
     BondedArea                     bonded_area;             ///< when the step began
     std::vector<BlockMatrix::Pair> block_pairs, node_pairs; ///< of these springs

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <hybrid/dda/linear/linear_solver.h>
+#include <hybrid/dda/springs/interior_contacts.h>
 #include <hybrid/dda/springs/spring_stiffness.h>
 #include <hybrid/dda/springs/springs.h>
 #include <hybrid/dda/step/foundation_response.h>
-#include <hybrid/dda/step/full_step_phase.h>
 #include <hybrid/dda/step/part_times.h>
 #include <hybrid/dda/step/sliding_regularisation.h>
 
@@ -30,6 +30,15 @@ namespace hybrid::dda
   };
 
 
+  /// What steps remember of how the one before was solved, for the checkpoint.
+  struct ActiveSetMemory
+  {
+    bool from_guess = false; ///< conditions of the guess served, not those of the last step
+    int  path_steps = 0;     ///< steps that begin with the interior point method at once
+    int  path_span  = 0;     ///< of them when it was last decided
+  };
+
+
   /**
    * One implicit step of blocks and foundation: the open-close iteration.
    *
@@ -48,10 +57,11 @@ namespace hybrid::dda
    * beta_K: block_damping_times(). Newton's method with the consistent tangent; the tangent is kept
    * as long as it serves. Not converged is a status: the state is changed only by accept().
    *
-   * The first iterations take full steps, and a joint or contact whose slip would turn round
-   * sticks before it may slide back (Shi 1988). With its friction at once the other way a line
-   * search ends near the first contact of hundreds that should stick, and every iteration finds but
-   * one of them. Only if whole updates do not settle there is a line search, with the law alone.
+   * Contacts change their conditions (open, sticking, sliding) in three ways, each tried where the
+   * one before has not settled the step: Newton's method on the active set, from the conditions of
+   * the last step, then from those of the guess; the interior point method on the full Coulomb law
+   * (InteriorContacts), which changes all of them together; and a line search with the laws alone,
+   * which is all that steps without inertia know.
    */
   class OpenCloseIteration
   {
@@ -127,20 +137,104 @@ namespace hybrid::dda
     Eigen::VectorXd   residual, absolute, scale, update, force_increment, contact_increment;
     // The foundation's balance is taken from where the trial starts: at S w the round-off of a
     // stiff foundation that moves as a whole would hide the forces of soft blocks.
-    Eigen::VectorXd foundation_start; ///< load less S times the displacement at the start [N/m]
-    Eigen::VectorXd foundation_moved; ///< displacement since then [m]
-    Eigen::VectorXd contact_force;    ///< of contacts on blocks and foundation nodes
-    Eigen::VectorXd incoming;         ///< at artificial boundaries, end of the step [N/m]
-    double          tangent_dt             = -1.; ///< step of the tangent in matrix
-    double          tangent_regularisation = 0.;  ///< SlidingRegularisation of it
-    int             tangent_pattern        = -1;
-    bool            is_restored            = false; ///< the tangent is that of a checkpoint
-    bool            expects_many           = false; ///< iterations, after the last step
-    FullStepPhase   full_step_phase;
-    bool            full_steps           = false; ///< updates: no line search, SlipReversal::locks
-    bool            guesses_acceleration = true;  ///< the trial begins as if it stayed the same
-    double          reference            = 0.;    ///< norm of absolute forces [N]
+    Eigen::VectorXd  foundation_start; ///< load less S times the displacement at the start [N/m]
+    Eigen::VectorXd  foundation_moved; ///< displacement since then [m]
+    Eigen::VectorXd  contact_force;    ///< of contacts on blocks and foundation nodes
+    Eigen::VectorXd  incoming;         ///< at artificial boundaries, end of the step [N/m]
+    double           tangent_dt             = -1.; ///< step of the tangent in matrix
+    double           tangent_regularisation = 0.;  ///< SlidingRegularisation of it
+    int              tangent_pattern        = -1;
+    bool             is_restored            = false; ///< the tangent is that of a checkpoint
+    bool             expects_many           = false; ///< iterations, after the last step
+    bool             guesses_acceleration   = true;  ///< the trial begins as if it stayed the same
+    double           reference              = 0.;    ///< norm of absolute forces [N]
+    InteriorContacts interior;
+    std::vector<Condition> conditions; ///< of springs, for the next update
+    std::vector<Condition> path_now;   ///< of contacts on the central path
+    std::vector<Condition> path_tried; ///< those from which active sets were tried last
+    bool            stale   = false;   ///< the tangent is not one of the laws, or of another step
+    int             repairs = 0;       ///< tangents rebuilt in this step
+    ActiveSetMemory memory;
     PartTimes       times;
+    double          path_width = 1.; ///< beside that of a path of usual width
+
+    static constexpr double linear_fraction = 1e-6; ///< of a residual that its update may leave
+    static constexpr double path_end        = 1e-6; ///< of the first product: contacts have settled
+
+    /// Where a trial was.
+    struct Place
+    {
+      std::vector<Vec6> increment;
+      Eigen::VectorXd   foundation;
+    };
+
+    Place at_start, on_path;
+
+    void keep(Place &place) const;
+
+    void go_back(const Place &place);
+
+    /// The step under way.
+    struct Step
+    {
+      const Model              &model;
+      const DdaState           &state;
+      const FoundationResponse &foundation;
+      StepResult               &result;
+    };
+
+    /// What an attempt to solve the step came to.
+    enum class Attempt
+    {
+      converged,
+      failed,
+      stopped
+    };
+
+    /// Active sets and interior point method, whichever serves. At the end of a failure the trial
+    /// is where the line search shall begin.
+    Attempt settle_contacts(const Step &step);
+
+    /// How long updates with frozen conditions go on.
+    struct Patience
+    {
+      int updates;   ///< at most
+      int slow_ones; ///< that do not halve the residual, at most
+    };
+
+    /// Updates with frozen conditions, from the trial and the conditions there are.
+    Attempt iterate_conditions(const Step &step, const Patience &patience);
+
+    /// What the laws say now; a spring that would slide back sticks first.
+    void renew_conditions();
+
+    /// The interior point method, from the start of the step.
+    Attempt follow_path(const Step &step);
+
+    /// Begin the path. @return its mean product
+    double begin_path(const Step &step);
+
+    /// One iteration of the path: the affine direction, and that with centring and correction.
+    /// @return part of the update that was taken; 0 if the path is too narrow where it begins
+    double go_along_path(const Step &step, bool begins);
+
+    /// Newton's method with a line search by the laws alone.
+    Attempt search(const Step &step);
+
+    /// Rebuild the tangent if it is stale or has not served: @p previous is the residual before.
+    void repair(const Step &step, bool served, double previous);
+
+    /// Solve for the update with the tangent there is.
+    void solve_linear(const Step &step, double tolerance);
+
+    /// Move the trial along the update.
+    void take(const Step &step, double fraction);
+
+    /// True if iterations are left and nobody stops the step.
+    bool may_go_on(const Step &step);
+
+    /// Residual of the springs' present responses. @return its relative norm
+    double balance(const Model &model, const DdaState &state, const FoundationResponse &foundation);
 
     /// Collect the springs and set where the iteration starts.
     void begin(const Model              &model,
@@ -170,9 +264,8 @@ namespace hybrid::dda
       return 2. / trial.dt * trial.increment[block] - start_rate[block];
     }
 
-    /// Forces of the trial and what is left of the balance; they depend on the trial alone (while
-    /// it full_steps, on that of Springs::remember() as well). @return relative norm of the
-    /// residual
+    /// Forces of the trial and what is left of the balance; they depend on the trial alone.
+    /// @return relative norm of the residual
     double
     evaluate(const Model &model, const DdaState &state, const FoundationResponse &foundation);
 
@@ -193,8 +286,6 @@ namespace hybrid::dda
                   const FoundationResponse &foundation,
                   const Tangent            &tangent);
 
-    /// The update that takes the residual away but for @p tolerance [N].
-    LinearSolver::Result solve_linear(double tolerance);
 
     /// Where a line search ended.
     struct LineSearch
@@ -207,8 +298,7 @@ namespace hybrid::dda
     void update_stiffness(const Model &model, const Tangent &tangent);
 
     /// Move the trial along the update, as far as the residual allows: a contact that locks, closes
-    /// or slides back on the way would otherwise make the iteration cycle. All of it while
-    /// it full_steps.
+    /// or slides back on the way would otherwise make the iteration cycle.
     LineSearch
     search_line(const Model &model, const DdaState &state, const FoundationResponse &foundation);
 
@@ -221,12 +311,6 @@ namespace hybrid::dda
     /// is closer. @return relative norm of the residual there
     double
     choose_guess(const Model &model, const DdaState &state, const FoundationResponse &foundation);
-
-    /// End whole updates: go on by the law alone from where they led, or from the start if that is
-    /// closer. @return relative norm of the residual there
-    double begin_line_search(const Model              &model,
-                             const DdaState           &state,
-                             const FoundationResponse &foundation);
 
     /// Displacement of a block in the trial over its size [-].
     double displacement_ratio(const Model &model, int block) const;

@@ -122,5 +122,6 @@ TEST(EdgeLoads, a_free_block_takes_their_impulse_and_work)
   EXPECT_NEAR(model.blocks[0].mass * state.blocks[0].velocity[1], impulse, 1e-9 * impulse);
   EXPECT_GT(state.energy.edge_load_work, 0.);
   EXPECT_NEAR(state.energy.balance(), 0., 1e-9 * state.energy.edge_load_work);
-  EXPECT_LT(state.blocks[1].velocity.norm(), 1e-20);
+  // The two touch: round-off, as they were taken for closed until the first solve.
+  EXPECT_LT(state.blocks[1].velocity.norm(), 1e-16 * state.blocks[0].velocity.norm());
 }

@@ -142,50 +142,62 @@ TEST(Springs, contacts_do_not_depend_on_the_place_in_the_section)
 
 
 
-namespace
-{
-  /// Move blocks so far, one way and the other, that the first spring slides.
-  void slide_there_and_back(SpringScene           &scene,
-                            const Eigen::VectorXd &there,
-                            const Eigen::VectorXd &back)
-  {
-    using Reversed  = Springs::SlipReversal;
-    const auto &now = scene.springs.responses[0].now;
-
-    scene.move(there, Reversed::locks);
-    EXPECT_EQ(now.state, ContactState::sliding);
-    EXPECT_FALSE(scene.springs.responses[0].held);
-    scene.springs.remember();
-    scene.move(back, Reversed::locks);
-    EXPECT_EQ(now.state, ContactState::locked);
-    EXPECT_TRUE(scene.springs.any_held());
-    const double held = now.shear;
-    scene.springs.remember();
-    scene.move(back, Reversed::locks); // from sticking it may slide either way
-    EXPECT_EQ(now.state, ContactState::sliding);
-    EXPECT_FALSE(scene.springs.responses[0].held);
-    EXPECT_GT(held / now.shear, 5.);
-
-    scene.move(there);
-    EXPECT_EQ(now.state, ContactState::sliding);
-    EXPECT_FALSE(scene.springs.any_held());
-  }
-} // namespace
-
-
-
-TEST(Springs, a_contact_that_slides_back_sticks_first)
+TEST(Springs, a_contact_bears_what_its_condition_says)
 {
   SpringScene     scene(false);
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(20), left = right;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(20);
   right.segment<2>(0) = right.segment<2>(6) = Vec2(1e-4, -1e-6); // m; tan 85 degrees = 11.4
-  left.segment<2>(0) = left.segment<2>(6) = Vec2(-1e-4, -1e-6);
-  slide_there_and_back(scene, right, left);
+  scene.move(right);
+  const std::size_t      n = scene.springs.springs.size();
+  std::vector<Condition> conditions(n);
+  for (std::size_t s = 0; s < n; ++s)
+    conditions[s] = scene.springs.condition(s);
+  const auto       &now    = scene.springs.responses[0].now;
+  const auto       &spring = scene.springs.springs[0];
+  const SpringState law    = now;
+  ASSERT_TRUE(spring.coulomb);
+  ASSERT_EQ(law.state, ContactState::sliding);
+  EXPECT_FALSE(scene.springs.prescribe(scene.model, scene.state, scene.trial, conditions));
+  EXPECT_EQ(now.shear, law.shear);
+
+  const auto prescribe = [&](const Condition condition) {
+    conditions[0] = condition;
+    scene.springs.evaluate(scene.model, scene.state, scene.trial);
+    EXPECT_TRUE(scene.springs.prescribe(scene.model, scene.state, scene.trial, conditions));
+  };
+  prescribe(Condition::sticks);
+  EXPECT_DOUBLE_EQ(now.shear, -spring.law->shear_stiffness() * now.slip);
+  EXPECT_GT(now.shear / law.shear, 5.);
+  EXPECT_EQ(now.normal, law.normal);
+  prescribe(law.shear > 0. ? Condition::slides_backward : Condition::slides_forward);
+  EXPECT_DOUBLE_EQ(now.shear, -law.shear);
+  EXPECT_EQ(now.normal, law.normal);
+  prescribe(Condition::open);
+  EXPECT_EQ(now.normal, 0.);
+  EXPECT_EQ(now.shear, 0.);
 }
 
 
 
-TEST(Springs, a_joint_that_slides_back_sticks_first)
+TEST(Springs, an_open_contact_that_is_taken_for_closed_pulls)
+{
+  SpringScene     scene(false);
+  Eigen::VectorXd up = Eigen::VectorXd::Zero(20);
+  up[1] = up[7] = 1e-6;
+  scene.move(up);
+  const auto &now = scene.springs.responses[0].now;
+  ASSERT_EQ(now.state, ContactState::open);
+  ASSERT_EQ(now.normal, 0.);
+  std::vector<Condition> conditions(scene.springs.springs.size(), Condition::law);
+  conditions[0] = Condition::sticks;
+  EXPECT_TRUE(scene.springs.prescribe(scene.model, scene.state, scene.trial, conditions));
+  EXPECT_DOUBLE_EQ(now.normal, -scene.springs.springs[0].law->normal_stiffness() * now.gap);
+  EXPECT_LT(now.normal, 0.);
+}
+
+
+
+TEST(Springs, a_joint_sticks_where_it_shall)
 {
   SpringScene   scene(true);
   JointStrength soft;
@@ -195,39 +207,16 @@ TEST(Springs, a_joint_that_slides_back_sticks_first)
     joint.law = joint.law.with(soft);
   scene.state.contacts.clear();
   scene.springs.collect(scene.model, scene.state);
-  Eigen::VectorXd up = Eigen::VectorXd::Zero(20), down = up; // of the second block, along the joint
-  up[7]   = 1e-4;
-  down[7] = -1e-4;
-  slide_there_and_back(scene, up, down);
-}
-
-
-
-// Contacts that slid one way in the trial that was kept stay where they are when they would slide
-// back, however often that trial is evaluated.
-TEST(Springs, equal_trials_have_equal_forces)
-{
-  SpringScene scene(false);
-  Material    slippery;
-  slippery.friction_angle = 5.;
-  for (std::vector<ContactLaw> &of_surface : scene.model.contacts.of)
-    for (ContactLaw &contact : of_surface)
-      contact.law = JointLaw(contact_strength(slippery), 1e9, 1e9);
-  scene.springs.collect(scene.model, scene.state);
-  Eigen::VectorXd there = pressing(1e-6), back = there;
-  there[0] = 1e-4;
-  back[0]  = -1e-4;
-  scene.move(there);
-  scene.springs.remember();
-  Eigen::VectorXd forces[3];
-  for (Eigen::VectorXd &f : forces)
-    {
-      scene.move(back, Springs::SlipReversal::locks);
-      EXPECT_TRUE(scene.springs.any_held());
-      f                        = Eigen::VectorXd::Zero(20);
-      Eigen::VectorXd absolute = Eigen::VectorXd::Zero(2);
-      scene.springs.add_forces(f, f, absolute);
-    }
-  EXPECT_EQ(forces[0], forces[1]);
-  EXPECT_EQ(forces[0], forces[2]);
+  Eigen::VectorXd up = Eigen::VectorXd::Zero(20); // of the second block, along the joint
+  up[7]              = 1e-4;
+  scene.move(up);
+  const auto  &now     = scene.springs.responses[0].now;
+  const double sliding = now.shear;
+  ASSERT_EQ(now.state, ContactState::sliding);
+  std::vector<Condition> conditions(scene.springs.springs.size(), Condition::slides_forward);
+  EXPECT_FALSE(scene.springs.prescribe(scene.model, scene.state, scene.trial, conditions));
+  conditions[0] = Condition::sticks;
+  EXPECT_TRUE(scene.springs.prescribe(scene.model, scene.state, scene.trial, conditions));
+  EXPECT_EQ(now.state, ContactState::locked);
+  EXPECT_GT(now.shear / sliding, 5.);
 }

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/shared_loop.h>
+#include <hybrid/dda/springs/interior_contacts.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hybrid::dda
+{
+  void InteriorContacts::begin(const Model   &model,
+                               const Springs &springs,
+                               const double   dt,
+                               const double   energy,
+                               const double   force)
+  {
+    constexpr double within_strength = 0.9;  ///< part of it that the shear begins with at most
+    constexpr double least_force     = 1e-2; ///< of a contact that presses, over the mean
+    points.clear();
+    for (std::size_t s = 0; s < springs.springs.size(); ++s)
+      {
+        const Springs::Spring &spring = springs.springs[s];
+        if (!spring.coulomb || spring.length <= 0.)
+          continue;
+        const JointHistory &history = spring.old.history;
+        double              ratio   = 0.;
+        if (spring.joint >= 0)
+          ratio = (model.joints[spring.joint].within_bedrock() ? model.bedrock_damping_time
+                                                               : model.joint_damping_time) /
+                  dt;
+        Point p;
+        p.spring = static_cast<int>(s);
+        p.length = spring.length;
+        p.mu     = spring.law->friction(history);
+        p.slides = std::isfinite(p.mu);
+        p.mu     = p.slides ? p.mu : 0.;
+        p.k_n    = spring.law->normal_stiffness();
+        p.k_s    = (1. + ratio) * spring.law->shear_stiffness();
+        p.origin =
+          history.plastic_slip + ratio / (1. + ratio) * (spring.old.slip - history.plastic_slip);
+        const double least = energy / p.length, traction = force / p.length;
+        Variables   &at = p.at;
+        // All products are the same: where it pressed the parting follows, else the force.
+        at.normal  = std::max(spring.old.normal, least_force * traction);
+        at.parting = least / at.normal;
+        if (spring.old.normal <= 0.)
+          {
+            at.parting = std::max(at.parting, springs.responses[s].now.gap);
+            at.normal  = least / at.parting;
+          }
+        at.shear = spring.old.shear;
+        if (p.slides)
+          {
+            const double limit = within_strength * p.mu * at.normal;
+            at.shear           = std::max(-limit, std::min(limit, at.shear));
+            p.set_strengths();
+            at.forward  = least / std::max(p.strength_forward, 1e-300);
+            at.backward = least / std::max(p.strength_backward, 1e-300);
+            p.slides    = p.mu > 0.;
+          }
+        if (!p.slides && p.mu == 0. && std::isfinite(spring.law->friction(history)))
+          p.k_s = 0.; // frictionless
+        points.push_back(p);
+      }
+  }
+
+
+
+  void InteriorContacts::Point::set_strengths()
+  {
+    strength_forward  = mu * at.normal - at.shear;
+    strength_backward = mu * at.normal + at.shear;
+  }
+
+
+
+  InteriorContacts::Products InteriorContacts::Point::products_after(const double fraction) const
+  {
+    const double n = at.normal + fraction * direction.normal;
+    const double t = at.shear + fraction * direction.shear;
+    Products     now;
+    now.parting = n * (at.parting + fraction * direction.parting);
+    if (slides)
+      {
+        now.forward  = (at.forward + fraction * direction.forward) * (mu * n - t);
+        now.backward = (at.backward + fraction * direction.backward) * (mu * n + t);
+      }
+    return now;
+  }
+
+
+
+  double InteriorContacts::mean_product_after(const double fraction) const
+  {
+    double sum = 0.;
+    int    n   = 0;
+    for (const Point &p : points)
+      {
+        const Products now = p.products_after(fraction);
+        sum += p.length * (now.parting + now.forward + now.backward);
+        n += p.slides ? 3 : 1;
+      }
+    return sum / std::max(n, 1);
+  }
+
+
+
+  void InteriorContacts::aim(const double target, const bool corrects)
+  {
+    constexpr double largest_correction = 5.; ///< of the products' mean
+    const double     mean               = mean_product();
+    for (Point &p : points)
+      {
+        const double bound = largest_correction * mean / p.length;
+        const auto   less  = [&](const double correction) {
+          return target / p.length -
+                 (corrects ? std::max(-bound, std::min(bound, correction)) : 0.);
+        };
+        const Variables &d = p.direction;
+        p.target.parting   = less(d.normal * d.parting);
+        p.target.forward   = less(d.forward * (p.mu * d.normal - d.shear));
+        p.target.backward  = less(d.backward * (p.mu * d.normal + d.shear));
+      }
+  }
+
+
+
+  void InteriorContacts::Point::eliminate()
+  {
+    const double compliance = at.parting + at.normal / k_n;
+    k_nn                    = at.normal / compliance;
+    normal_part = (target.parting - at.normal * at.parting - at.normal * parting_left) / compliance;
+    if (!slides)
+      {
+        k_tt       = k_s;
+        k_tn       = 0.;
+        shear_part = k_s > 0. ? -k_s * slip_left : -at.shear;
+        return;
+      }
+    const double f = at.forward / strength_forward, b = at.backward / strength_backward;
+    const double sum       = 1. / k_s + f + b;
+    const double by_normal = mu * (f - b) / sum;
+    k_tt                   = 1. / sum;
+    k_tn                   = by_normal * k_nn;
+    shear_part             = (-slip_left - (target.forward / strength_forward - at.forward) +
+                  (target.backward / strength_backward - at.backward)) /
+                   sum +
+                 by_normal * normal_part;
+  }
+
+
+
+  void InteriorContacts::Point::follow(const double gap, const double slip)
+  {
+    direction.normal  = normal_part - k_nn * gap;
+    direction.shear   = shear_part - k_tn * gap - k_tt * slip;
+    direction.parting = gap + direction.normal / k_n + parting_left;
+    if (!slides)
+      return;
+    const double forward = mu * direction.normal - direction.shear;
+    const double back    = mu * direction.normal + direction.shear;
+    direction.forward    = (target.forward - at.forward * forward) / strength_forward - at.forward;
+    direction.backward   = (target.backward - at.backward * back) / strength_backward - at.backward;
+  }
+
+
+
+  double InteriorContacts::Point::longest_step() const
+  {
+    double     longest = 1.;
+    const auto limit   = [&longest](const double value, const double change) {
+      if (change < 0.)
+        longest = std::min(longest, -value / change);
+    };
+    limit(at.normal, direction.normal);
+    limit(at.parting, direction.parting);
+    if (!slides)
+      return longest;
+    limit(at.forward, direction.forward);
+    limit(at.backward, direction.backward);
+    limit(strength_forward, mu * direction.normal - direction.shear);
+    limit(strength_backward, mu * direction.normal + direction.shear);
+    return longest;
+  }
+
+
+
+  void InteriorContacts::set_responses(const Trial &trial, Springs &springs)
+  {
+#pragma omp parallel for schedule(static) if (is_worth_sharing(points.size()))
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        Point             &p        = points[i];
+        Springs::Response &response = springs.responses[p.spring];
+        p.parting_left              = response.now.gap + p.at.normal / p.k_n - p.at.parting;
+        p.slip_left = response.now.slip - p.origin + (p.k_s > 0. ? p.at.shear / p.k_s : 0.);
+        if (p.slides)
+          p.slip_left += p.at.forward - p.at.backward;
+        p.eliminate();
+        response.now.normal    = p.at.normal + p.normal_part;
+        response.now.shear     = p.at.shear + p.shear_part;
+        response.k_nn          = p.k_nn;
+        response.shear_by_slip = p.k_tt;
+        response.k_tn          = p.k_tn;
+        springs.set_forces(trial, p.spring);
+      }
+  }
+
+
+
+  double InteriorContacts::follow(const Springs         &springs,
+                                  const SpringStiffness &stiffness,
+                                  const Eigen::VectorXd &update)
+  {
+    double longest = 1.;
+#pragma omp parallel for schedule(static) \
+  reduction(min                           \
+            : longest) if (is_worth_sharing(points.size()))
+    for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        const Vec2 moved = stiffness.displacement_jump(springs, points[i].spring, update);
+        points[i].follow(moved[0], moved[1]);
+        longest = std::min(longest, points[i].longest_step());
+      }
+    return longest;
+  }
+
+
+
+  void InteriorContacts::move(const double fraction)
+  {
+    for (Point &p : points)
+      {
+        p.at.normal += fraction * p.direction.normal;
+        p.at.parting += fraction * p.direction.parting;
+        p.at.shear += fraction * p.direction.shear;
+        p.at.forward += fraction * p.direction.forward;
+        p.at.backward += fraction * p.direction.backward;
+        p.direction = {};
+        p.set_strengths();
+      }
+  }
+
+
+
+  Condition InteriorContacts::Point::condition() const
+  {
+    if (at.normal <= k_n * at.parting)
+      return Condition::open;
+    if (slides && k_s * at.forward > strength_forward)
+      return Condition::slides_forward;
+    if (slides && k_s * at.backward > strength_backward)
+      return Condition::slides_backward;
+    return Condition::sticks;
+  }
+
+
+
+  int InteriorContacts::conditions(std::vector<Condition> &now) const
+  {
+    int changed = 0;
+    for (const Point &p : points)
+      {
+        const Condition condition = p.condition();
+        changed += condition == now[p.spring] ? 0 : 1;
+        now[p.spring] = condition;
+      }
+    return changed;
+  }
+} // namespace hybrid::dda

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How contacts find their conditions: active sets, then the interior point method.
+#include <hybrid/dda/step/open_close_iteration.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hybrid::dda
+{
+  void OpenCloseIteration::keep(Place &place) const
+  {
+    place.increment.assign(trial.increment.begin(), trial.increment.end());
+    place.foundation = trial.foundation;
+  }
+
+
+
+  void OpenCloseIteration::go_back(const Place &place)
+  {
+    trial.increment.assign(place.increment.begin(), place.increment.end());
+    trial.foundation = place.foundation;
+  }
+
+
+
+  OpenCloseIteration::Attempt OpenCloseIteration::settle_contacts(const Step &step)
+  {
+    constexpr Patience with_last{3, 0}, with_guess{16, 6};
+    constexpr int      longest_span                = 16;
+    const auto &[model, state, foundation, result] = step;
+    const double      first                        = result.residual;
+    const std::size_t n                            = springs.springs.size();
+    keep(at_start);
+    conditions.resize(n);
+    Attempt    attempt      = Attempt::failed;
+    const bool path_at_once = memory.path_steps > 0;
+    memory.path_steps       = std::max(0, memory.path_steps - 1);
+    for (int k = 0; k < 2 && attempt == Attempt::failed && !path_at_once; ++k)
+      {
+        const bool from_guess = (k == 0) == memory.from_guess;
+        if (k > 0)
+          {
+            go_back(at_start);
+            result.residual = evaluate(model, state, foundation);
+          }
+        for (std::size_t s = 0; s < n; ++s)
+          conditions[s] =
+            from_guess ? springs.condition(s) : Springs::condition_of(springs.springs[s].old);
+        attempt = iterate_conditions(step, from_guess ? with_guess : with_last);
+        if (attempt == Attempt::converged)
+          memory = {from_guess, 0, 0};
+      }
+    if (attempt != Attempt::failed)
+      return attempt;
+    go_back(at_start);
+    result.residual = evaluate(model, state, foundation);
+    attempt         = follow_path(step);
+    if (attempt == Attempt::converged && !path_at_once)
+      memory.path_steps = memory.path_span =
+        std::min(std::max(2, 2 * memory.path_span), longest_span);
+    if (attempt == Attempt::failed && !(result.residual <= first))
+      {
+        go_back(at_start);
+        result.residual = evaluate(model, state, foundation);
+      }
+    return attempt;
+  }
+
+
+
+  OpenCloseIteration::Attempt OpenCloseIteration::iterate_conditions(const Step     &step,
+                                                                     const Patience &patience)
+  {
+    constexpr double leads_away = 100., same = 1e-6;
+    const auto &[model, state, foundation, result] = step;
+    const double first                             = result.residual;
+    double       least = std::numeric_limits<double>::infinity(), previous = least;
+    double       before = -1.; // residual two updates ago: circles are of two
+    int          slow   = 0;
+    for (int k = 0; k < patience.updates; ++k)
+      {
+        if (!may_go_on(step))
+          return result.stopped ? Attempt::stopped : Attempt::failed;
+        double norm = result.residual;
+        if (springs.prescribe(model, state, trial, conditions))
+          norm = balance(model, state, foundation);
+        repair(step, k == 0 || result.residual <= 1e-3 * previous, previous);
+        before   = k > 0 ? previous : -1.;
+        previous = result.residual;
+        solve_linear(step, std::max(0.2 * model.iteration.tolerance, linear_fraction * norm));
+        take(step, 1.);
+        ++result.iterations;
+        result.residual = evaluate(model, state, foundation);
+        if (result.residual <= model.iteration.tolerance)
+          return Attempt::converged;
+        const bool circle = before > 0. && std::abs(result.residual - before) <= same * before;
+        const bool away   = !(result.residual <= leads_away * std::max(first, 1.)); // or NaN
+        slow += result.residual > 0.5 * least ? 1 : 0;
+        if (away || circle || slow > patience.slow_ones)
+          return Attempt::failed;
+        least = std::min(least, result.residual);
+        renew_conditions();
+      }
+    return Attempt::failed;
+  }
+
+
+
+  void OpenCloseIteration::renew_conditions()
+  {
+    for (std::size_t s = 0; s < conditions.size(); ++s)
+      {
+        const Condition now = springs.condition(s), last = conditions[s];
+        const bool      slides_back =
+          (last == Condition::slides_forward && now == Condition::slides_backward) ||
+          (last == Condition::slides_backward && now == Condition::slides_forward);
+        conditions[s] = slides_back ? Condition::sticks : now;
+      }
+  }
+} // namespace hybrid::dda

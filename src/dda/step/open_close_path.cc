@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The interior point method: all contacts change their conditions together.
+#include <hybrid/dda/step/open_close_iteration.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hybrid::dda
+{
+  double OpenCloseIteration::begin_path(const Step &step)
+  {
+    constexpr double width      = 10.; ///< product over the mean elastic energy of a spring
+    double           compliance = 0., force = 0.;
+    int              n = 0, n_loaded = 0;
+    for (const Springs::Spring &spring : springs.springs)
+      if (spring.coulomb && spring.length > 0.)
+        {
+          const double pressed = spring.length * std::max(0., spring.old.normal);
+          compliance += 1. / (spring.length * spring.law->normal_stiffness());
+          force += pressed * pressed;
+          n_loaded += pressed > 0. ? 1 : 0;
+          ++n;
+        }
+    if (n == 0)
+      return 0.;
+    force = n_loaded > 0 ? std::sqrt(force / n_loaded)
+                         : reference / std::sqrt(std::max(1, step.model.n_blocks()));
+    interior.begin(
+      step.model, springs, trial.dt, path_width * width * force * force * compliance / n, force);
+    return interior.mean_product();
+  }
+
+
+
+  double OpenCloseIteration::go_along_path(const Step &step, const bool begins)
+  {
+    constexpr double too_narrow = 0.1, nearly_all = 0.995, least_centring = 1e-6;
+    const auto &[model, state, foundation, result] = step;
+    const double mean                              = interior.mean_product();
+    interior.aim(0., false);
+    interior.set_responses(trial, springs);
+    double norm = balance(model, state, foundation);
+    assemble(model, state, foundation, {true, true});
+    stale = true;
+    solve_linear(step, linear_fraction * norm);
+    ++result.iterations;
+    const double affine = interior.follow(springs, stiffness, update);
+    if (begins && affine < too_narrow)
+      return 0.;
+    const double left = interior.mean_product_after(affine) / mean;
+    interior.aim(std::min(1., std::max(least_centring, left * left * left)) * mean,
+                 affine > too_narrow);
+    interior.set_responses(trial, springs);
+    norm = balance(model, state, foundation);
+    solve_linear(step, linear_fraction * norm);
+    const double part = std::min(1., nearly_all * interior.follow(springs, stiffness, update));
+    take(step, part);
+    interior.move(part);
+    result.residual = evaluate(model, state, foundation);
+    return part;
+  }
+
+
+
+  OpenCloseIteration::Attempt OpenCloseIteration::follow_path(const Step &step)
+  {
+    constexpr double   few_changes = 0.01, near_balance = 1e-2, wider = 100., stalled = 0.5;
+    constexpr int      most_widenings = 4;
+    constexpr Patience to_finish{4, 0};
+    const auto &[model, state, foundation, result] = step;
+    path_width                                     = 1.;
+    const double start                             = begin_path(step);
+    if (start <= 0.)
+      return Attempt::failed;
+    path_now.assign(conditions.size(), Condition::law);
+    path_tried.clear();
+    bool begins = true;
+    for (int widenings = 0; may_go_on(step);)
+      {
+        const double before = result.residual;
+        if (go_along_path(step, begins && widenings < most_widenings) == 0. && begins)
+          {
+            path_width *= wider;
+            ++widenings;
+            result.residual = evaluate(model, state, foundation);
+            begin_path(step);
+            continue;
+          }
+        begins = false;
+        if (!std::isfinite(result.residual))
+          return Attempt::failed;
+        if (result.residual <= model.iteration.tolerance)
+          return Attempt::converged;
+        const int changed = interior.conditions(path_now);
+        if (changed <= few_changes * interior.size() && result.residual <= near_balance &&
+            path_now != path_tried)
+          {
+            keep(on_path);
+            conditions.assign(path_now.begin(), path_now.end());
+            path_tried.assign(path_now.begin(), path_now.end());
+            const Attempt attempt = iterate_conditions(step, to_finish);
+            if (attempt != Attempt::failed)
+              return attempt;
+            go_back(on_path);
+            result.residual = evaluate(model, state, foundation);
+          }
+        // Contacts are at their conditions, what is left is of other springs.
+        else if (changed == 0 && result.residual > stalled * before &&
+                 interior.mean_product() < path_end * start)
+          return Attempt::failed;
+      }
+    return result.stopped ? Attempt::stopped : Attempt::failed;
+  }
+} // namespace hybrid::dda

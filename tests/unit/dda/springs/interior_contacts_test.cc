@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spring_scene.h"
+
+#include <hybrid/dda/springs/interior_contacts.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace hybrid;
+  using namespace hybrid::dda;
+  using namespace hybrid::test;
+
+  constexpr double energy = 1e-3; ///< J/m
+  constexpr double force  = 1e3;  ///< N/m
+
+  /// Two loose squares that are held where a motion has brought them.
+  struct Held
+  {
+    SpringScene      scene{false};
+    SpringStiffness  stiffness;
+    InteriorContacts path;
+
+    /// @param right, up motion of both [m]
+    Held(const double right, const double up)
+    {
+      Eigen::VectorXd d = Eigen::VectorXd::Zero(20);
+      d.segment<2>(0) = d.segment<2>(6) = Vec2(right, up);
+      scene.move(d);
+      path.begin(scene.model, scene.springs, scene.trial.dt, energy, force);
+    }
+
+    Springs &springs()
+    {
+      return scene.springs;
+    }
+
+    /// Go to the end of the path.
+    void follow()
+    {
+      const Eigen::VectorXd none = Eigen::VectorXd::Zero(20);
+      for (int k = 0; k < 60; ++k)
+        {
+          path.aim(0.1 * path.mean_product(), false);
+          path.set_responses(scene.trial, springs());
+          stiffness.update(springs(), scene.trial, {});
+          path.move(0.9 * path.follow(springs(), stiffness, none));
+        }
+      path.aim(path.mean_product(), false);
+      path.set_responses(scene.trial, springs());
+    }
+  };
+} // namespace
+
+
+
+TEST(InteriorContacts, begin_with_equal_products)
+{
+  Held held(1e-5, -1e-6);
+  EXPECT_EQ(held.path.size(), held.springs().springs.size());
+  EXPECT_NEAR(held.path.mean_product(), energy, 1e-12 * energy);
+}
+
+
+
+// Whatever they do, at the end of the path contacts bear what their law says.
+TEST(InteriorContacts, end_at_the_law)
+{
+  struct Case
+  {
+    double       right, up; ///< [m]
+    ContactState state;     ///< of the first contact
+  };
+  for (const Case &motion : {Case{1e-4, -1e-6, ContactState::sliding},
+                             Case{-1e-4, -1e-6, ContactState::sliding},
+                             Case{1e-6, -1e-6, ContactState::locked},
+                             Case{1e-6, 1e-6, ContactState::open}})
+    {
+      Held                   held(motion.right, motion.up);
+      std::vector<Condition> law, end(held.springs().springs.size(), Condition::law);
+      std::vector<Vec2>      traction;
+      ASSERT_EQ(held.springs().responses[0].now.state, motion.state);
+      for (std::size_t s = 0; s < end.size(); ++s)
+        {
+          const SpringState &now = held.springs().responses[s].now;
+          law.push_back(held.springs().condition(s));
+          traction.push_back({now.normal, now.shear});
+        }
+      held.follow();
+      EXPECT_LT(held.path.mean_product(), 1e-12 * energy);
+      EXPECT_GT(held.path.conditions(end), 0);
+      EXPECT_EQ(held.path.conditions(end), 0);
+      for (std::size_t s = 0; s < end.size(); ++s)
+        {
+          const SpringState &now = held.springs().responses[s].now;
+          EXPECT_EQ(end[s], law[s]) << s;
+          EXPECT_LT((Vec2(now.normal, now.shear) - traction[s]).norm(), 1e-4 * force) << s;
+        }
+    }
+}
+
+
+
+// The stiffness is the derivative of what the eliminated variables add to the forces.
+TEST(InteriorContacts, direction_follows_the_motion)
+{
+  Held held(1e-5, -1e-6);
+  held.path.aim(0.1 * energy, false);
+  held.path.set_responses(held.scene.trial, held.springs());
+  held.stiffness.update(held.springs(), held.scene.trial, {});
+  const Springs::Response before = held.springs().responses[0];
+  Eigen::VectorXd         down   = Eigen::VectorXd::Zero(20);
+  down.segment<2>(0)             = Vec2(1e-9, -1e-9); // small: no factor changes its sign
+  const Vec2 jump                = held.stiffness.displacement_jump(held.springs(), 0, down);
+  EXPECT_NEAR(std::abs(jump[0]), 1e-9, 1e-13);
+  EXPECT_NEAR(std::abs(jump[1]), 1e-9, 1e-13);
+  EXPECT_LT(jump[0], 0.); // it closes
+  EXPECT_GT(before.k_nn, 0.);
+  EXPECT_LT(before.k_nn, held.springs().springs[0].law->normal_stiffness());
+  EXPECT_GT(before.shear_by_slip, 0.);
+  EXPECT_LT(before.shear_by_slip, held.springs().springs[0].law->shear_stiffness());
+}
