@@ -57,6 +57,8 @@ namespace hybrid::output
                                        {"blocks_damping_loss", b.damping_loss},
                                        {"blocks_integration_loss", b.integration_loss},
                                        {"spring_replacement_loss", b.spring_replacement_loss}};
+      if (effects.yielding)
+        terms.push_back({"yield_loss", b.yield_loss});
       if (effects.edge_loads)
         terms.push_back({"edge_load_work", -b.edge_load_work});
       if (!has_continuum)

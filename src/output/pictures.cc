@@ -105,6 +105,17 @@ namespace hybrid::output
           factor.push_back(block.modulus_factor);
         writer.add_cell_field("modulus factor", std::move(factor));
       }
+    if (model->blocks_yield)
+      {
+        std::vector<double> total, at_rest;
+        for (const dda::BlockState &block : state.blocks.blocks)
+          {
+            total.push_back(block.plastic_strain - block.rest_plastic_strain);
+            at_rest.push_back(block.rest_plastic_strain);
+          }
+        writer.add_cell_field("plastic shear strain", std::move(total));
+        writer.add_cell_field("plastic shear strain at rest", std::move(at_rest));
+      }
     block_series->add(state.time, writer);
   }
 

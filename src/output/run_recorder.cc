@@ -28,7 +28,8 @@ namespace hybrid::output
              {run.scene.continuum.boundary_springs,
               run.scene.has_bedrock_blocks(),
               bedding.has_planes(),
-              !run.scene.edge_loads.tractions.empty()})
+              !run.scene.edge_loads.tractions.empty(),
+              run.blocks != nullptr && run.blocks->blocks_yield})
     , last_flush(std::chrono::steady_clock::now())
   {
     file.set_attribute("/", "title", parts.scene.title);
@@ -349,6 +350,18 @@ namespace hybrid::output
     file.write_table("section/blocks_points", "m", points.data(), g.vertices.size(), 2, "initial");
     file.write_table(
       "section/blocks_points_final", "m", final_points.data(), g.vertices.size(), 2, "at the end");
+    if (parts.blocks->blocks_yield)
+      {
+        std::vector<double> plastic;
+        for (const dda::BlockState &block : state.blocks.blocks)
+          plastic.push_back(block.plastic_strain);
+        file.write_table("section/blocks_plastic_strain",
+                         "1",
+                         plastic.data(),
+                         plastic.size(),
+                         1,
+                         "plastic shear strain at the end, static stage included");
+      }
     file.write_table("section/blocks_displacement",
                      "m",
                      displacement.data(),

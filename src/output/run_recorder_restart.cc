@@ -20,6 +20,7 @@ namespace hybrid::output
                               "filtered",
                               "slip/farthest",
                               "section/blocks_points_final",
+                              "section/blocks_plastic_strain",
                               "section/blocks_displacement",
                               "section/blocks_peak_displacement"})
       file.remove(table);

@@ -112,6 +112,15 @@ namespace hybrid::output
         return;
       text += line("  fracture           %s", state(scene.blocks.bonded).c_str());
       describe_belt(scene, text);
+      if (scene.blocks.yielding)
+        {
+          const Material &inside = scene.material(scene.blocks.material, "Blocks/Material");
+          text += line("  yielding blocks    on   %s: phi %g deg, c %g Pa, dilation %g deg",
+                       inside.name.c_str(),
+                       inside.friction_angle,
+                       inside.cohesion,
+                       inside.dilation_angle);
+        }
       text += line("  block damping      %s  ratio %g at %g Hz",
                    state(scene.blocks.damping_ratio > 0.).c_str(),
                    scene.blocks.damping_ratio,

@@ -17,6 +17,7 @@ namespace hybrid::output
     bool blocks           = false; ///< the bedrock is blocks
     bool bedding_slip     = false;
     bool edge_loads       = false;
+    bool yielding         = false; ///< blocks yield
   };
 
 

@@ -17,6 +17,7 @@ namespace hybrid
     double friction_angle          = 30.;  ///< phi [deg], in [0, 90)
     double given_friction_angle    = -1.;  ///< what the user says of it [deg]; < 0: nothing
     double cohesion                = 0.;   ///< c [Pa], >= 0
+    double dilation_angle          = 0.;   ///< psi of blocks that yield [deg], in [0, phi]
     double tensile_strength        = 0.;   ///< F_t [Pa], >= 0
     double residual_friction_angle = -1.;  ///< phi_res [deg]; < 0: same as friction_angle
     double residual_cohesion =

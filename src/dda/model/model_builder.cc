@@ -61,6 +61,7 @@ namespace hybrid::dda
         model.newmark              = scene.time.newmark;
         model.gravity              = scene.environment.gravity;
         model.horizontal           = scene.environment.horizontal * scene.environment.gravity;
+        model.blocks_yield         = scene.blocks.yielding && n_mass > 0;
         model.dynamic_coefficient  = scene.time.dynamic_coefficient;
         model.joint_damping_time   = damping_time;
         model.bedrock_damping_time = scene.continuum.rayleigh_stiffness;
@@ -91,6 +92,9 @@ namespace hybrid::dda
       void set_loose_damping();
       void add_slices();
       void set_water();
+
+      /// On the cohesion inside a block of the mass [-].
+      double strength_factor(int block) const;
 
       /// Part of a joint's compliance that its first block takes [-].
       double share_of_joint(const Joint &joint) const;
@@ -208,12 +212,25 @@ namespace hybrid::dda
                                                {g.vertices.begin() + g.offset[b],
                                                 g.vertices.begin() + g.offset[b + 1]});
           m.young_modulus *= p.modulus_factor;
-          p.elasticity   = block_elasticity(m, {});
+          p.elasticity = block_elasticity(m, {});
+          if (scene.blocks.yielding && !bedrock)
+            p.strength = block_strength(m, strength_factor(b));
           p.damping_time = bedrock ? scene.continuum.rayleigh_stiffness : damping_time;
           model.blocks.push_back(p);
           materials.push_back(m);
         }
       model.bonded.assign(model.blocks.size(), false);
+    }
+
+
+
+    double Builder::strength_factor(const int block) const
+    {
+      const Geometry &g = model.initial;
+      return material.factor(scene.heterogeneity.strength_shape,
+                             BlockMaterials::block_strength_number,
+                             {g.vertices.begin() + g.offset[block],
+                              g.vertices.begin() + g.offset[block + 1]});
     }
 
 

@@ -66,9 +66,11 @@ namespace hybrid::dda
            contact_acceleration,
            acceleration_change,
            stress,
-           viscous_stress] = block;
+           viscous_stress,
+           plastic_strain,
+           rest_plastic_strain] = block;
     archive(centroid, rotation, velocity, acceleration, contact_acceleration, acceleration_change);
-    archive(stress, viscous_stress);
+    archive(stress, viscous_stress, plastic_strain, rest_plastic_strain);
   }
 
 
@@ -80,6 +82,7 @@ namespace hybrid::dda
            gravity,
            springs,
            friction_loss,
+           yield_loss,
            bedding_loss,
            fracture_loss,
            damping_loss,
@@ -97,7 +100,7 @@ namespace hybrid::dda
             boundary_loss,
             input_work,
             static_work);
-    archive(edge_load_work, bedding_loss);
+    archive(edge_load_work, bedding_loss, yield_loss);
   }
 
 

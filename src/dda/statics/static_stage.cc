@@ -79,6 +79,8 @@ namespace hybrid::dda
             if (joint.failure == FailureKind::none)
               joint.points[end].history.softening = 0.;
           }
+      for (BlockState &block : state.blocks)
+        block.rest_plastic_strain = block.plastic_strain;
     }
   } // namespace
 

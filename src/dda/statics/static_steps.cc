@@ -108,6 +108,9 @@ namespace hybrid::dda
     for (Joint &joint : model.joints)
       if (!joint.within_bedrock())
         joint.law = joint.law.with(JointStrength::unlimited_bond());
+    for (BlockProperties &block : model.blocks)
+      block.strength = {};
+    model.blocks_yield = false;
     return model;
   }
 

@@ -36,15 +36,21 @@ namespace hybrid::dda
           kinetic_before += 0.5 * s.velocity.dot(m * s.velocity);
           energy.kinetic += 0.5 * v.dot(m * v);
 
-          const Eigen::Vector3d e = d.tail<3>(), stiff = p.elasticity * e;
+          const Eigen::Vector3d e       = step.stresses.elastic_strain(d.tail<3>(), b);
+          const Eigen::Vector3d plastic = step.stresses.plastic_strain(b);
+          const Eigen::Vector3d stiff   = p.elasticity * e;
+          const Eigen::Vector3d viscous = step.damping_time[b] / dt * stiff;
           energy.strain += p.area * strain_energy_density(p.elasticity, s.stress + stiff);
           energy.integration_loss += excess * p.area * stiff.dot(e);
           if (filter > 0.)
             energy.integration_loss += filter * d.dot(m * s.acceleration_change);
           energy.gravity +=
             p.weight * step.model.gravity * d[1] - p.pushed_mass * step.model.horizontal * d[0];
-          energy.damping_loss += p.area * e.dot((1. - nm.gamma) * s.viscous_stress +
-                                                nm.gamma * step.damping_time[b] / dt * stiff);
+          energy.damping_loss +=
+            p.area * e.dot((1. - nm.gamma) * s.viscous_stress + nm.gamma * viscous);
+          energy.yield_loss +=
+            p.area * plastic.dot((1. - nm.gamma) * (s.stress + s.viscous_stress) +
+                                 nm.gamma * (s.stress + stiff + viscous));
         }
       energy.damping_loss += (1. - k01 * k01) * kinetic_before;
     }

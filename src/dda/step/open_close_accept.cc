@@ -99,7 +99,8 @@ namespace hybrid::dda
   {
     const int    n  = model.n_blocks();
     const double dt = trial.dt;
-    state.energy    = audit_step({model, state, trial, springs, mass, damping_time, incoming});
+    state.energy =
+      audit_step({model, state, trial, springs, stresses, mass, damping_time, incoming});
     if (incoming.size() > 0)
       state.boundary_force = incoming;
     const double          gamma    = model.newmark.gamma;
@@ -120,8 +121,10 @@ namespace hybrid::dda
         const BlockMotion &move  = trial.motion[b];
         block.centroid           = move.centroid;
         block.rotation += trial.increment[b][2];
-        block.velocity               = rotated_rates(trial.rate[b], move.cosine, move.sine);
-        const Eigen::Vector3d stress = model.blocks[b].elasticity * trial.increment[b].tail<3>();
+        block.velocity = rotated_rates(trial.rate[b], move.cosine, move.sine);
+        const Eigen::Vector3d stress =
+          model.blocks[b].elasticity * stresses.elastic_strain(trial.increment[b].tail<3>(), b);
+        block.plastic_strain += shear_strain(stresses.plastic_strain(b));
         if (model.newmark.filter > 0.)
           block.acceleration_change =
             carried_rates(acceleration[b] - (block.acceleration - block.contact_acceleration),

@@ -93,9 +93,9 @@ namespace hybrid::dda
         const Vec6 inertia = mass[b] * ((trial.increment[b] - predicted[b]) / (beta * dt * dt));
         // The damping follows the mean strain rate of the step: with the rate at its end it would
         // feed what it damps while a contact holds (doc/theory.md).
-        const Eigen::Vector3d strain = (1. + damping_time[b] / dt) * trial.increment[b].tail<3>();
-        const Eigen::Vector3d stress = state.blocks[b].stress + p.elasticity * strain;
-        Eigen::Map<Vec6>      r(residual.data() + 6 * b);
+        const Eigen::Vector3d stress = stresses.evaluate(
+          p, state.blocks[b], trial.increment[b].tail<3>(), damping_time[b] / dt, b);
+        Eigen::Map<Vec6> r(residual.data() + 6 * b);
         r += weight * contact_force.segment<6>(6 * b) - inertia;
         r[0] += p.pushed_mass * model.horizontal;
         r[1] -= p.weight * model.gravity;
@@ -177,7 +177,7 @@ namespace hybrid::dda
     SpringStiffness::Choice choice{tangent.follow_softening,
                                    contact_weight(model.newmark),
                                    sliding_regularisation.value(),
-                                   tangent.all || model.n_bedrock > 0};
+                                   tangent.all || model.n_bedrock > 0 || model.blocks_yield};
     stiffness.update(springs, trial, choice);
     if (!stiffness.changed_blocks().empty() || choice.all)
       return;
@@ -205,11 +205,13 @@ namespace hybrid::dda
         matrix.set_row_zero(b);
         matrix.diagonal[b] = mass[b] / (beta * dt * dt);
         matrix.diagonal[b].bottomRightCorner<3, 3>() +=
-          p.area * (1. + damping_time[b] / dt) * p.elasticity;
+          p.area * stresses.tangent(p, damping_time[b] / dt, b);
         stiffness.add_rows(springs, b, matrix);
       }
     matrix.set_nodes_zero();
     stiffness.add_foundation(springs, matrix);
+    if (!stresses.is_symmetric())
+      matrix.symmetric = false;
     if (model.n_bedrock > 0)
       add_bedrock_stiffness({model, state, trial, incoming}, matrix);
     if (foundation.prescribed)

@@ -101,6 +101,7 @@ namespace hybrid::dda
       const Stopwatch timer(times.springs);
       springs.collect(model, state);
     }
+    stresses.begin(model);
     incoming = foundation.boundary_force;
     solver.set_slices(model.slice);
     solver.set_foundation_stiffness(foundation.prescribed ? nullptr : foundation.stiffness);

@@ -84,6 +84,12 @@ namespace hybrid::scene
   {
     ParameterSection section(table, {"Blocks"});
     declare_materials(section, blocks);
+    section.toggle(
+      "Yielding",
+      blocks.yielding,
+      "Blocks of the mass yield inside at the Mohr-Coulomb strength (Cohesion, Friction "
+      "angle, Dilation angle) of their material, so that the mass may shear where it has "
+      "no edges; without softening.");
     section.number("Penalty ratio",
                    blocks.penalty_ratio,
                    "",

@@ -46,6 +46,13 @@ namespace hybrid::scene
                    "Pa",
                    ParameterRange::at_least(0.),
                    "Tensile strength F_t of bonded joints.");
+    section.number(
+      "Dilation angle",
+      material.dilation_angle,
+      "deg",
+      {0., 90., true, false},
+      "Angle psi at which blocks that yield (Blocks/Yielding) grow as they shear; joints "
+      "do not dilate.");
     section.number_or("Residual friction angle",
                       {"same", material.residual_friction_angle},
                       "deg",
@@ -68,6 +75,11 @@ namespace hybrid::scene
                         "must not exceed Cohesion = " + number_text(material.cohesion) + " [Pa]");
     if (material.residual_friction_angle > material.friction_angle)
       throw table.error(path + "Residual friction angle",
+                        "must not exceed Friction angle = " + number_text(material.friction_angle) +
+                          " [deg]");
+
+    if (material.dilation_angle > material.friction_angle)
+      throw table.error(path + "Dilation angle",
                         "must not exceed Friction angle = " + number_text(material.friction_angle) +
                           " [deg]");
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/parameters/strength_reduction.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hybrid::scene
@@ -28,6 +29,7 @@ namespace hybrid::scene
                               &material.given_friction_angle,
                               &material.residual_friction_angle})
           divide_tangent(*angle, factor);
+        material.dilation_angle = std::min(material.dilation_angle, material.friction_angle);
         material.cohesion /= factor;
         material.tensile_strength /= factor;
         if (material.residual_cohesion > 0.)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/block/block_yield.h>
 #include <hybrid/scene/material.h>
 #include <hybrid/scene/types.h>
 
@@ -28,12 +29,13 @@ namespace hybrid::dda
     double size = 0.;                    ///< square root of the area [m]
     double sxx = 0., sxy = 0., syy = 0.; ///< initial mass moments about the centroid [kg m2/m]
     Eigen::Matrix3d elasticity =
-      Eigen::Matrix3d::Zero();         ///< (xx, yy, xy) stress from (ex, ey, gxy) [Pa]
-    double damping_time       = 0.;    ///< beta_K of stiffness-proportional damping [s]
-    double loose_damping_time = 0.;    ///< the least beta_K while no joint holds the block [s]
-    double modulus_factor     = 1.;    ///< on the material's Young modulus [-]
-    int    region             = 0;     ///< index of the mesh region
-    bool   saturated          = false; ///< initial centroid below the water level
+      Eigen::Matrix3d::Zero();             ///< (xx, yy, xy) stress from (ex, ey, gxy) [Pa]
+    BlockStrength strength;                ///< of its inside; unlimited unless blocks yield
+    double        damping_time       = 0.; ///< beta_K of stiffness-proportional damping [s]
+    double        loose_damping_time = 0.; ///< the least beta_K while no joint holds the block [s]
+    double        modulus_factor     = 1.; ///< on the material's Young modulus [-]
+    int           region             = 0;  ///< index of the mesh region
+    bool          saturated          = false; ///< initial centroid below the water level
   };
 
 
@@ -51,6 +53,9 @@ namespace hybrid::dda
       Eigen::Vector3d::Zero(); ///< elastic (xx, yy, xy) [Pa], tension positive
     Eigen::Vector3d viscous_stress =
       Eigen::Vector3d::Zero(); ///< of the damping, in the last step [Pa]
+    double plastic_strain =
+      0.; ///< sum of the sizes of plastic shear strain, see shear_strain() [-]
+    double rest_plastic_strain = 0.; ///< of it what the static stage has brought [-]
   };
 
 

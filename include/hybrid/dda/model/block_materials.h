@@ -32,7 +32,8 @@ namespace hybrid::dda
     }
 
     /// Properties that scatter, each with numbers of its own.
-    static constexpr int modulus_number = 0, body_strength_number = 1, belt_strength_number = 2;
+    static constexpr int modulus_number = 0, body_strength_number = 1, belt_strength_number = 2,
+                         block_strength_number = 3;
 
     /// Factor of a property with Weibull's @p shape (0: 1) at a place.
     double factor(const double shape, const int property, std::vector<Vec2> places) const

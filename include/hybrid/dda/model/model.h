@@ -132,6 +132,7 @@ namespace hybrid::dda
     double                        dynamic_coefficient = 1.; ///< k01 [-]
     double                        joint_damping_time  = 0.; ///< beta_K of the joints' springs [s]
     bool                          damps_loose         = false; ///< blocks have a loose_damping_time
+    bool                          blocks_yield        = false; ///< blocks have a limited strength
     Water                         water;
     EdgeLoads                     edge_loads;
     std::vector<MovingBlocks>     moving_blocks; ///< at t = 0; the others are at rest

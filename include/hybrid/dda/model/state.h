@@ -62,6 +62,7 @@ namespace hybrid::dda
     double gravity          = 0.; ///< potential of weight and water relative to the start, now
     double springs          = 0.; ///< stored in joints and contacts, now
     double friction_loss    = 0.; ///< plastic slip
+    double yield_loss       = 0.; ///< plastic strain of blocks
     double bedding_loss     = 0.; ///< slip and breaking of bedding planes
     double fracture_loss    = 0.; ///< tensile cracking
     double damping_loss     = 0.; ///< stiffness-proportional damping and dynamic coefficient
@@ -77,9 +78,9 @@ namespace hybrid::dda
     /// [J/m].
     double balance() const
     {
-      return kinetic + strain + gravity + springs + friction_loss + bedding_loss + fracture_loss +
-             damping_loss + integration_loss + spring_replacement_loss - foundation_work +
-             boundary_loss - input_work + static_work - edge_load_work;
+      return kinetic + strain + gravity + springs + friction_loss + yield_loss + bedding_loss +
+             fracture_loss + damping_loss + integration_loss + spring_replacement_loss -
+             foundation_work + boundary_loss - input_work + static_work - edge_load_work;
     }
   };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/dda/springs/springs.h>
+#include <hybrid/dda/step/block_stresses.h>
 
 namespace hybrid::dda
 {
@@ -21,6 +22,7 @@ namespace hybrid::dda
     const DdaState            &before; ///< state when the step began
     const Trial               &trial;
     const Springs             &springs;
+    const BlockStresses       &stresses;
     const std::vector<Mat6>   &mass;
     const std::vector<double> &damping_time; ///< beta_K of each block [s]
     const Eigen::VectorXd     &incoming;     ///< at artificial boundaries, end of the step [N/m]

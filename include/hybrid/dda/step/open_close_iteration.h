@@ -5,6 +5,7 @@
 #include <hybrid/dda/springs/interior_contacts.h>
 #include <hybrid/dda/springs/spring_stiffness.h>
 #include <hybrid/dda/springs/springs.h>
+#include <hybrid/dda/step/block_stresses.h>
 #include <hybrid/dda/step/foundation_response.h>
 #include <hybrid/dda/step/part_times.h>
 #include <hybrid/dda/step/sliding_regularisation.h>
@@ -128,6 +129,7 @@ namespace hybrid::dda
     LinearSolver          solver;
     SlidingRegularisation sliding_regularisation;
     Trial                 trial;
+    BlockStresses         stresses;
     std::vector<Mat6>     mass;
     std::vector<double>   damping_time; ///< beta_K of each block in this step [s]
     std::vector<Vec6>     predicted;    ///< Newmark's d*: a = (d - d*) / (beta dt^2)

@@ -93,6 +93,7 @@ namespace hybrid::scene
                                     ///< contact of the block material
     std::string
            saturated_belt_material; ///< same below the water level; empty: same as belt_material
+    bool   yielding        = false; ///< blocks yield inside at the strength of their joints
     bool   bonded          = true;  ///< edges shared by blocks are artificial joints
     double penalty_ratio   = 40.;   ///< alpha: joint stiffness k_n = alpha E / h [-], > 1
     double shear_ratio     = 1.;    ///< k_s / k_n [-], (0, 1]
