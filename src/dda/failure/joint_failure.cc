@@ -39,7 +39,8 @@ namespace hybrid::dda
 
 
 
-  void update_failure(const Joint &joint, const double time, JointState &state)
+  void
+  update_failure(const Joint &joint, const double time, JointState &state, const bool blocks_yield)
   {
     if (joint.kind == JointKind::bedding)
       return; // its own record says what it does (run.h5)
@@ -56,7 +57,8 @@ namespace hybrid::dda
       }
     const double has_yielded = std::max(yielding(state.points[0]), yielding(state.points[1]));
     if (state.failure != FailureKind::none ||
-        (joint.kind == JointKind::body && has_yielded > yield_fraction * joint.length))
+        (joint.kind == JointKind::body &&
+         has_yielded > (blocks_yield ? release_fraction : yield_fraction) * joint.length))
       state.has_yielded = true;
     const double reach = release_fraction * joint.length;
     if (state.failure != FailureKind::none && !joint.within_bedrock() &&

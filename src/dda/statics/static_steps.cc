@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace hybrid::dda
@@ -46,6 +47,65 @@ namespace hybrid::dda
 
 
 
+    /// True if the forces that are left drive the blocks on the way that they move.
+    bool gains_speed(const Model &problem, const DdaState &state)
+    {
+      double power = 0.;
+      for (int b = 0; b < problem.n_blocks(); ++b)
+        {
+          const BlockState &block = state.blocks[b];
+          power +=
+            block.velocity.dot(mass_matrix(problem.blocks[b], block.rotation) * block.acceleration);
+        }
+      return power > 0.;
+    }
+
+
+
+    /**
+     * How static steps of blocks that yield go on. Their plastic zones grow with every step, so
+     * that a step that was too long is so again soon; and what fails does so by many short steps.
+     */
+    class YieldPace
+    {
+    public:
+      void step_failed(const double dt)
+      {
+        too_long = dt;
+        good     = 0;
+      }
+
+      /// @param unbalanced relative force that is left after the step
+      void step_done(const Model &problem, const DdaState &state, const double unbalanced)
+      {
+        constexpr double hardly = 0.9; // less than a tenth has been balanced
+        keeps                   = unbalanced > hardly * before && gains_speed(problem, state);
+        before                  = unbalanced;
+        ++good;
+      }
+
+      /// The velocities are not set to zero: the blocks move on and gain speed.
+      bool keeps_velocity() const
+      {
+        return keeps;
+      }
+
+      /// A step as long as the last one that failed is not yet tried again.
+      bool waits(const double dt) const
+      {
+        constexpr int few = 4;
+        return dt >= too_long && good < few;
+      }
+
+    private:
+      double too_long = std::numeric_limits<double>::infinity(); ///< step that failed last [s]
+      double before   = std::numeric_limits<double>::infinity(); ///< unbalanced, a step ago [-]
+      int    good     = 0;                                       ///< steps since one has failed
+      bool   keeps    = false;
+    };
+
+
+
     /// No joint holds a block of the sliding mass.
     bool is_loose(const Model &model, const DdaState &state)
     {
@@ -58,11 +118,14 @@ namespace hybrid::dda
     }
 
 
-    /// True if a joint of the mass that holds has slipped by a tenth of its length: the mass
-    /// moves, and farther on the joint would pull askew.
-    bool slides_on_joints(const Model &problem, const DdaState &state)
+    /// True if a joint of the mass that holds has slipped by a tenth of its length, or a block has
+    /// sheared by as much: the mass moves, and farther on the joint would pull askew.
+    bool slides_or_shears(const Model &problem, const DdaState &state)
     {
       constexpr double fraction = 0.1;
+      for (const BlockState &block : state.blocks)
+        if (block.plastic_strain > fraction)
+          return true;
       for (std::size_t j = 0; j < problem.joints.size(); ++j)
         for (const SpringState &point : state.joints[j].points)
           if (!state.joints[j].released && !problem.joints[j].within_bedrock() &&
@@ -138,9 +201,11 @@ namespace hybrid::dda
     std::optional<StickPredictorSteps>
       from_hold; // of loose blocks, once plain steps have not converged
 
+    YieldPace yielding;
     for (double dt = first_step; result.steps < pace.maximum_steps && dt >= smallest_step;)
       {
-        stop_blocks(state);
+        if (!yielding.keeps_velocity())
+          stop_blocks(state);
         StepResult step;
         if (from_hold)
           {
@@ -161,6 +226,7 @@ namespace hybrid::dda
         if (!step.converged)
           {
             ++result.cuts;
+            yielding.step_failed(dt);
             dt /= 4.;
             const bool hopeless = result.steps == 0 || result.cuts >= many_cuts;
             if (!from_hold && hopeless && is_loose(problem, state))
@@ -184,8 +250,14 @@ namespace hybrid::dda
             result.moving_block = -1;
             break;
           }
-        if (slides_on_joints(problem, state))
+        if (slides_or_shears(problem, state))
           break;
+        if (problem.blocks_yield)
+          {
+            yielding.step_done(problem, state, step.unbalanced);
+            if (yielding.waits(pace.growth * dt))
+              continue;
+          }
         dt = std::min(largest_step, pace.growth * dt);
       }
     stop_blocks(state);

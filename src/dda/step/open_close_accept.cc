@@ -153,7 +153,7 @@ namespace hybrid::dda
             JointState &joint        = state.joints[spring.joint];
             joint.points[spring.end] = response.now;
             if (spring.end == 1)
-              update_failure(model.joints[spring.joint], state.time, joint);
+              update_failure(model.joints[spring.joint], state.time, joint, model.blocks_yield);
             continue;
           }
         Contact &contact      = state.contacts[spring.contact];

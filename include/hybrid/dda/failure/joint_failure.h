@@ -14,10 +14,12 @@ namespace hybrid::dda
    * end (at 180 degrees it turns round). A failed joint that has slid or
    * opened by a tenth of its length is released: vertex contacts take over. From the
    * failure on it has yielded: its blocks look at all their neighbours. So has a
-   * joint of the body that has slid or opened by 1/400 of its length before.
+   * joint of the body that has slid or opened by 1/400 of its length before, of blocks that yield
+   * by a tenth: their corners would be crushed where stiff ones catch.
    * Bedding planes are not counted.
    *
    * @param time at the end of the step [s]; negative: in the static stage
    */
-  void update_failure(const Joint &joint, double time, JointState &state);
+  void
+  update_failure(const Joint &joint, double time, JointState &state, bool blocks_yield = false);
 } // namespace hybrid::dda
