@@ -20,7 +20,7 @@ Line(1) = {1, 2};
 Line(2) = {2, 3};
 Line(3) = {4, 3};
 If (depth > 0)
-  Point(5) = {-front, -depth, 0};
+  Point(5) = {-front + 0.02 * depth, -depth, 0}; // a surface runs from left to right: no vertical wall on this side
   Point(6) = {-front, 0, 0};
   Line(4)  = {5, 4};
   Line(5)  = {6, 5};

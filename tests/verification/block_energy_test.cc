@@ -75,6 +75,31 @@ TEST(BlockEnergyAudit, cantilever_released_under_its_weight_vibrates)
 
 
 
+TEST(BlockEnergyAudit, cantilever_yields_under_its_weight)
+{
+  for (const char *preset : {"dissipative", "trapezoidal", "shi"})
+    for (const double damping_time : {0., 2e-3})
+      {
+        FixedBaseRun run       = cantilever(1e9, preset);
+        run.model.blocks_yield = true;
+        for (dda::BlockProperties &block : run.model.blocks)
+          {
+            block.strength     = {5e4, std::sin(0.4), std::cos(0.4), std::sin(0.1)};
+            block.damping_time = damping_time;
+          }
+        const Audit audit  = run_with_audit(run, 0.6, 1e-3);
+        double      strain = 0.;
+        for (const dda::BlockState &block : run.state.blocks)
+          strain = std::max(strain, block.plastic_strain);
+        EXPECT_GT(strain, 1e-4) << preset;
+        EXPECT_GT(run.state.energy.yield_loss, 0.01 * audit.exchanged) << preset;
+        EXPECT_GE(run.state.energy.integration_loss, -1e-6 * audit.exchanged) << preset;
+        EXPECT_LT(audit.residual, 1e-3 * audit.exchanged) << preset;
+      }
+}
+
+
+
 TEST(BlockEnergyAudit, block_slides_down_an_incline)
 {
   const double slope = 30. * M_PI / 180.;

@@ -19,6 +19,7 @@ from determinism_test import differences, run
 
 # The scenes: file and overrides that make them short.
 COLUMN = ["coupled_column.prm", "Time/End time=0.06"]
+WEAK = COLUMN + ["Materials/rock/Cohesion=7e4", "Materials/rock/Friction angle=20", "Gravity/Static stage=equilibrium or move"]
 BAR = ["coulomb_joint.prm", "Time/End time=0.1", "Time/Time step=0.002", "Output/Audit interval=0.01", "Motion/Peak=20",
        "Motion/Frequency=10", "Time/Scheme=dissipative",  # whatever the planes do
        "Mesh/Numbers=Lying = 1; Length = 60; Planes = 1; First plane = 20; Resolution/h = 10",
@@ -75,6 +76,8 @@ EFFECTS = {
     "fracture": (COLUMN, ["Blocks/Fracture energy=200", "Blocks/Softening slip=0.5", "Materials/rock/Residual cohesion=100",
                           "Materials/rock/Residual friction angle=5"], None,
                  ["Materials/rock/Tensile strength=0", "Materials/rock/Cohesion=1e3", "Gravity/Static stage=equilibrium or move"]),
+    "yielding": (WEAK, ["Blocks/Yielding=false", "Materials/rock/Dilation angle=5"], None,
+                 ["Blocks/Yielding=true", "Materials/rock/Dilation angle=5"]),
     "motion": (SLOPE, ["Motion/Type=none", "Motion/Frequency=5", "Motion/Angle=30", "Motion/Start=0.01"],
                ["Motion/Type=ricker", "Motion/Peak=0", "Motion/Angle=30"], ["Motion/Type=ricker", "Motion/Peak=2"]),
     "continuum": (SLOPE, ["Model/Bedrock=rigid", "Continuum/Materials=rock", "Continuum/Degree=3", "Continuum/Sides=fixed"], None,

@@ -113,14 +113,21 @@ def tell_bracket(label, bracket):
 def warn_of_edges(bracket, results):
     """A mass that shears through itself does so along the edges that its mesh happens to have."""
     results["parting_within_mass"] = part = figure.parting(bracket)
-    if part > APART:
+    results["blocks_yield"] = figure.plastic_strain(bracket) is not None
+    if part > APART and not results["blocks_yield"]:
         print("warning: the mass fails through itself, along the edges of its blocks (they part by %.0f %% of the largest motion):\n"
-              "  this is too strong, for a homogeneous slope by a fifth to a third; give it a sliding surface" % (100 * part))
+              "  this is too strong, for a homogeneous slope by a fifth to a third; give it a sliding surface, or let its blocks yield\n"
+              "  (Blocks/Yielding=true)" % (100 * part))
 
 
-def warn_of_no_jump(bracket, results):
-    """The static stage gives up where a joint has slipped by a tenth of its length, also if it would come to rest farther on."""
-    results["jump_of_displacement"] = jump = bracket.fails.displacement / max(bracket.stands.displacement, 1e-300)
+def warn_of_no_jump(bracket, trials, results):
+    """The static stage gives up where a joint has slipped by a tenth of its length, also if it would come to rest farther on.
+
+    A mass of blocks that yield settles more and more before it fails: what it moved where it stood most firmly is compared."""
+    stands = bracket.stands.displacement
+    if results["blocks_yield"]:
+        stands = min(trial.displacement for trial in trials if trial.stands)
+    results["jump_of_displacement"] = jump = bracket.fails.displacement / max(stands, 1e-300)
     if jump < JUMP and bracket.fails.planes_hold:
         print("warning: displacement does not jump at failure (%.3g times as large): a joint slipped by a tenth of its length,\n"
               "  which may be elastic (stiffer blocks, longer edges) or on a bent surface that locks (shorter edges): vary both" % jump)
@@ -139,7 +146,7 @@ def main(words):
                name: bracket.value, "stands": bracket.stands.value, "fails": bracket.fails.value}
     tell_bracket("yield coefficient" if name == "yield" else "factor of safety", bracket)
     warn_of_edges(bracket, results)
-    warn_of_no_jump(bracket, results)
+    warn_of_no_jump(bracket, trials.done, results)
     write_results(directory, name, results, trials)
     figure.draw(bracket, trials.done, directory, name)
     if found.newmark:

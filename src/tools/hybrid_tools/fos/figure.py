@@ -42,15 +42,26 @@ def parting(bracket):
     return float(np.linalg.norm(high - low, axis=1).max())
 
 
+def plastic_strain(bracket):
+    """Plastic shear strain of each block added between the trial that stands and the one that fails [-]; None: blocks do not yield."""
+    path = "section/blocks_plastic_strain"
+    if not (bracket.fails.run().has(path) and bracket.stands.run().has(path)):
+        return None
+    return np.maximum(bracket.fails.run().get(path) - bracket.stands.run().get(path), 0.0)
+
+
 def draw_mechanism(bracket, axes):
+    """Colours: plastic shear strain where blocks yield, else displacement. Arrows: displacement."""
     points, motion, offsets = mechanism(bracket)
     run = bracket.fails.run()
     polygons = np.split(points, offsets[1:-1])
     of_block = np.array([m.mean(axis=0) for m in np.split(motion, offsets[1:-1])])
     centres = np.array([p.mean(axis=0) for p in polygons])
     size = np.linalg.norm(of_block, axis=1)
-    shown = PolyCollection(polygons, array=size, cmap=style.DISPLACEMENT_MAP, edgecolors="#5b4a3a", lw=0.15, zorder=2)
-    shown.set_clim(0, 1)
+    strain = plastic_strain(bracket)
+    shown = PolyCollection(polygons, array=size if strain is None else 100 * strain, cmap=style.DISPLACEMENT_MAP, edgecolors="#5b4a3a",
+                           lw=0.15, zorder=2)
+    shown.set_clim(0, 1 if strain is None else max(100 * np.percentile(strain, 99), 1e-9))
     axes.add_collection(shown)
     if run.has("section/outline"):
         axes.add_collection(LineCollection(run.get("section/outline").reshape(-1, 2, 2), colors=style.ROCK_EDGE, lw=1.1, zorder=3))
@@ -69,7 +80,7 @@ def draw_mechanism(bracket, axes):
     axes.set_xlabel("x [m]")
     axes.set_ylabel("y [m]")
     bar = axes.figure.colorbar(shown, cax=axes.inset_axes([1.012, 0.0, 0.014, 1.0]))
-    bar.set_label("displacement / largest [-]")
+    bar.set_label("displacement / largest [-]" if strain is None else "plastic shear strain [%]")
     bar.outline.set_linewidth(0.5)
     axes.set_title("Mechanism: from the trial that stands to the one that fails")
 

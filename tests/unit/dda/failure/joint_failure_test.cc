@@ -47,6 +47,19 @@ TEST(JointFailure, joint_that_has_yielded_wakes_its_blocks_before_it_fails)
 
 
 
+TEST(JointFailure, joint_of_blocks_that_yield_wakes_them_after_a_tenth_of_its_length)
+{
+  for (const double slip : {0.39, 0.41})
+    {
+      JointState state;
+      state.points[0].history.plastic_slip = slip;
+      update_failure(bond(), 1., state, true);
+      EXPECT_EQ(state.has_yielded, slip > 0.4);
+    }
+}
+
+
+
 TEST(JointFailure, belt_that_slides_wakes_nobody)
 {
   Joint belt = bond();

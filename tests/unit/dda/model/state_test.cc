@@ -34,6 +34,8 @@ namespace hybrid::dda
       block.contact_acceleration = Vec6::LinSpaced(16., 21.);
       block.stress               = {22., 23., 24.};
       block.viscous_stress       = {25., 26., 27.};
+      block.plastic_strain       = 28.;
+      block.rest_plastic_strain  = 29.;
       const BlockState copy      = copied(block);
       EXPECT_EQ(copy.centroid, block.centroid);
       EXPECT_EQ(copy.rotation, block.rotation);
@@ -42,6 +44,8 @@ namespace hybrid::dda
       EXPECT_EQ(copy.contact_acceleration, block.contact_acceleration);
       EXPECT_EQ(copy.stress, block.stress);
       EXPECT_EQ(copy.viscous_stress, block.viscous_stress);
+      EXPECT_EQ(copy.plastic_strain, block.plastic_strain);
+      EXPECT_EQ(copy.rest_plastic_strain, block.rest_plastic_strain);
     }
 
 

@@ -56,6 +56,33 @@ TEST(StaticStage, bonded_column_carries_its_own_weight)
 
 
 
+TEST(StaticStage, column_of_blocks_that_yield_stands_as_high_as_its_cohesion_bears)
+{
+  scene::SectionMesh mesh = square_blocks(1, 8);
+  mesh.lines["sliding_surface"].push_back({0, 1});
+  const double lowest = 7.5 * weight; // mean vertical stress of the lowest block [Pa]
+  for (const double part : {0.97, 1.03})
+    {
+      Model model        = build_model(mesh, strong(30.), straight_foundation(0., 0., 1., 1));
+      model.blocks_yield = true;
+      for (BlockProperties &block : model.blocks)
+        block.strength = {part * 0.5 * lowest, 0., 1., 0.}; // bears twice its cohesion
+      DdaState           state = initial_state(model);
+      const StaticResult r     = settle(model, state);
+      EXPECT_EQ(r.equilibrium, part > 1.);
+      const double strain = state.blocks[0].plastic_strain;
+      EXPECT_EQ(state.blocks[7].plastic_strain, 0.);
+      EXPECT_EQ(state.blocks[0].rest_plastic_strain, 0.); // softening is not reset
+      EXPECT_EQ(strain > 0.05, part < 1.);
+
+      DdaState held = initial_state(model);
+      EXPECT_TRUE(settle(model, held, true).equilibrium);
+      EXPECT_EQ(held.blocks[0].plastic_strain, 0.);
+    }
+}
+
+
+
 TEST(StaticStage, whoever_watches_is_told_and_can_end_it)
 {
   scene::SectionMesh mesh = square_blocks(1, 8);

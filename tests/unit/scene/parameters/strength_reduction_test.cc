@@ -24,6 +24,7 @@ namespace hybrid::scene
       soil.residual_friction_angle = 20.;
       soil.cohesion                = 9.;
       soil.tensile_strength        = 6.;
+      soil.dilation_angle          = 35.;
       soil.residual_cohesion       = 3.;
       soil.young_modulus           = 5e6;
       scene.bedding.friction_angle = 25.;
@@ -33,6 +34,7 @@ namespace hybrid::scene
       divide_strengths(scene, 1.5);
       EXPECT_NEAR(tan_degrees(soil.friction_angle), tan_degrees(40.) / 1.5, 1e-14);
       EXPECT_NEAR(tan_degrees(soil.residual_friction_angle), tan_degrees(20.) / 1.5, 1e-14);
+      EXPECT_EQ(soil.dilation_angle, soil.friction_angle); // no more than friction
       EXPECT_DOUBLE_EQ(soil.cohesion, 6.);
       EXPECT_DOUBLE_EQ(soil.tensile_strength, 4.);
       EXPECT_DOUBLE_EQ(soil.residual_cohesion, 2.);
