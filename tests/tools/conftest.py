@@ -18,7 +18,8 @@ import make_synthetic_run  # noqa: E402 (needs the path above)
 def hybrid():
     """hybrid("plot", "output", ..., cwd=...): the program with these words; its output as text."""
     def call(*words, **options):
-        return subprocess.run([os.environ["HYBRID_PROGRAM"], *map(str, words)], capture_output=True, text=True, timeout=600, **options)
+        return subprocess.run([os.environ["HYBRID_PROGRAM"], *map(str, words)], capture_output=True, text=True,
+                              timeout=3000 if "HYBRID_LONG" in os.environ else 600, **options)
 
     return call
 
