@@ -8,9 +8,10 @@ from scene_numbers import Numbers
 
 MESHES = pathlib.Path(__file__).resolve().parents[3] / "meshes"
 SEEDS = (2, 3)  # of further meshes
+YIELDING_SEEDS = (1, 2, 3)  # of meshes whose blocks yield
 LATERAL = 0.1  # lateral over axial traction of the confined specimen [-]
 SHORTENED = 3.0  # has collapsed: times the shortening of the elastic specimen at its strength
-LOAD, LOAD_STRUCTURED, LOAD_CALIBRATED = 1.15, 1.08, 1.1  # at the end, over the strength expected
+LOAD, LOAD_STRUCTURED, LOAD_CALIBRATED, LOAD_YIELDING = 1.15, 1.08, 1.1, 1.035  # at the end, over the strength expected
 
 
 def mohr_coulomb(rock):
@@ -92,6 +93,12 @@ def check(case):
         strengths.append(specimen.strength)
     factor = np.mean(strengths) / expected
     case.near("edges in all directions, mean of %d meshes: strength" % len(strengths), factor * expected, expected, 0.1, "Pa")
+
+    # Blocks that yield: no mesh is too strong.
+    for seed in YIELDING_SEEDS:
+        specimen = press.run("yielding_%d" % seed, expected, ("Blocks/Yielding=true",), load=LOAD_YIELDING, Seed=seed)
+        case.curves["blocks yield, seed %d" % seed] = specimen
+        case.near("blocks that yield, seed %d: strength" % seed, specimen.strength, expected, 0.025, "Pa")
 
     # Calibrated: cohesion and tensile strength over that factor.
     weaker = ("Materials/rock/Cohesion=%.8g" % (rock.cohesion / factor), "Materials/rock/Tensile strength=%.8g" % (rock.tensile_strength / factor))
