@@ -57,8 +57,8 @@ namespace hybrid::dda
   /// The same problem with contacts that never slide.
   Model with_unlimited_friction(Model model);
 
-  /// The same problem with bonds and blocks of the mass that never give way. Planes in the bedrock keep their
-  /// strengths.
+  /// The same problem with bonds and blocks of the mass that never give way. Planes in the bedrock
+  /// keep their strengths.
   Model with_unlimited_bonds(Model model);
 
   /// Neither friction nor bonds of the mass give way.
