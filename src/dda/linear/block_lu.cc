@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/block_inverse.h>
 #include <hybrid/dda/linear/block_lu.h>
 #include <hybrid/restart/archive.h>
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <iterator>
@@ -14,11 +13,6 @@ namespace hybrid::dda
     /// Of a block of the diagonal while others are eliminated; times the round-off it is the error
     /// of the factors (Wilkinson 1961).
     constexpr double max_growth = 1e4;
-
-    bool is_zero(const BlockMatrix &matrix, const std::size_t pair)
-    {
-      return matrix.off_diagonal[pair].isZero(0.) && matrix.lower[pair].isZero(0.);
-    }
   } // namespace
 
 
@@ -29,7 +23,7 @@ namespace hybrid::dda
     for (auto &list : neighbours)
       list.clear();
     for (std::size_t s = 0; s < matrix.pairs.size(); ++s)
-      if (!is_zero(matrix, s))
+      if (!matrix.is_zero(s))
         for (const int end : {0, 1})
           neighbours[matrix.pairs[s][end]].push_back(matrix.pairs[s][1 - end]);
     for (auto &list : neighbours)
@@ -139,7 +133,7 @@ namespace hybrid::dda
       diagonal[p] = matrix.diagonal[block[p]];
     for (std::size_t s = 0; s < matrix.pairs.size(); ++s)
       {
-        if (is_zero(matrix, s))
+        if (matrix.is_zero(s))
           continue;
         const int         i = place[matrix.pairs[s][0]], j = place[matrix.pairs[s][1]];
         const std::size_t e = entry(std::min(i, j), std::max(i, j));
@@ -174,7 +168,7 @@ namespace hybrid::dda
     for (int p = 0; p < matrix.n_blocks(); ++p)
       {
         const double start = matrix.diagonal[block[p]].cwiseAbs().maxCoeff();
-        inverse[p]         = Eigen::PartialPivLU<Mat6>(diagonal[p]).inverse();
+        inverse[p]         = block_inverse(diagonal[p]);
         if (!inverse[p].allFinite() || !(diagonal[p].cwiseAbs().maxCoeff() <= max_growth * start))
           return false;
         for (int a = begin[p]; a < begin[p + 1]; ++a)

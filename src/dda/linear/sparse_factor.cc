@@ -3,8 +3,6 @@
 #include <hybrid/restart/archive.h>
 
 #include <algorithm>
-#include <cholmod.h>
-#include <cstring>
 #include <umfpack.h>
 #include <vector>
 
@@ -35,7 +33,7 @@ namespace hybrid::dda
 
     /// Blocks of each block column, rows increasing; the diagonal block is the one with row =
     /// column.
-    Columns block_columns(const BlockMatrix &matrix, const bool upper_only)
+    Columns block_columns(const BlockMatrix &matrix)
     {
       Columns columns(matrix.n_blocks());
       for (int b = 0; b < matrix.n_blocks(); ++b)
@@ -44,8 +42,7 @@ namespace hybrid::dda
         {
           const int i = matrix.pairs[s][0], j = matrix.pairs[s][1];
           columns[j].push_back({i, static_cast<int>(s)});
-          if (!upper_only)
-            columns[i].push_back({j, ~static_cast<int>(s)});
+          columns[i].push_back({j, ~static_cast<int>(s)});
         }
       for (auto &column : columns)
         std::sort(column.begin(), column.end());
@@ -67,21 +64,19 @@ namespace hybrid::dda
     struct CompressedColumns
     {
       Columns             columns;
-      bool                upper_only = false;
       std::vector<int>    start, rows;
       std::vector<double> values;
 
-      void set_pattern(const BlockMatrix &matrix, const bool upper)
+      void set_pattern(const BlockMatrix &matrix)
       {
-        upper_only = upper;
-        columns    = block_columns(matrix, upper);
+        columns = block_columns(matrix);
         start.assign(1, 0);
         rows.clear();
         for (int j = 0; j < matrix.n_blocks(); ++j)
           for (int c = 0; c < 6; ++c)
             {
               for (const Entry &entry : columns[j])
-                for (int r = 0; r < rows_in(entry, j, c); ++r)
+                for (int r = 0; r < 6; ++r)
                   rows.push_back(6 * entry.row + r);
               start.push_back(static_cast<int>(rows.size()));
             }
@@ -102,114 +97,12 @@ namespace hybrid::dda
             for (const Entry &entry : columns[j])
               {
                 const Mat6 &block = block_of(matrix, j, entry);
-                for (int r = 0; r < rows_in(entry, j, c); ++r)
+                for (int r = 0; r < 6; ++r)
                   values[at++] = block(r, c);
               }
       }
-
-    private:
-      int rows_in(const Entry &entry, const int block_column, const int column) const
-      {
-        return upper_only && entry.row == block_column ? column + 1 : 6;
-      }
     };
   } // namespace
-
-
-
-  struct SparseFactor::Cholesky
-  {
-    cholmod_common    common;
-    CompressedColumns matrix;
-    cholmod_factor   *factor          = nullptr;
-    cholmod_dense    *x               = nullptr; ///< kept workspaces of cholmod_solve2
-    cholmod_dense    *y               = nullptr;
-    cholmod_dense    *e               = nullptr;
-    int               pattern_version = -1;
-
-    Cholesky()
-    {
-      cholmod_start(&common);
-      common.supernodal = CHOLMOD_AUTO;
-      common.print      = 0;
-    }
-
-    ~Cholesky()
-    {
-      cholmod_free_factor(&factor, &common);
-      cholmod_free_dense(&x, &common);
-      cholmod_free_dense(&y, &common);
-      cholmod_free_dense(&e, &common);
-      cholmod_finish(&common);
-    }
-
-    cholmod_sparse view()
-    {
-      cholmod_sparse a;
-      std::memset(&a, 0, sizeof(a));
-      a.nrow = a.ncol = matrix.start.size() - 1;
-      a.nzmax         = matrix.values.size();
-      a.p             = matrix.start.data();
-      a.i             = matrix.rows.data();
-      a.x             = matrix.values.data();
-      a.stype         = 1; // the upper triangle stands for all
-      a.itype         = CHOLMOD_INT;
-      a.xtype         = CHOLMOD_REAL;
-      a.dtype         = CHOLMOD_DOUBLE;
-      a.sorted = a.packed = 1;
-      return a;
-    }
-
-    void analyze()
-    {
-      cholmod_free_factor(&factor, &common);
-      cholmod_sparse a = view();
-      factor           = cholmod_analyze(&a, &common);
-    }
-
-    bool factorize()
-    {
-      cholmod_sparse a = view();
-      return cholmod_factorize(&a, factor, &common) && common.status == CHOLMOD_OK;
-    }
-
-    bool factorize(const BlockMatrix &source)
-    {
-      if (pattern_version != source.pattern_version())
-        {
-          matrix.set_pattern(source, true);
-          analyze();
-          pattern_version = source.pattern_version();
-        }
-      matrix.set_values(source);
-      return factorize();
-    }
-
-    /// The analysis depends on the pattern alone: it is made again whenever the factor is.
-    /// @param is_used this factor serves.
-    void serialize(restart::Archive &archive, const bool is_used)
-    {
-      CompressedColumns none;
-      archive(is_used ? matrix : none);
-      if (!archive.is_reading() || !is_used)
-        return;
-      analyze();
-      factorize();
-    }
-
-    void solve(const Eigen::VectorXd &b, Eigen::VectorXd &result)
-    {
-      cholmod_dense right;
-      std::memset(&right, 0, sizeof(right));
-      right.nrow = right.d = right.nzmax = factor->n;
-      right.ncol                         = 1;
-      right.x                            = const_cast<double *>(b.data());
-      right.xtype                        = CHOLMOD_REAL;
-      right.dtype                        = CHOLMOD_DOUBLE;
-      cholmod_solve2(CHOLMOD_A, factor, &right, nullptr, &x, nullptr, &y, &e, &common);
-      std::copy_n(static_cast<const double *>(x->x), right.nrow, result.data());
-    }
-  };
 
 
 
@@ -241,7 +134,7 @@ namespace hybrid::dda
       const std::size_t n = 6 * static_cast<std::size_t>(source.n_blocks());
       if (pattern_version != source.pattern_version())
         {
-          matrix.set_pattern(source, false);
+          matrix.set_pattern(source);
           umfpack_di_free_symbolic(&symbolic);
           pattern_version = source.pattern_version();
           int_work.resize(n);
@@ -294,7 +187,7 @@ namespace hybrid::dda
       if (keeps_pattern)
         {
           const CompressedColumns stored = matrix;
-          matrix.set_pattern(source, false);
+          matrix.set_pattern(source);
           matrix.values   = stored.values;
           pattern_version = source.pattern_version();
         }
@@ -324,8 +217,7 @@ namespace hybrid::dda
 
 
   SparseFactor::SparseFactor()
-    : cholesky(std::make_unique<Cholesky>())
-    , lu(std::make_unique<Lu>())
+    : lu(std::make_unique<Lu>())
   {}
 
 
@@ -337,11 +229,11 @@ namespace hybrid::dda
   bool SparseFactor::factorize(const BlockMatrix &matrix)
   {
     size = 0;
-    if (matrix.symmetric && cholesky->factorize(matrix))
-      kind = Kind::cholesky;
-    else if (block_lu.analyze(matrix) <= few_products * matrix.n_blocks() &&
-             block_lu.factorize(matrix))
+    if (!matrix.symmetric && block_lu.analyze(matrix) <= few_products * matrix.n_blocks() &&
+        block_lu.factorize(matrix))
       kind = Kind::block_lu;
+    else if (frontal.factorize(matrix))
+      kind = Kind::frontal;
     else if (lu->factorize(matrix))
       kind = Kind::lu;
     else
@@ -356,7 +248,7 @@ namespace hybrid::dda
   {
     archive(size, kind);
     lu->serialize(archive, matrix, size > 0 && kind == Kind::lu);
-    cholesky->serialize(archive, size > 0 && kind == Kind::cholesky);
+    frontal.serialize(archive, size > 0 && kind == Kind::frontal);
     BlockLu none;
     archive(size > 0 && kind == Kind::block_lu ? block_lu : none);
   }
@@ -374,8 +266,8 @@ namespace hybrid::dda
   {
     switch (kind)
       {
-        case Kind::cholesky:
-          cholesky->solve(b, x);
+        case Kind::frontal:
+          frontal.solve(b, x);
           break;
         case Kind::lu:
           lu->solve(b, x);

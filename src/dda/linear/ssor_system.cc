@@ -1,36 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/block_inverse.h>
 #include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/linear/ssor_system.h>
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
 
 namespace hybrid::dda
 {
-  namespace
-  {
-    /// Inverse by halves: those of the motion of the centroid and of the strains.
-    Mat6 inverse(const Mat6 &a)
-    {
-      const auto            upper = a.topLeftCorner<3, 3>(), right = a.topRightCorner<3, 3>();
-      const auto            left = a.bottomLeftCorner<3, 3>(), lower = a.bottomRightCorner<3, 3>();
-      const Eigen::Matrix3d first       = upper.inverse();
-      const Eigen::Matrix3d first_right = first * right;
-      const Eigen::Matrix3d second      = (lower - left * first_right).inverse();
-      const Eigen::Matrix3d second_left = second * left * first;
-      Mat6                  result;
-      result.topLeftCorner<3, 3>()     = first + first_right * second_left;
-      result.topRightCorner<3, 3>()    = -first_right * second;
-      result.bottomLeftCorner<3, 3>()  = -second_left;
-      result.bottomRightCorner<3, 3>() = second;
-      return result;
-    }
-  } // namespace
-
-
-
   void SsorSystem::set_slices(const std::vector<int> &slice_of_block)
   {
     if (slice_of_block == slice)
@@ -62,7 +39,7 @@ namespace hybrid::dda
   void SsorSystem::set_row(const int block)
   {
     const int p                  = order.place[block];
-    inverse_diagonal[p]          = inverse(matrix->diagonal[block]);
+    inverse_diagonal[p]          = block_inverse(matrix->diagonal[block]);
     weight.segment<6>(6 * block) = matrix->diagonal[block].diagonal();
     const auto copy              = [&](const int first, const int last) {
       int end = first;

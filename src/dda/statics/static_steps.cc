@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/statics/great_static_steps.h>
+#include <hybrid/dda/statics/static_step_parts.h>
 #include <hybrid/dda/statics/static_steps.h>
 #include <hybrid/dda/statics/stick_predictor_steps.h>
 #include <hybrid/dda/step/block_solver.h>
@@ -12,38 +14,11 @@ namespace hybrid::dda
 {
   namespace
   {
-    constexpr double target_residual = 1e-9;
-    constexpr double first_step      = 0.0156; ///< pseudo time step [s]
-    constexpr double smallest_step   = 1e-5;
-    constexpr double largest_step    = 1e3;
-    constexpr int    many_cuts       = 4;  ///< of plain steps after the first one
-    constexpr double great_step      = 1.; ///< in which inertia hardly counts [s]
-
-
-
-    void stop_blocks(DdaState &state)
-    {
-      for (BlockState &block : state.blocks)
-        {
-          block.velocity.setZero();
-          block.acceleration.setZero();
-          block.contact_acceleration.setZero();
-          block.viscous_stress.setZero();
-        }
-    }
-
-
-
-    /// The open-close iterations of the step under way, and what was done before.
-    OpenCloseIteration::Watch watch_of_step(const StaticWatch &watch, const StaticResult &result)
-    {
-      return [&watch, &result](const StepResult &step) {
-        return watch({result.steps,
-                      result.iterations + step.iterations,
-                      result.steps > 0 ? result.residual : 1.,
-                      target_residual});
-      };
-    }
+    constexpr double first_step    = 0.0156; ///< pseudo time step [s]
+    constexpr double smallest_step = 1e-5;
+    constexpr double largest_step  = 1e3;
+    constexpr int    many_cuts     = 4;  ///< of plain steps after the first one
+    constexpr double great_step    = 1.; ///< in which inertia hardly counts [s]
 
 
 
@@ -116,23 +91,6 @@ namespace hybrid::dda
           return false;
       return true;
     }
-
-
-    /// True if a joint of the mass that holds has slipped by a tenth of its length, or a block has
-    /// sheared by as much: the mass moves, and farther on the joint would pull askew.
-    bool slides_or_shears(const Model &problem, const DdaState &state)
-    {
-      constexpr double fraction = 0.1;
-      for (const BlockState &block : state.blocks)
-        if (block.plastic_strain > fraction)
-          return true;
-      for (std::size_t j = 0; j < problem.joints.size(); ++j)
-        for (const SpringState &point : state.joints[j].points)
-          if (!state.joints[j].released && !problem.joints[j].within_bedrock() &&
-              std::abs(point.slip) > fraction * problem.joints[j].length)
-            return true;
-      return false;
-    }
   } // namespace
 
 
@@ -148,7 +106,7 @@ namespace hybrid::dda
       block.damping_time = block.loose_damping_time = 0.;
     copy.newmark             = Newmark::preset("shi");
     copy.dynamic_coefficient = 1.;
-    copy.iteration.tolerance = 0.1 * target_residual;
+    copy.iteration.tolerance = 0.1 * static_target;
     // Without inertia full steps go anywhere: a column of 50 took 1,629 iterations, not 114.
     copy.iteration.changes_together = false;
     return copy;
@@ -191,9 +149,12 @@ namespace hybrid::dda
                                  const StaticPace  &pace,
                                  const StaticWatch &watch)
   {
+    StaticResult result;
+    if (!problem.blocks_yield && is_whole(problem, state) &&
+        take_great_steps(problem, state, watch, result))
+      return result;
     FoundationResponse foundation;
     foundation.displacement = state.foundation_displacement;
-    StaticResult                    result;
     const OpenCloseIteration::Watch watch_step =
       watch ? watch_of_step(watch, result) : OpenCloseIteration::Watch();
     BlockSolver solver(problem);
@@ -244,7 +205,7 @@ namespace hybrid::dda
         ++result.steps;
         result.residual     = std::max(step.unbalanced, step.residual);
         result.moving_block = step.largest_block;
-        if (result.residual <= target_residual)
+        if (result.residual <= static_target)
           {
             result.equilibrium  = true;
             result.moving_block = -1;
@@ -261,7 +222,7 @@ namespace hybrid::dda
         dt = std::min(largest_step, pace.growth * dt);
       }
     stop_blocks(state);
-    result.times = solver.part_times();
+    result.times += solver.part_times();
     if (from_hold)
       result.times += from_hold->part_times();
     return result;

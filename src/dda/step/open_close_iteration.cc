@@ -247,6 +247,7 @@ namespace hybrid::dda
       return result;
     result.residual = guess == nullptr ? choose_guess(model, state, foundation)
                                        : evaluate(model, state, foundation);
+    result.first_residual = result.residual;
     {
       const Stopwatch timer(times.springs);
       springs.connect(model, matrix);

@@ -47,6 +47,12 @@ namespace hybrid::dda
     /// Slot of (block, node) in block_node; -1 if it is not in the pattern.
     int node_slot(int block, int node) const;
 
+    /// True if the blocks of a pair are not coupled in either direction: they do not touch.
+    bool is_zero(const std::size_t pair) const
+    {
+      return off_diagonal[pair].isZero(0.) && lower[pair].isZero(0.);
+    }
+
     /// y = K x (without the foundation's own stiffness). Same bits for any number of threads.
     void multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 

@@ -3,6 +3,7 @@
 
 #include <hybrid/dda/linear/block_lu.h>
 #include <hybrid/dda/linear/block_matrix.h>
+#include <hybrid/dda/linear/frontal_lu.h>
 
 #include <Eigen/Core>
 
@@ -11,10 +12,9 @@
 namespace hybrid::dda
 {
   /**
-   * Sparse factor of the blocks' part of a BlockMatrix: Cholesky (CHOLMOD)
-   * while the matrix is symmetric and positive definite, LU while joints slide
-   * with friction or soften: BlockLu where few blocks touch, else UMFPACK.
-   * Analyses of CHOLMOD and UMFPACK are kept with the pattern.
+   * Sparse factor of the blocks' part of a BlockMatrix: BlockLu where few blocks touch and joints
+   * slide with friction or soften, else FrontalLu; UMFPACK, which exchanges rows, where entries of
+   * these grow. Analyses of FrontalLu and UMFPACK are kept.
    */
   class SparseFactor
   {
@@ -44,20 +44,19 @@ namespace hybrid::dda
     void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x);
 
   private:
-    struct Cholesky;
     struct Lu;
 
     enum class Kind
     {
-      cholesky,
+      frontal,
       lu,
       block_lu
     };
 
-    std::unique_ptr<Cholesky> cholesky;
-    std::unique_ptr<Lu>       lu;
-    BlockLu                   block_lu;
-    int                       size = 0; ///< of the factor there is, 0: none
-    Kind                      kind = Kind::cholesky;
+    std::unique_ptr<Lu> lu;
+    FrontalLu           frontal;
+    BlockLu             block_lu;
+    int                 size = 0; ///< of the factor there is, 0: none
+    Kind                kind = Kind::frontal;
   };
 } // namespace hybrid::dda

@@ -23,7 +23,8 @@ namespace hybrid::dda
     int    iterations         = 0;     ///< of the open-close iteration
     int    solver_iterations  = 0;     ///< of the linear solver, summed
     int    factorizations     = 0;
-    double residual           = 0.; ///< relative force residual at the end [-]
+    double first_residual     = 0.; ///< relative force residual where the trial begins [-]
+    double residual           = 0.; ///< at the end [-]
     double displacement_ratio = 0.; ///< largest displacement over block size [-]
     double unbalanced =
       0.; ///< relative inertial force at the end (the static residual of a step from rest) [-]

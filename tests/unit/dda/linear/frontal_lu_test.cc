@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "random_block_matrix.h"
+
+#include <hybrid/dda/linear/frontal_lu.h>
+#include <hybrid/restart/archive.h>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  using namespace hybrid::dda;
+  using hybrid::test::dense;
+  using hybrid::test::random_block_matrix;
+  using hybrid::test::unsymmetric_block_matrix;
+
+  const std::vector<int> distances{1, 2, 7, 11};
+
+  /// Relative residual of a solution.
+  double error(FrontalLu &factor, const BlockMatrix &m)
+  {
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1., 2.);
+    Eigen::VectorXd       x(m.size()), product(m.size());
+    factor.solve(b, x);
+    m.multiply(x, product);
+    return (product - b).norm() / b.norm();
+  }
+
+  void part(BlockMatrix &m, const std::size_t pair)
+  {
+    m.off_diagonal[pair].setZero();
+    m.lower[pair].setZero();
+  }
+} // namespace
+
+
+
+TEST(FrontalLu, solves_symmetric_and_unsymmetric_systems)
+{
+  for (const int n : {1, 7, 40, 1500}) // the last with nested dissection
+    for (const double size : {0., 0.1})
+      {
+        const BlockMatrix m = size == 0. ? random_block_matrix(n, 0, distances)
+                                         : unsymmetric_block_matrix(n, 0, size, distances);
+        FrontalLu         factor;
+        ASSERT_TRUE(factor.factorize(m));
+        EXPECT_LT(error(factor, m), 1e-12);
+      }
+}
+
+
+
+TEST(FrontalLu, a_symmetric_factor_takes_the_place_of_an_unsymmetric_one)
+{
+  const BlockMatrix symmetric   = random_block_matrix(40, 0, distances);
+  const BlockMatrix unsymmetric = unsymmetric_block_matrix(40, 0, 0.1, distances);
+  FrontalLu         factor;
+  for (const BlockMatrix *m : {&unsymmetric, &symmetric, &unsymmetric})
+    {
+      ASSERT_TRUE(factor.factorize(*m));
+      EXPECT_LT(error(factor, *m), 1e-12);
+    }
+  EXPECT_EQ(factor.n_analyses(), 1);
+}
+
+
+
+TEST(FrontalLu, the_order_is_kept_while_no_other_pairs_touch)
+{
+  BlockMatrix m     = unsymmetric_block_matrix(40, 0, 0.1, distances);
+  const Mat6  right = m.off_diagonal[5], below = m.lower[5];
+  part(m, 5);
+  FrontalLu factor;
+  ASSERT_TRUE(factor.factorize(m));
+  part(m, 8);
+  ASSERT_TRUE(factor.factorize(m));
+  EXPECT_EQ(factor.n_analyses(), 1);
+  EXPECT_LT(error(factor, m), 1e-12);
+  m.off_diagonal[5] = right;
+  m.lower[5]        = below;
+  ASSERT_TRUE(factor.factorize(m));
+  EXPECT_EQ(factor.n_analyses(), 2);
+  EXPECT_LT(error(factor, m), 1e-12);
+}
+
+
+
+TEST(FrontalLu, the_order_is_forgotten_when_most_pairs_have_parted)
+{
+  BlockMatrix m = unsymmetric_block_matrix(40, 0, 0.1, distances);
+  FrontalLu   factor;
+  ASSERT_TRUE(factor.factorize(m));
+  const double all = factor.fronts().products;
+  for (std::size_t s = 0; s < m.pairs.size(); ++s)
+    if (m.pairs[s][1] != m.pairs[s][0] + 1)
+      part(m, s);
+  ASSERT_TRUE(factor.factorize(m));
+  EXPECT_EQ(factor.n_analyses(), 2);
+  EXPECT_LT(3. * factor.fronts().products, all);
+  EXPECT_LT(error(factor, m), 1e-12);
+}
+
+
+
+TEST(FrontalLu, an_indefinite_matrix_is_solved_too)
+{
+  BlockMatrix m = random_block_matrix(40, 0, distances);
+  for (int b = 0; b < 40; b += 3)
+    m.diagonal[b] -= 4. * Mat6::Identity();
+  FrontalLu factor;
+  ASSERT_TRUE(factor.factorize(m));
+  EXPECT_LT(error(factor, m), 1e-10);
+}
+
+
+
+TEST(FrontalLu, a_singular_block_and_growing_entries_are_noticed)
+{
+  BlockMatrix m = unsymmetric_block_matrix(10, 0, 0.1, {1});
+  for (std::size_t s = 0; s < m.pairs.size(); ++s)
+    part(m, s);
+  m.diagonal[4].setZero();
+  EXPECT_FALSE(FrontalLu().factorize(m));
+
+  // Regular, but only if rows of different blocks are exchanged.
+  BlockMatrix tiny = unsymmetric_block_matrix(3, 0, 0.1, {1});
+  for (Mat6 &block : tiny.diagonal)
+    block = 1e-8 * Mat6::Identity();
+  EXPECT_FALSE(FrontalLu().factorize(tiny));
+}
+
+
+
+TEST(FrontalLu, a_restored_factor_and_later_ones_give_the_same_bits)
+{
+  using hybrid::restart::Archive;
+  for (BlockMatrix m :
+       {random_block_matrix(40, 0, distances), unsymmetric_block_matrix(40, 0, 0.1, distances)})
+    {
+      FrontalLu factor, copy;
+      ASSERT_TRUE(factor.factorize(m));
+      Archive writer = Archive::writer();
+      factor.serialize(writer, true);
+      Archive reader = Archive::reader(writer.content());
+      copy.serialize(reader, true);
+      EXPECT_TRUE(reader.at_end());
+      const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(240, -1., 2.);
+      Eigen::VectorXd       x(240), y(240);
+      for (int round = 0; round < 2; ++round)
+        {
+          factor.solve(b, x);
+          copy.solve(b, y);
+          EXPECT_EQ(x, y);
+          part(m, 3);
+          ASSERT_TRUE(factor.factorize(m) && copy.factorize(m));
+        }
+    }
+}
