@@ -10,22 +10,15 @@ namespace hybrid::dda
 {
   namespace
   {
-    constexpr int factor_limit = 12; ///< iterations with an old factor before a new one is made
-    constexpr int hard_limit   = 2000;
-    constexpr int few_failures = 2; ///< of old factors in a row, after which they are passed over
-    constexpr int retry_every  = 8; ///< matrices, to see if an old factor serves again
-    constexpr int few_factors  = 4; ///< half of those made before sweeps are tried again
-    constexpr int many_factors = 512;
+    constexpr int hard_limit = 2000;
 
-
-
-    /// Iterations with sweeps before a factor is made: its work grows as n^(3/2) (George 1973),
-    /// that of a sweep as n.
-    int sweep_limit(const int n_blocks)
-    {
-      return std::max(40, static_cast<int>(0.8 * std::sqrt(n_blocks)));
-    }
-  } // namespace
+    // Per 6x6 block, on a core of 10 GB/s and 33 GFLOP/s [s]; measured on masses of 600 to 100,000
+    // triangles.
+    constexpr double time_of_sweep   = 70e-9; ///< of one in the matrix
+    constexpr double time_of_entry   = 30e-9; ///< of one that is read
+    constexpr double time_of_product = 13e-9;
+    constexpr double time_of_front   = 2e-6; ///< in a factorisation
+  }                                          // namespace
 
 
 
@@ -48,7 +41,7 @@ namespace hybrid::dda
 
   void LinearSolver::serialize(restart::Archive &archive, const BlockMatrix &matrix)
   {
-    archive(use_factor, factor_is_current, failures, passed_over, factors_before_retry, factors);
+    archive(choice, factor_is_current);
     factor.serialize(archive, matrix);
   }
 
@@ -92,6 +85,12 @@ namespace hybrid::dda
       solver.ssor.multiply_diagonal(x, y);
     }
 
+    /// Of the last product.
+    const Eigen::VectorXd &direction(const Eigen::VectorXd &x) const
+    {
+      return x;
+    }
+
     void weigh(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
     {
       y = solver.ssor.weights().cwiseProduct(x);
@@ -121,6 +120,12 @@ namespace hybrid::dda
     {
       solver.precondition(matrix, x);
       solver.multiply(matrix, solver.z, y);
+    }
+
+    /// Of the last product: preconditioned, it adds to the solution itself.
+    const Eigen::VectorXd &direction(const Eigen::VectorXd &) const
+    {
+      return solver.z;
     }
 
     void weigh(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
@@ -181,7 +186,7 @@ namespace hybrid::dda
         const double alpha = rho / q.dot(shadow);
         if (!std::isfinite(alpha))
           return result;
-        unknown += alpha * p;
+        unknown += alpha * system.direction(p);
         r -= alpha * q;
         system.weigh(r, dual_r);
         result.converged = system.solved(r, dual_r);
@@ -192,7 +197,7 @@ namespace hybrid::dda
         const double omega = t.dot(dual_r) / t.dot(dual_t);
         if (!std::isfinite(omega) || omega == 0.)
           return result;
-        unknown += omega * r;
+        unknown += omega * system.direction(r);
         r -= omega * t;
         dual_r -= omega * dual_t;
         result.converged = system.solved(r, dual_r);
@@ -210,57 +215,122 @@ namespace hybrid::dda
 
 
 
+  LinearSolver::Result LinearSolver::conjugate_gradients(Factored &system, const Target &target)
+  {
+    Result result;
+    double rho = 0.;
+    while (result.iterations < target.limit)
+      {
+        precondition(system.matrix, r);
+        const double next = r.dot(z);
+        if (result.iterations == 0)
+          p = z;
+        else
+          p = z + (next / rho) * p;
+        rho = next;
+        ++result.iterations;
+        multiply(system.matrix, p, q);
+        const double alpha = rho / p.dot(q);
+        if (!(alpha > 0.) || !std::isfinite(alpha))
+          return result;
+        unknown += alpha * p;
+        r -= alpha * q;
+        result.converged = target.met_by(r);
+        if (result.converged)
+          return result;
+      }
+    return result;
+  }
+
+
+
   LinearSolver::Result
-  LinearSolver::solve_by_sweeps(const bool symmetric, const Target &target, Eigen::VectorXd &x)
+  LinearSolver::solve_by_sweeps(const Eigen::VectorXd &b, const Target &target, Eigen::VectorXd &x)
   {
     Preconditioned system{*this, target};
+    unknown.setZero();
+    r = b;
     ssor.sweep_forward(r, r);
     const Result result =
-      symmetric ? conjugate_gradients(system, target.limit) : bicgstab(system, target.limit);
+      is_symmetric ? conjugate_gradients(system, target.limit) : bicgstab(system, target.limit);
     ssor.sweep_backward(unknown, x);
     return result;
   }
 
 
 
-  LinearSolver::Result LinearSolver::solve_with_factor(const BlockMatrix &matrix,
-                                                       const Target      &target,
-                                                       Eigen::VectorXd   &x)
+  LinearSolver::Result LinearSolver::solve_with_factor(const BlockMatrix     &matrix,
+                                                       const Eigen::VectorXd &b,
+                                                       const Target          &target,
+                                                       Eigen::VectorXd       &x)
   {
-    Factored     system{*this, matrix, target};
-    const Result result = bicgstab(system, target.limit);
-    precondition(matrix, unknown);
-    x = z;
+    Factored system{*this, matrix, target};
+    unknown.setZero();
+    r                      = b;
+    const bool is_definite = is_symmetric && factor.is_symmetric();
+    const bool is_decoupled =
+      !foundation.exists() && std::all_of(matrix.node_block.begin(),
+                                          matrix.node_block.end(),
+                                          [](const auto &part) { return part.isZero(0.); });
+    const Result result = is_definite && is_decoupled ? conjugate_gradients(system, target)
+                                                      : bicgstab(system, target.limit);
+    x                   = unknown;
     return result;
   }
 
 
 
-  bool LinearSolver::are_sweeps_due() const
+  PreconditionerChoice::Costs LinearSolver::costs(const BlockMatrix &matrix) const
   {
-    return !factor_is_current && !factor.is_cheap() && factors >= factors_before_retry;
+    const SparseFactor::Counts counts      = factor.counts(matrix.n_blocks());
+    const double               n           = ssor.n_entries();
+    const bool                 one_product = is_symmetric && !foundation.exists();
+    const double               products = one_product ? 1. : 2.; // with the matrix, in an iteration
+    return {(is_symmetric ? 1. : 2.) * n * time_of_sweep,
+            products * (n + counts.entries) * time_of_entry,
+            counts.products * time_of_product + counts.fronts * time_of_front};
   }
 
 
 
-  void LinearSolver::judge_sweeps(const bool served)
+  LinearSolver::Result LinearSolver::solve_with_factors(const BlockMatrix     &matrix,
+                                                        const Eigen::VectorXd &b,
+                                                        const Target          &target,
+                                                        Eigen::VectorXd       &x)
   {
-    factors_before_retry = served ? few_factors : std::min(2 * factors_before_retry, many_factors);
-    factors              = 0;
-  }
-
-
-
-  bool LinearSolver::is_worth_trying()
-  {
-    if (factor_is_current)
-      return true;
-    if (factor.is_cheap())
-      return false;
-    if (failures < few_failures)
-      return true;
-    passed_over = (passed_over + 1) % retry_every;
-    return passed_over == 0;
+    const PreconditionerChoice::Costs price = costs(matrix);
+    Result                            result;
+    const bool                        ready = factor.ready(matrix.n_blocks());
+    const int                         old_limit =
+      !ready ? 0 : (factor_is_current ? hard_limit : choice.old_factor_limit(price));
+    if (old_limit > 0 && (factor_is_current || !factor.is_block_lu()))
+      {
+        result = solve_with_factor(matrix, b, {target.scale, target.tolerance, old_limit}, x);
+        if (!factor_is_current)
+          choice.used_old_factor(result.iterations, result.converged, price);
+        if (result.converged || factor_is_current)
+          {
+            choice.solved(result.iterations, 0, price);
+            return result;
+          }
+      }
+    const int spent       = result.iterations;
+    double    factor_time = 0.;
+    {
+      const Stopwatch watch(factor_time);
+      factor_is_current = factor.factorize(matrix);
+    }
+    if (!factor_is_current)
+      {
+        choice.give_up_factor();
+        return solve_by_sweeps(b, target, x);
+      }
+    result = solve_with_factor(matrix, b, target, x);
+    result.iterations += spent;
+    result.factored    = true;
+    result.factor_time = factor_time;
+    choice.solved(result.iterations, 1, price);
+    return result;
   }
 
 
@@ -275,43 +345,22 @@ namespace hybrid::dda
     for (Eigen::VectorXd *work : {&x, &unknown, &r, &dual_r, &p, &dual_p, &q, &t, &dual_t, &z})
       work->resize(size);
     x.setZero();
+    is_symmetric = matrix.symmetric;
     Result result;
     result.converged = b.cwiseQuotient(scale).norm() <= tolerance;
     if (result.converged)
       return result;
-
-    const auto attempt = [&](const int limit) {
-      const Target target{scale, tolerance, limit};
-      unknown.setZero();
-      r = b;
-      return use_factor ? solve_with_factor(matrix, target, x)
-                        : solve_by_sweeps(matrix.symmetric, target, x);
-    };
-    use_factor = use_factor && factor.ready(matrix.n_blocks()) && !are_sweeps_due();
-    if (!use_factor || is_worth_trying())
+    if (!choice.uses_factor())
       {
-        result = attempt(use_factor ? factor_limit : sweep_limit(matrix.n_blocks()));
-        if (use_factor && !factor_is_current)
-          failures = result.converged ? 0 : failures + 1;
-        if (!use_factor)
-          judge_sweeps(result.converged);
+        const PreconditionerChoice::Costs price = costs(matrix);
+        result = solve_by_sweeps(b, {scale, tolerance, choice.sweep_limit(price)}, x);
+        choice.swept(result.iterations, result.converged, price);
         if (result.converged)
           return result;
       }
-
-    const int spent       = result.iterations;
-    bool      factored    = false;
-    double    factor_time = 0.;
-    if (!factor_is_current || !use_factor)
-      {
-        const Stopwatch watch(factor_time);
-        factored = use_factor = factor_is_current = factor.factorize(matrix);
-        ++factors;
-      }
-    result = attempt(hard_limit);
+    const int spent = result.iterations;
+    result          = solve_with_factors(matrix, b, {scale, tolerance, hard_limit}, x);
     result.iterations += spent;
-    result.factored    = factored;
-    result.factor_time = factor_time;
     return result;
   }
 } // namespace hybrid::dda

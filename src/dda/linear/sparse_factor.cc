@@ -3,6 +3,7 @@
 #include <hybrid/restart/archive.h>
 
 #include <algorithm>
+#include <cmath>
 #include <umfpack.h>
 #include <vector>
 
@@ -10,9 +11,8 @@ namespace hybrid::dda
 {
   namespace
   {
-    /// Products of 6x6 blocks per block up to which BlockLu serves. It would be faster than UMFPACK
-    /// up to some 800, but is worth more than the iterations that an old factor is given only so
-    /// far.
+    /// Products of 6x6 blocks per block up to which BlockLu serves: beyond, dense fronts are
+    /// faster.
     constexpr long few_products = 100;
 
     /// One 6x6 block of a block column.
@@ -172,7 +172,7 @@ namespace hybrid::dda
     }
 
     /// The analysis depends on the values with which it was made, and stays with the pattern: a
-    /// later factor needs it even while the Cholesky factor serves. @param is_used this factor
+    /// later factor needs it even while another factor serves. @param is_used this factor
     /// serves.
     void serialize(restart::Archive &archive, const BlockMatrix &source, const bool is_used)
     {
@@ -228,8 +228,11 @@ namespace hybrid::dda
 
   bool SparseFactor::factorize(const BlockMatrix &matrix)
   {
-    size = 0;
-    if (!matrix.symmetric && block_lu.analyze(matrix) <= few_products * matrix.n_blocks() &&
+    size      = 0;
+    symmetric = matrix.symmetric;
+    if (!symmetric)
+      block_lu_products = static_cast<double>(block_lu.analyze(matrix));
+    if (!symmetric && block_lu_products <= static_cast<double>(few_products * matrix.n_blocks()) &&
         block_lu.factorize(matrix))
       kind = Kind::block_lu;
     else if (frontal.factorize(matrix))
@@ -244,9 +247,25 @@ namespace hybrid::dda
 
 
 
+  SparseFactor::Counts SparseFactor::counts(const int n_blocks) const
+  {
+    const double     n    = n_blocks;
+    const FrontTree &tree = frontal.fronts();
+    if (size > 0 && kind == Kind::block_lu)
+      return {block_lu.n_entries(), block_lu_products, 0.2 * n};
+    if (tree.n_blocks() != n_blocks)
+      return {2. * n * std::log2(n + 1.), 6. * n * std::sqrt(n), 0.6 * n};
+    const double exchanges = size > 0 && kind == Kind::lu ? 3. : 1.; // UMFPACK's rows
+    return {exchanges * tree.entries,
+            exchanges * tree.products,
+            static_cast<double>(tree.n_fronts())};
+  }
+
+
+
   void SparseFactor::serialize(restart::Archive &archive, const BlockMatrix &matrix)
   {
-    archive(size, kind);
+    archive(size, kind, symmetric, block_lu_products);
     lu->serialize(archive, matrix, size > 0 && kind == Kind::lu);
     frontal.serialize(archive, size > 0 && kind == Kind::frontal);
     BlockLu none;

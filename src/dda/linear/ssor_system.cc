@@ -103,6 +103,16 @@ namespace hybrid::dda
 
 
 
+  double SsorSystem::n_entries() const
+  {
+    double sum = 0.;
+    for (std::size_t p = 0; p < below_end.size(); ++p)
+      sum += 1. + (below_end[p] - row_begin[p]) + (above_end[p] - row_middle[p]);
+    return sum;
+  }
+
+
+
   Vec6 SsorSystem::product(const int first, const int last, const Eigen::VectorXd &x) const
   {
     Vec6 sum = Vec6::Zero();

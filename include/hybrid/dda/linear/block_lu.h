@@ -34,6 +34,12 @@ namespace hybrid::dda
     /// x = K^-1 b for the first 6 n_blocks entries.
     void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x) const;
 
+    /// 6x6 blocks of the factors.
+    double n_entries() const
+    {
+      return static_cast<double>(block.size() + 2 * later.size());
+    }
+
     /// Order and factors, for the checkpoint.
     void serialize(restart::Archive &archive);
 

@@ -3,6 +3,7 @@
 
 #include <hybrid/dda/linear/block_matrix.h>
 #include <hybrid/dda/linear/interface_stiffness.h>
+#include <hybrid/dda/linear/preconditioner_choice.h>
 #include <hybrid/dda/linear/sparse_factor.h>
 #include <hybrid/dda/linear/ssor_system.h>
 
@@ -17,12 +18,10 @@ namespace hybrid::dda
    * matrix is symmetric, BiCGStab (van der Vorst 1992) while joints slide with
    * friction or soften.
    *
-   * Preconditioner: a symmetric Gauss-Seidel sweep where inertia dominates (small
-   * steps, soft joints), or a sparse factor of an earlier matrix, kept until it
-   * serves badly (static stage, stiff joints); where hundreds of contacts change from one
-   * matrix to the next an old factor is mostly passed over, and sweeps are tried again now and
-   * then. The choice follows iteration counts only, so results are deterministic. Preconditioner
-   * of the foundation: InterfaceStiffness, before the blocks with sweeps, after them with a factor.
+   * Preconditioner: a symmetric Gauss-Seidel sweep, or a sparse factor, of the matrix or of an
+   * earlier one, whichever costs less (PreconditionerChoice, by counts: results are
+   * deterministic). Preconditioner of the foundation: InterfaceStiffness, before the blocks with
+   * sweeps, after them with a factor.
    */
   class LinearSolver
   {
@@ -89,19 +88,17 @@ namespace hybrid::dda
       }
     };
 
-    InterfaceStiffness foundation;
-    SsorSystem         ssor;
-    SparseFactor       factor;
-    bool               use_factor        = false;
-    bool               factor_is_current = false;
-    int                failures          = 0; ///< of old factors, in a row
-    int                passed_over       = 0; ///< old factors since one was last tried
-    int factors_before_retry = 4; ///< factors to be made before sweeps are tried again; doubled
-                                  ///< whenever sweeps do not serve: 8 the first time
-    int             factors = 0;  ///< made since sweeps were last tried
-    Eigen::VectorXd unknown, r, dual_r, p, dual_p, q, t, dual_t, shadow, z; ///< work
+    InterfaceStiffness   foundation;
+    SsorSystem           ssor;
+    SparseFactor         factor;
+    PreconditionerChoice choice;
+    bool                 factor_is_current = false;
+    bool                 is_symmetric      = true; ///< the matrix to be solved
+    Eigen::VectorXd      unknown, r, dual_r, p, dual_p, q, t, dual_t, shadow, z; ///< work
 
     void precondition(const BlockMatrix &matrix, const Eigen::VectorXd &residual);
+
+    PreconditionerChoice::Costs costs(const BlockMatrix &matrix) const;
 
     struct Preconditioned; ///< swept system, as conjugate_gradients() and bicgstab() see it
     struct Factored;       ///< system with the factor, likewise
@@ -112,17 +109,20 @@ namespace hybrid::dda
     template <typename System>
     Result bicgstab(System &system, int limit);
 
-    Result solve_by_sweeps(bool symmetric, const Target &target, Eigen::VectorXd &x);
+    /// With the factor of a symmetric matrix and a foundation that is prescribed.
+    Result conjugate_gradients(Factored &system, const Target &target);
 
-    /// True if so many factors had to be made that sweeps may serve better by now.
-    bool are_sweeps_due() const;
+    Result solve_by_sweeps(const Eigen::VectorXd &b, const Target &target, Eigen::VectorXd &x);
 
-    /// Sweeps were tried.
-    void judge_sweeps(bool served);
+    Result solve_with_factor(const BlockMatrix     &matrix,
+                             const Eigen::VectorXd &b,
+                             const Target          &target,
+                             Eigen::VectorXd       &x);
 
-    /// True if a try with the factor there is promises more than a new one.
-    bool is_worth_trying();
-
-    Result solve_with_factor(const BlockMatrix &matrix, const Target &target, Eigen::VectorXd &x);
+    /// With the factor there is, or a new one.
+    Result solve_with_factors(const BlockMatrix     &matrix,
+                              const Eigen::VectorXd &b,
+                              const Target          &target,
+                              Eigen::VectorXd       &x);
   };
 } // namespace hybrid::dda

@@ -27,10 +27,28 @@ namespace hybrid::dda
     /// @return false if the matrix is singular.
     bool factorize(const BlockMatrix &matrix);
 
-    /// A new factor costs less than some iterations with this one.
-    bool is_cheap() const
+    /// What a factor takes, in 6x6 blocks.
+    struct Counts
+    {
+      double entries;  ///< read in a solution
+      double products; ///< in a factorisation
+      double fronts;   ///< as many pieces
+    };
+
+    /// Of the last factor; before the first one, what nested dissection of a mass in the plane
+    /// takes.
+    Counts counts(int n_blocks) const;
+
+    /// The last factor was BlockLu's.
+    bool is_block_lu() const
     {
       return kind == Kind::block_lu;
+    }
+
+    /// The last factor is that of a symmetric matrix.
+    bool is_symmetric() const
+    {
+      return symmetric;
     }
 
     /// True if a factor of this size is there.
@@ -56,7 +74,9 @@ namespace hybrid::dda
     std::unique_ptr<Lu> lu;
     FrontalLu           frontal;
     BlockLu             block_lu;
-    int                 size = 0; ///< of the factor there is, 0: none
-    Kind                kind = Kind::frontal;
+    int                 size              = 0; ///< of the factor there is, 0: none
+    Kind                kind              = Kind::frontal;
+    bool                symmetric         = false;
+    double              block_lu_products = 0.;
   };
 } // namespace hybrid::dda

@@ -48,6 +48,9 @@ namespace hybrid::dda
     /// x of @f$ \hat x @f$.
     void sweep_backward(const Eigen::VectorXd &hat, Eigen::VectorXd &x);
 
+    /// 6x6 blocks that a product reads.
+    double n_entries() const;
+
     /// y = D x.
     void multiply_diagonal(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 

@@ -13,7 +13,7 @@ namespace
   using hybrid::test::random_block_matrix;
   using hybrid::test::unsymmetric_block_matrix;
 
-  /// Few blocks touch: BlockLu. And many, beyond what it is for: UMFPACK.
+  /// Few blocks touch: BlockLu. And many, beyond what it is for: FrontalLu.
   const std::vector<int> few{1, 3}, many{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14};
 
   /// x of a fixed right-hand side.
@@ -64,7 +64,7 @@ TEST(SparseFactor, solves_an_unsymmetric_blocks_part)
       const BlockMatrix m = unsymmetric_block_matrix(25, 0, 0.1, distances);
       SparseFactor      factor;
       ASSERT_TRUE(factor.factorize(m));
-      EXPECT_EQ(factor.is_cheap(), distances == few);
+      EXPECT_EQ(factor.is_block_lu(), distances == few);
       const Eigen::VectorXd b = Eigen::VectorXd::Random(150);
       Eigen::VectorXd       x(150);
       factor.solve(b, x);
@@ -109,7 +109,7 @@ TEST(SparseFactor, a_restored_factor_gives_the_same_bits)
 
 
 
-// The analysis for LU depends on the values it was made with: it has to survive.
+// The order depends on what was factored before: it has to survive.
 TEST(SparseFactor, later_factors_of_a_restored_one_give_the_same_bits)
 {
   BlockMatrix m         = unsymmetric_block_matrix(25, 0, 0.1, many),
@@ -121,7 +121,7 @@ TEST(SparseFactor, later_factors_of_a_restored_one_give_the_same_bits)
     m.diagonal[i] = symmetric.diagonal[i];
   m.lower     = symmetric.lower;
   m.symmetric = true;
-  ASSERT_TRUE(factor.factorize(m)); // Cholesky now
+  ASSERT_TRUE(factor.factorize(m)); // a symmetric one now
   restore(factor, m, copy, other);
   EXPECT_EQ(solution(copy), solution(factor));
   for (BlockMatrix *matrix : {&m, &other})
