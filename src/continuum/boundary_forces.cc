@@ -255,7 +255,7 @@ namespace hybrid::continuum
         const int  o     = column_offset[c];
         const bool keeps = next.change != nullptr;
         columns[c].step(
-          {old.u + o, old.v + o, old.a + o, keeps ? old.change + o : nullptr, old.filter},
+          {old.u + o, old.v + o, old.a + o, keeps ? old.change + o : nullptr, old.last_step},
           {next.u + o, next.v + o, next.a + o, keeps ? next.change + o : nullptr},
           dt,
           input);

@@ -9,7 +9,7 @@ namespace hybrid::continuum
    * F_0 + gamma F_1 + C], so each force does the work Du . [(1 - gamma) F_i0 + gamma F_i1],
    * contacts Du . C. That of the elastic forces is -D[1/2 u K u] - (gamma - 1/2) Du K Du. K Du
    * follows from the difference of the equilibrium at both ends; no product with K is needed.
-   * A filter takes filter Du . M (a_0 - a_-1) in addition.
+   * A filter takes filter Du . M m in addition, m the remembered change of a.
    */
   namespace
   {

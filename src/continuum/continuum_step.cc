@@ -111,7 +111,7 @@ namespace hybrid::continuum
     const double *change = keeps ? state.acceleration_change.data() : nullptr;
 
     boundary->step_columns(
-      {u + n, v + n, a + n, keeps ? change + n : nullptr, filter},
+      {u + n, v + n, a + n, keeps ? change + n : nullptr, state.last_step},
       {column_u.data(), column_v.data(), column_a.data(), keeps ? column_change.data() : nullptr},
       state.time,
       dt);
@@ -244,9 +244,11 @@ namespace hybrid::continuum
 
   void Continuum::Implementation::keep_change(ContinuumState &state, const double dt) const
   {
-    const std::size_t n = n_dofs();
+    const std::size_t n    = n_dofs();
+    const double      kept = (1. - Newmark::memory) * Newmark::remembered_in(dt, state.last_step);
     for (std::size_t i = 0; i < n; ++i)
-      state.acceleration_change[i] = a1[i] - a0[i];
+      state.acceleration_change[i] =
+        kept * state.acceleration_change[i] + Newmark::memory * (a1[i] - a0[i]);
     std::copy(column_change.begin(), column_change.end(), state.acceleration_change.begin() + n);
     state.last_step = dt;
   }

@@ -147,6 +147,8 @@ namespace hybrid::continuum
   {
     const double  beta = model.newmark.beta, gamma = model.newmark.gamma;
     const double  to_rate = gamma / (beta * dt), to_acceleration = 1. / (beta * dt * dt);
+    const double  filter = model.newmark.filter_in(dt, old.last_step);
+    const double  kept   = (1. - Newmark::memory) * Newmark::remembered_in(dt, old.last_step);
     const Factor &factor = factor_for(dt);
     for (int c = 0; c < 2; ++c)
       {
@@ -154,11 +156,11 @@ namespace hybrid::continuum
           {
             const int k  = 2 * i + c;
             predicted[i] = old.u[k] + dt * old.v[k] + dt * dt * (0.5 - beta) * old.a[k];
-            if (old.filter > 0.)
-              predicted[i] -= 0.5 * dt * dt * old.filter * old.change[k];
+            if (filter > 0.)
+              predicted[i] -= 0.5 * dt * dt * filter * old.change[k];
             rate[i] = to_rate * predicted[i] - old.v[k] - (1. - gamma) * dt * old.a[k];
-            if (old.filter > 0.)
-              rate[i] += dt * old.filter * old.change[k];
+            if (filter > 0.)
+              rate[i] += dt * filter * old.change[k];
           }
         rhs.setZero();
         add_product(to_acceleration, mass, predicted, rhs);
@@ -185,10 +187,10 @@ namespace hybrid::continuum
             next.u[k]   = rhs[i];
             next.a[k]   = to_acceleration * (rhs[i] - predicted[i]);
             next.v[k]   = old.v[k] + dt * ((1. - gamma) * old.a[k] + gamma * next.a[k]);
-            if (old.filter > 0.)
-              next.v[k] -= dt * old.filter * old.change[k];
+            if (filter > 0.)
+              next.v[k] -= dt * filter * old.change[k];
             if (next.change != nullptr)
-              next.change[k] = next.a[k] - old.a[k];
+              next.change[k] = kept * old.change[k] + Newmark::memory * (next.a[k] - old.a[k]);
           }
       }
   }

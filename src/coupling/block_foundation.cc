@@ -121,7 +121,7 @@ namespace hybrid::coupling
                          state.columns.velocity.data() + o,
                          state.columns.acceleration.data() + o,
                          keeps ? state.columns.change.data() + o : nullptr,
-                         newmark.filter_in(dt, state.columns.last_step)},
+                         state.columns.last_step},
                         {at_end.displacement.data() + o,
                          at_end.velocity.data() + o,
                          at_end.acceleration.data() + o,

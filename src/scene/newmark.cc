@@ -11,7 +11,7 @@ namespace hybrid
     if (name == "dissipative")
       return {0.3, 0.6};
     if (name == "filtered")
-      return {0.275, 0.55, 0., 0.05};
+      return {0.3, 0.6, 0., 0.1};
     if (name == "trapezoidal" || name == "fourth order")
       return {0.25, 0.5};
     if (name == "shi")
@@ -23,8 +23,8 @@ namespace hybrid
 
 
 
-  double Newmark::filter_in(const double dt, const double last_step) const
+  double Newmark::remembered_in(const double dt, const double last_step)
   {
-    return last_step > 0. ? filter * std::min(1., dt / last_step) : 0.;
+    return last_step > 0. ? std::min(1., dt / last_step) : 0.;
   }
 } // namespace hybrid

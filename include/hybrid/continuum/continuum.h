@@ -43,8 +43,8 @@ namespace hybrid::continuum
     std::vector<double> acceleration;   ///< a [m/s2]
     std::vector<double> contact_acceleration; ///< part of a that ends with the step, see
                                               ///< SurfaceForce [m/s2]; empty: none
-    std::vector<double> acceleration_change;  ///< of a over the last step, without contacts [m/s2];
-                                              ///< kept for a Newmark::filter only, else empty
+    std::vector<double> acceleration_change;  ///< remembered by a Newmark::filter, of a without
+                                              ///< contacts [m/s2]; empty without one
     std::vector<double> surface_force;        ///< lambda of the last step [N/m]; empty: zero
     std::vector<double> surface_contact; ///< its part that ended with the step [N/m]; empty: zero
     SlipState           slip;            ///< of bedding planes

@@ -68,14 +68,14 @@ namespace hybrid::continuum
     struct Motion
     {
       double *u, *v, *a;
-      double *change = nullptr; ///< of a over the step, for a Newmark::filter only
+      double *change = nullptr; ///< of a that is remembered, for a Newmark::filter only
     };
 
     struct ConstMotion
     {
       const double *u, *v, *a;
-      const double *change = nullptr; ///< of a over the step before
-      double        filter = 0.;      ///< Newmark::filter_in() of this step [-]
+      const double *change    = nullptr; ///< of a that was remembered
+      double        last_step = 0.;      ///< of it [s]
     };
 
     /// One Newmark step.

@@ -14,7 +14,7 @@ namespace hybrid::coupling
     std::vector<double> displacement; ///< [m]
     std::vector<double> velocity;     ///< [m/s]
     std::vector<double> acceleration; ///< [m/s2]
-    std::vector<double> change;       ///< of the acceleration over the last step [m/s2]; empty
+    std::vector<double> change;       ///< of the acceleration that is remembered [m/s2]; empty
                                       ///< without a Newmark::filter
     double last_step = 0.;            ///< of that change [s]; 0: none
   };

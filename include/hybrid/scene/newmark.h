@@ -11,9 +11,10 @@ namespace hybrid
    *   v1 = v0 + dt ((1 - gamma) a0 + gamma a1).
    * The same pair serves blocks and continuum.
    *
-   * With a filter both brackets lose filter (a0 - a-1), where a-1 is the acceleration one step
-   * earlier: beside the mean of both ends then stands a second difference of a, the scheme is of
-   * second order, and what it damps is (w dt)^3 filter / 4 of critical (doc/theory.md).
+   * With a filter both brackets lose filter m, where m1 = m0 / 2 + (a1 - a0) / 2 remembers how a
+   * changed: what Newmark's pair has beyond the mean of both ends counts only as far as it is new.
+   * The scheme is then of second order, and damps w by 1.5 filter (w dt)^3 of critical
+   * (doc/theory.md).
    */
   struct Newmark
   {
@@ -24,17 +25,26 @@ namespace hybrid
     /// [s]; 0: inertia is mass.
     double corrected_step = 0.;
 
-    /// Of the change of the acceleration over the last step, what this step takes back [-]: gamma -
-    /// 1/2 of a scheme of second order, or 0: none.
+    /// Of the remembered change of the acceleration, what a step takes back [-]: gamma - 1/2 of a
+    /// scheme of second order, or 0: none.
     double filter = 0.;
 
-    /// The filter in a step of @p dt after one of @p last_step [s] (0: there was none). A shorter
-    /// step takes back as much less; a longer one no more than the change that there was, so that
+    /// Of the change over a step, what is remembered; the rest is of what was before [-].
+    static constexpr double memory = 0.5;
+
+    /// What is left of the memory in a step of @p dt after one of @p last_step [s] (0: there was
+    /// none) [-]. A shorter step has as much less; a longer one no more than there was, so that
     /// no step creates energy.
-    double filter_in(double dt, double last_step) const;
+    static double remembered_in(double dt, double last_step);
+
+    /// The filter in such a step [-].
+    double filter_in(double dt, double last_step) const
+    {
+      return filter * remembered_in(dt, last_step);
+    }
 
     /**
-     * Named presets: "dissipative" (0.3, 0.6), also the pair of Newmark(); "filtered" (0.275, 0.55)
+     * Named presets: "dissipative" (0.3, 0.6), also the pair of Newmark(); "filtered", the same
      * with a filter; "trapezoidal" (1/4, 1/2); "fourth order", the same pair, to be given its
      * corrected_step; "shi" (1/2, 1), the constant-acceleration scheme of Shi (1988). All have 2
      * beta = gamma, with which kinetic and strain energy never rise by themselves (Hughes 1987,

@@ -103,14 +103,15 @@ namespace hybrid::dda
       audit_step({model, state, trial, springs, stresses, mass, damping_time, incoming});
     if (incoming.size() > 0)
       state.boundary_force = incoming;
-    const double          gamma    = model.newmark.gamma;
-    const auto            contacts = contact_force.tail(2 * model.n_foundation_nodes());
+    const double gamma    = model.newmark.gamma;
+    const auto   contacts = contact_force.tail(2 * model.n_foundation_nodes());
     state.energy.foundation_work -=
       ((1. - gamma) * (state.foundation_force - state.foundation_contact_force) +
        gamma * (force_increment + state.static_force - contacts) + contacts)
         .dot(trial.foundation - state.foundation_displacement);
     state.surface_force = surface_force(model, springs);
     state.time += dt;
+    const double kept = (1. - Newmark::memory) * Newmark::remembered_in(dt, state.last_step);
     if (model.newmark.filter > 0.)
       state.last_step = dt;
 
@@ -127,7 +128,9 @@ namespace hybrid::dda
         block.plastic_strain += shear_strain(stresses.plastic_strain(b));
         if (model.newmark.filter > 0.)
           block.acceleration_change =
-            carried_rates(acceleration[b] - (block.acceleration - block.contact_acceleration),
+            carried_rates(kept * block.acceleration_change +
+                            Newmark::memory *
+                              (acceleration[b] - (block.acceleration - block.contact_acceleration)),
                           move.cosine,
                           move.sine);
         block.viscous_stress =

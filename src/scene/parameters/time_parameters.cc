@@ -26,9 +26,9 @@ namespace hybrid::scene
       {"automatic", "filtered", "dissipative", "trapezoidal", "fourth order", "shi"},
       "automatic",
       [&time](const std::string &name) { time.scheme = name; },
-      "Newmark time integration of blocks and continuum (beta, gamma): filtered (0.275, 0.55, less "
-      "0.05 of the last change of the acceleration) is of second order and damps what the step "
-      "cannot resolve, dissipative (0.3, 0.6) is of first order and damps all frequencies, "
+      "Newmark time integration of blocks and continuum (beta, gamma): dissipative (0.3, 0.6) is of first "
+      "order and damps all frequencies, filtered is the same less a tenth of how the acceleration "
+      "has changed: of second order, it damps what the step cannot resolve, "
       "trapezoidal (0.25, 0.5) damps nothing, shi (0.5, 1) is the constant acceleration of Shi "
       "(1988). Fourth order is trapezoidal with the inertia M - dt^2 K/6 in "
       "place of M, for a continuum alone whose bedding planes, if any, are elastic. Automatic is "

@@ -47,8 +47,8 @@ namespace hybrid::dda
     Vec6   velocity             = Vec6::Zero(); ///< rates of the six unknowns, in the current frame
     Vec6   acceleration         = Vec6::Zero();
     Vec6   contact_acceleration = Vec6::Zero(); ///< contacts' part of it, see Springs
-    Vec6 acceleration_change = Vec6::Zero(); ///< over the last step, without contacts; turned with
-                                             ///< the block. Kept for a Newmark::filter only
+    Vec6   acceleration_change  = Vec6::Zero(); ///< remembered by a Newmark::filter, of all but
+                                                ///< contacts; turned with the block
     Eigen::Vector3d stress =
       Eigen::Vector3d::Zero(); ///< elastic (xx, yy, xy) [Pa], tension positive
     Eigen::Vector3d viscous_stress =
