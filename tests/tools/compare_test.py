@@ -192,7 +192,7 @@ def test_the_time_integration_and_the_mesh_are_warned_of(make, compare):
     warnings = "\n".join(compare(a, b)[2]["warnings"])
     assert "above 5 Hz the sliding mass of 'a' does not resolve the motion, which has energy up to 8 Hz" in warnings
     assert "8.5 Hz" not in warnings
-    assert "the time integration differs (dissipative | fourth order)" in warnings
+    assert "the time integration differs (filtered | fourth order)" in warnings
 
 
 @pytest.mark.parametrize("words, part", [

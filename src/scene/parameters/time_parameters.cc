@@ -32,7 +32,7 @@ namespace hybrid::scene
       "trapezoidal (0.25, 0.5) damps nothing, shi (0.5, 1) is the constant acceleration of Shi "
       "(1988). Fourth order is trapezoidal with the inertia M - dt^2 K/6 in "
       "place of M, for a continuum alone whose bedding planes, if any, are elastic. Automatic is "
-      "fourth order there, and dissipative wherever something slides, opens or cracks.");
+      "fourth order there, and filtered wherever something slides, opens or cracks.");
     section.number(
       "Maximum displacement ratio",
       time.maximum_displacement_ratio,
@@ -57,7 +57,7 @@ namespace hybrid::scene
       !scene.has_blocks() && (scene.bedding.names.empty() || !scene.bedding.slips);
     TimeParameters   &time = scene.time;
     const std::string name =
-      time.scheme != "automatic" ? time.scheme : (linear ? fourth_order : "dissipative");
+      time.scheme != "automatic" ? time.scheme : (linear ? fourth_order : "filtered");
     if (name == fourth_order && !linear)
       throw table.error("Time/Scheme",
                         "is for a continuum alone without planes that slip; allowed here: "

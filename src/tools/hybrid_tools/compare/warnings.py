@@ -106,7 +106,7 @@ def other_schemes(comparison):
         automatic = p.get("Time/Scheme") == "automatic"
         slips = p.get("Bedding planes/Names") and p.get("Bedding planes/Strength", "elastic") != "elastic"
         alone = p.get("Model/Blocks") == "none" and p.get("Model/Bedrock") == "continuum" and not slips
-        kinds.append(("fourth order" if alone else "dissipative") if automatic else p.get("Time/Scheme"))
+        kinds.append(("fourth order" if alone else "filtered") if automatic else p.get("Time/Scheme"))
     if len(set(kinds)) == 1:
         return []
     return ["the time integration differs (%s), which alone makes a difference: give all runs the same Time/Scheme" % (
