@@ -17,9 +17,9 @@ namespace hybrid::dda
     constexpr int    max_great_steps     = 10;
     /// Residual that the last step may begin with [-]: the geometry that it began with then differs
     /// from that at its end by less than forces may.
-    constexpr double small_start = 1e-7;
-    constexpr double fall        = 1e-3; ///< of the residual in a step that is not the last [-]
-    constexpr double far         = 1e-3; ///< residual taken for that of the first step [-]
+    constexpr double small_start    = 1e-7;
+    constexpr double great_fall     = 1e-3; ///< of the residual in a step that is not the last [-]
+    constexpr double first_residual = 1e-3; ///< residual taken for that of the first step [-]
 
 
 
@@ -77,7 +77,7 @@ namespace hybrid::dda
     const DdaState     start = state;
     const StaticResult none  = result;
     BlockSolver        solver(great);
-    great.iteration.tolerance = std::max(problem.iteration.tolerance, fall * far);
+    great.iteration.tolerance = std::max(problem.iteration.tolerance, great_fall * first_residual);
     if (watch)
       solver.set_watch(watch_of_step(watch, result));
     FoundationResponse foundation;
@@ -111,13 +111,13 @@ namespace hybrid::dda
           }
         result.residual = std::max(result.residual, step.first_residual); // no more is left
         great.iteration.tolerance =
-          std::max(problem.iteration.tolerance, fall * fall * step.first_residual);
+          std::max(problem.iteration.tolerance, great_fall * great_fall * step.first_residual);
         dt = std::min(1e3, great_growth * dt);
       }
     const StaticResult spent = std::exchange(result, none);
     result.iterations        = spent.iterations;
     result.times             = spent.times;
-    state             = start;
+    state                    = start;
     return false;
   }
 } // namespace hybrid::dda

@@ -14,7 +14,7 @@ namespace hybrid::coupling
     {
       CoupledState state;
       state.time                   = 1.;
-      state.columns                = {{14.}, {15., 16.}, {17.}};
+      state.columns                = {{14.}, {15., 16.}, {17.}, {17.5}, 17.75};
       state.blocks.time            = 2.;
       auto &rock                   = state.continuum;
       rock.time                    = 3.;
@@ -43,6 +43,8 @@ namespace hybrid::coupling
       EXPECT_EQ(copy.columns.displacement, state.columns.displacement);
       EXPECT_EQ(copy.columns.velocity, state.columns.velocity);
       EXPECT_EQ(copy.columns.acceleration, state.columns.acceleration);
+      EXPECT_EQ(copy.columns.change, state.columns.change);
+      EXPECT_EQ(copy.columns.last_step, state.columns.last_step);
       EXPECT_EQ(copy.blocks.time, 2.);
       EXPECT_EQ(copy.continuum.time, 3.);
       EXPECT_EQ(copy.continuum.displacement, rock.displacement);

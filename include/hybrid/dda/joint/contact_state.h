@@ -7,9 +7,8 @@ namespace hybrid::dda
    * How one contact carries load.
    *
    * The open-close iteration of a time step has converged when, after at least
-   * one update, the residual is within the tolerance and no joint or contact is
-   * held (Springs::SlipReversal). It asks for no other test of the states: the
-   * forces are those of the states, so that balance says that both agree.
+   * one update, the residual of the laws is within the tolerance. It asks for no test of the
+   * states: the forces are those of the states, so that balance says that both agree.
    */
   enum class ContactState
   {
