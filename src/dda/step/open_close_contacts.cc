@@ -7,7 +7,7 @@
 
 namespace hybrid::dda
 {
-  void OpenCloseIteration::keep(Place &place) const
+  void OpenCloseIteration::keep(TrialPlace &place) const
   {
     place.increment.assign(trial.increment.begin(), trial.increment.end());
     place.foundation = trial.foundation;
@@ -15,7 +15,7 @@ namespace hybrid::dda
 
 
 
-  void OpenCloseIteration::go_back(const Place &place)
+  void OpenCloseIteration::go_back(const TrialPlace &place)
   {
     trial.increment.assign(place.increment.begin(), place.increment.end());
     trial.foundation = place.foundation;

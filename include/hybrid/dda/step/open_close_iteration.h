@@ -9,38 +9,13 @@
 #include <hybrid/dda/step/foundation_response.h>
 #include <hybrid/dda/step/part_times.h>
 #include <hybrid/dda/step/sliding_regularisation.h>
+#include <hybrid/dda/step/step_result.h>
 
 #include <functional>
 #include <limits>
 
 namespace hybrid::dda
 {
-  /// What became of one step of the blocks.
-  struct StepResult
-  {
-    bool   converged          = false; ///< if not, nothing was changed: cut the step
-    bool   stopped            = false; ///< by whoever watches the iteration
-    int    iterations         = 0;     ///< of the open-close iteration
-    int    solver_iterations  = 0;     ///< of the linear solver, summed
-    int    factorizations     = 0;
-    double first_residual     = 0.; ///< relative force residual where the trial begins [-]
-    double residual           = 0.; ///< at the end [-]
-    double displacement_ratio = 0.; ///< largest displacement over block size [-]
-    double unbalanced =
-      0.; ///< relative inertial force at the end (the static residual of a step from rest) [-]
-    int largest_block = -1; ///< block that moved most, relative to its size
-  };
-
-
-  /// What steps remember of how the one before was solved, for the checkpoint.
-  struct ActiveSetMemory
-  {
-    bool from_guess = false; ///< conditions of the guess served, not those of the last step
-    int  path_steps = 0;     ///< steps that begin with the interior point method at once
-    int  path_span  = 0;     ///< of them when it was last decided
-  };
-
-
   /**
    * One implicit step of blocks and foundation: the open-close iteration.
    *
@@ -164,18 +139,10 @@ namespace hybrid::dda
     static constexpr double linear_fraction = 1e-6; ///< of a residual that its update may leave
     static constexpr double path_end        = 1e-6; ///< of the first product: contacts have settled
 
-    /// Where a trial was.
-    struct Place
-    {
-      std::vector<Vec6> increment;
-      Eigen::VectorXd   foundation;
-    };
+    TrialPlace at_start, on_path;
 
-    Place at_start, on_path;
-
-    void keep(Place &place) const;
-
-    void go_back(const Place &place);
+    void keep(TrialPlace &place) const;
+    void go_back(const TrialPlace &place);
 
     /// The step under way.
     struct Step
@@ -288,7 +255,6 @@ namespace hybrid::dda
                   const DdaState           &state,
                   const FoundationResponse &foundation,
                   const Tangent            &tangent);
-
 
     /// Where a line search ended.
     struct LineSearch

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/dda/block/block_motion.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace hybrid::dda
+{
+  /// What became of one step of the blocks.
+  struct StepResult
+  {
+    bool   converged          = false; ///< if not, nothing was changed: cut the step
+    bool   stopped            = false; ///< by whoever watches the iteration
+    int    iterations         = 0;     ///< of the open-close iteration
+    int    solver_iterations  = 0;     ///< of the linear solver, summed
+    int    factorizations     = 0;
+    double first_residual     = 0.; ///< relative force residual where the trial begins [-]
+    double residual           = 0.; ///< at the end [-]
+    double displacement_ratio = 0.; ///< largest displacement over block size [-]
+    double unbalanced =
+      0.; ///< relative inertial force at the end (the static residual of a step from rest) [-]
+    int largest_block = -1; ///< block that moved most, relative to its size
+  };
+
+
+  /// What steps remember of how the one before was solved, for the checkpoint.
+  struct ActiveSetMemory
+  {
+    bool from_guess = false; ///< conditions of the guess served, not those of the last step
+    int  path_steps = 0;     ///< steps that begin with the interior point method at once
+    int  path_span  = 0;     ///< of them when it was last decided
+  };
+
+
+  /// Where a trial was.
+  struct TrialPlace
+  {
+    std::vector<Vec6> increment;  ///< of each block
+    Eigen::VectorXd   foundation; ///< displacement of the foundation nodes [m]
+  };
+} // namespace hybrid::dda
