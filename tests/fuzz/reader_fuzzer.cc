@@ -262,9 +262,10 @@ namespace
     for (const fs::directory_entry &entry : fs::recursive_directory_iterator(source / "parameters"))
       {
         const std::string stem = entry.path().stem(), extension = entry.path().extension();
-        if (entry.path().parent_path().parent_path().filename() == "examples")
-          continue; // their files name each other, and tables for hybrid new are no tables of
-                    // blocks
+        if (entry.path().parent_path().parent_path().filename() == "examples" ||
+            entry.path().parent_path().filename() == "benchmarks" ||
+            (stem == "wave_packet" && extension == ".csv"))
+          continue; // their files name each other, and tables for tools are no tables of blocks
         if (extension == ".prm")
           kind_of[entry.path()] = "prm";
         else if (extension == ".csv") // by the number of columns

@@ -150,16 +150,10 @@ namespace hybrid::dda
            boundary_force,
            surface_force,
            energy] = state;
-    archive(time,
-            geometry,
-            blocks,
-            joints,
-            contacts,
-            contact_scope,
-            rest,
-            foundation_displacement,
-            foundation_force);
-    archive(foundation_contact_force,
+    archive(time, last_step, geometry, blocks, joints, contacts, contact_scope, rest);
+    archive(foundation_displacement,
+            foundation_force,
+            foundation_contact_force,
             static_force,
             static_contact_force,
             bedrock_static_force,

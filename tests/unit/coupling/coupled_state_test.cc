@@ -24,6 +24,8 @@ namespace hybrid::coupling
       rock.surface_force           = {10.};
       rock.surface_contact         = {11.};
       rock.contact_acceleration    = {11.5};
+      rock.acceleration_change     = {11.6};
+      rock.last_step               = 11.7;
       rock.slip.jump               = {12.};
       rock.slip.path               = {13.};
       rock.slip.failed             = {1, 0};
@@ -53,6 +55,8 @@ namespace hybrid::coupling
       EXPECT_EQ(copy.continuum.surface_force, rock.surface_force);
       EXPECT_EQ(copy.continuum.surface_contact, rock.surface_contact);
       EXPECT_EQ(copy.continuum.contact_acceleration, rock.contact_acceleration);
+      EXPECT_EQ(copy.continuum.acceleration_change, rock.acceleration_change);
+      EXPECT_EQ(copy.continuum.last_step, rock.last_step);
       EXPECT_EQ(copy.continuum.slip.jump, rock.slip.jump);
       EXPECT_EQ(copy.continuum.slip.path, rock.slip.path);
       EXPECT_EQ(copy.continuum.slip.failed, rock.slip.failed);

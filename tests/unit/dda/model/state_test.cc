@@ -32,6 +32,7 @@ namespace hybrid::dda
       block.velocity             = Vec6::LinSpaced(4., 9.);
       block.acceleration         = Vec6::LinSpaced(10., 15.);
       block.contact_acceleration = Vec6::LinSpaced(16., 21.);
+      block.acceleration_change  = Vec6::LinSpaced(30., 35.);
       block.stress               = {22., 23., 24.};
       block.viscous_stress       = {25., 26., 27.};
       block.plastic_strain       = 28.;
@@ -42,6 +43,7 @@ namespace hybrid::dda
       EXPECT_EQ(copy.velocity, block.velocity);
       EXPECT_EQ(copy.acceleration, block.acceleration);
       EXPECT_EQ(copy.contact_acceleration, block.contact_acceleration);
+      EXPECT_EQ(copy.acceleration_change, block.acceleration_change);
       EXPECT_EQ(copy.stress, block.stress);
       EXPECT_EQ(copy.viscous_stress, block.viscous_stress);
       EXPECT_EQ(copy.plastic_strain, block.plastic_strain);
@@ -136,6 +138,7 @@ namespace hybrid::dda
     {
       DdaState state;
       state.time                      = 1.;
+      state.last_step                 = 1.5;
       state.geometry.offset           = {0, 3};
       state.geometry.block_of         = {0, 0, 0};
       state.geometry.vertices         = {{0., 0.}, {1., 0.}, {0., 1.}};
@@ -158,6 +161,7 @@ namespace hybrid::dda
       state.energy.gravity           = 9.;
       const DdaState copy            = copied(state);
       EXPECT_EQ(copy.time, 1.);
+      EXPECT_EQ(copy.last_step, 1.5);
       EXPECT_EQ(copy.geometry.offset, state.geometry.offset);
       EXPECT_EQ(copy.geometry.block_of, state.geometry.block_of);
       EXPECT_EQ(copy.geometry.vertices, state.geometry.vertices);
