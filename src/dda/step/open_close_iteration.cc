@@ -245,8 +245,8 @@ namespace hybrid::dda
     begin(model, state, foundation, dt, guess);
     if (flies_too_far(model, result))
       return result;
-    result.residual = guess == nullptr ? choose_guess(model, state, foundation)
-                                       : evaluate(model, state, foundation);
+    result.residual       = guess == nullptr ? choose_guess(model, state, foundation)
+                                             : evaluate(model, state, foundation);
     result.first_residual = result.residual;
     {
       const Stopwatch timer(times.springs);
