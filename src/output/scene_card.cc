@@ -310,12 +310,13 @@ namespace hybrid::output
         describe(part, scene, blocks, continuum, card.text);
         warn(mesh_warning(part, resolutions.wanted), card);
       }
-    card.text += line("Time       %g s in steps of %g s, scheme %s: Newmark beta %g, gamma %g",
+    card.text += line("Time       %g s in steps of %g s, scheme %s: Newmark beta %g, gamma %g%s",
                       scene.time.end_time,
                       scene.time.time_step,
                       scene.time.scheme.c_str(),
                       scene.time.newmark.beta,
-                      scene.time.newmark.gamma);
+                      scene.time.newmark.gamma,
+                      scene.time.newmark.filter > 0. ? ", filtered" : "");
     warn(step_warning(scene.time.time_step, resolutions.wanted), card);
     if (continuum != nullptr)
       {
