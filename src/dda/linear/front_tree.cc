@@ -134,18 +134,11 @@ namespace hybrid::dda
 
   void FrontTree::count()
   {
-    double              stack = 0.;
-    std::vector<double> of_children(n_fronts(), 0.);
     for (int f = 0; f < n_fronts(); ++f)
       {
         const double p = own(f), u = later(f);
         entries += p * p + 2. * p * u;
-        products += p * p * p + p * p * u + p * u * u;
-        largest = std::max(largest, own(f) + later(f));
-        stack += u * u - of_children[f];
-        if (parent[f] >= 0)
-          of_children[parent[f]] += u * u;
-        waiting = std::max(waiting, stack);
+        products += products_of(f);
       }
   }
 } // namespace hybrid::dda

@@ -1,50 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/linear/block_inverse.h>
 #include <hybrid/dda/linear/frontal_lu.h>
+#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/restart/archive.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-
-extern "C"
-{
-  // BLAS: C = beta C + alpha A B.
-  void dgemm_(const char   *trans_a,
-              const char   *trans_b,
-              const int    *m,
-              const int    *n,
-              const int    *k,
-              const double *alpha,
-              const double *a,
-              const int    *lda,
-              const double *b,
-              const int    *ldb,
-              const double *beta,
-              double       *c,
-              const int    *ldc);
-  // BLAS: y = beta y + alpha A x.
-  void dgemv_(const char   *trans,
-              const int    *m,
-              const int    *n,
-              const double *alpha,
-              const double *a,
-              const int    *lda,
-              const double *x,
-              const int    *inc_x,
-              const double *beta,
-              double       *y,
-              const int    *inc_y);
-  // LAPACK: LU factors of a matrix, and its inverse from them.
-  void dgetrf_(const int *m, const int *n, double *a, const int *lda, int *pivots, int *info);
-  void dgetri_(const int *n,
-               double    *a,
-               const int *lda,
-               const int *pivots,
-               double    *work,
-               const int *work_size,
-               int       *info);
-}
+#include <omp.h>
 
 namespace hybrid::dda
 {
@@ -58,51 +20,18 @@ namespace hybrid::dda
     /// zero at most.
     constexpr double idle_fraction = 0.5;
 
-    /// Columns of the work space of dgetri.
-    constexpr int lapack_columns = 64;
-
-    using Block = Eigen::Map<Mat6, 0, Eigen::OuterStride<>>;
-
-
-
-    /// 6x6 block of a matrix by columns with @p rows rows.
-    Block front_block(double *matrix, const int rows, const int i, const int j)
+    void set_zero(const DenseView &matrix) // columns without gaps
     {
-      return Block(matrix + 6 * i + static_cast<std::ptrdiff_t>(6 * j) * rows,
-                   Eigen::OuterStride<>(rows));
+      std::fill_n(matrix.data, static_cast<std::size_t>(matrix.rows) * matrix.columns, 0.);
     }
 
 
 
-    /// A factor times a matrix by columns times a vector.
-    struct Product
+    void copy_lower_to_upper(const DenseView &matrix)
     {
-      double        factor;
-      const double *matrix;
-      const double *vector;
-    };
-
-    /// y = beta y + product; @p trans 'T': of the transpose.
-    void add_product(const char     trans,
-                     const int      rows,
-                     const int      columns,
-                     const Product &product,
-                     const double   beta,
-                     double        *y)
-    {
-      constexpr int one = 1;
-      if (rows > 0 && columns > 0)
-        dgemv_(&trans,
-               &rows,
-               &columns,
-               &product.factor,
-               product.matrix,
-               &rows,
-               product.vector,
-               &one,
-               &beta,
-               y,
-               &one);
+      for (int j = 0; j < matrix.columns / 6; ++j)
+        for (int i = j + 1; i < matrix.rows / 6; ++i)
+          matrix.block(j, i) = matrix.block(i, j).transpose();
     }
 
 
@@ -124,6 +53,7 @@ namespace hybrid::dda
     pairs = std::move(now);
     size  = n_blocks;
     tree  = FrontTree(n_blocks, pairs);
+    plan  = FrontPlan(tree);
     ++analyses;
 
     const int n = tree.n_fronts();
@@ -149,12 +79,12 @@ namespace hybrid::dda
     diagonal.resize(n_blocks);
     upper.resize(pairs.size());
     lower.resize(pairs.size());
-    front.resize(36 * static_cast<std::size_t>(tree.largest) * tree.largest);
-    waiting.resize(36 * static_cast<std::size_t>(tree.waiting));
-    pivots.resize(6 * tree.largest);
-    lapack_work.resize(lapack_columns * 6 * tree.largest);
+    waiting.resize(plan.size);
+    rest.resize(6 * n_blocks);
     ordered.resize(6 * n_blocks);
-    gathered.resize(6 * tree.largest);
+    handed.resize(6 * static_cast<Eigen::Index>(tree.later_places.size()));
+    for (Work &of_thread : work)
+      of_thread = Work();
   }
 
 
@@ -220,129 +150,143 @@ namespace hybrid::dda
 
 
 
-  void FrontalLu::fill(const int f)
+  void FrontalLu::reserve_work()
   {
-    const int rows = 6 * (tree.own(f) + tree.later(f));
-    std::fill_n(front.begin(), static_cast<std::size_t>(rows) * rows, 0.);
-    for (int k = 0; k < tree.own(f); ++k)
-      front_block(front.data(), rows, k, k) = diagonal[tree.block[tree.begin[f] + k]];
+    work.resize(std::max<std::size_t>(work.size(), omp_get_max_threads()));
+    for (Work &of_thread : work)
+      {
+        of_thread.below.resize(36 * plan.largest_panel);
+        of_thread.largest.resize(plan.largest_own);
+        of_thread.inverse.reserve(6 * plan.largest_own);
+      }
+  }
+
+
+
+  FrontalLu::Front FrontalLu::front_of(const int f, Work &of_thread)
+  {
+    const int p = 6 * tree.own(f), u = 6 * tree.later(f);
+    double   *inverse = factors.data() + factor_begin[f];
+    double   *kept    = inverse + static_cast<std::size_t>(p) * p;
+    double   *right   = symmetric ? nullptr : kept + static_cast<std::size_t>(p) * u;
+    return {{inverse, p, p, p},
+            {right, p, u, p},
+            {of_thread.below.data(), u, p, u},
+            {kept, u, p, u},
+            {waiting.data() + plan.place[f], u, u, u}};
+  }
+
+
+
+  void FrontalLu::fill(const int f, const Front &front) const
+  {
+    const int own = tree.own(f);
+    for (const DenseView &part : {front.own, front.below, front.later})
+      set_zero(part);
+    if (!symmetric)
+      set_zero(front.right);
+    for (int k = 0; k < own; ++k)
+      front.own.block(k, k) = diagonal[tree.block[tree.begin[f] + k]];
     for (int e = entry_begin[f]; e < entry_begin[f + 1]; ++e)
       {
-        const Entry &entry                                         = entries[e];
-        const Mat6  &right                                         = upper[entry.pair];
-        const Mat6  &below                                         = lower[entry.pair];
-        front_block(front.data(), rows, entry.first, entry.second) = entry.turned ? below : right;
-        front_block(front.data(), rows, entry.second, entry.first) = entry.turned ? right : below;
+        const Entry &entry = entries[e];
+        const Mat6  &right = entry.turned ? lower[entry.pair] : upper[entry.pair];
+        const Mat6  &below = entry.turned ? upper[entry.pair] : lower[entry.pair];
+        const bool   inner = entry.second < own;
+        (inner ? front.own : front.below).block(entry.second - (inner ? 0 : own), entry.first) =
+          below;
+        if (!symmetric)
+          (inner ? front.own : front.right).block(entry.first, entry.second - (inner ? 0 : own)) =
+            right;
       }
   }
 
 
 
-  void FrontalLu::add_child(const int child, const std::size_t top)
+  void FrontalLu::add_child(const int child, const Front &front) const
   {
-    const int  f    = tree.parent[child];
-    const int  rows = 6 * (tree.own(f) + tree.later(f)), n = tree.later(child);
-    const int *place = tree.in_parent.data() + tree.later_begin[child];
-    double    *left  = waiting.data() + top;
+    const int       n = tree.later(child), own = front.own.rows / 6;
+    const int      *place = tree.in_parent.data() + tree.later_begin[child];
+    const DenseView left  = {const_cast<double *>(waiting.data()) + plan.place[child],
+                             6 * n,
+                             6 * n,
+                             6 * n};
+    const int       inner = static_cast<int>(std::lower_bound(place, place + n, own) - place);
     for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i)
-        front_block(front.data(), rows, place[i], place[j]) += front_block(left, 6 * n, i, j);
+      {
+        const bool      is_own = j < inner;
+        const int       column = place[j] - (is_own ? 0 : own);
+        const DenseView above  = is_own ? front.own : front.right,
+                        after  = is_own ? front.below : front.later;
+        for (int i = symmetric ? j : 0; i < inner; ++i)
+          above.block(place[i], column) += left.block(i, j);
+        for (int i = std::max(inner, symmetric ? j : 0); i < n; ++i)
+          after.block(place[i] - own, column) += left.block(i, j);
+      }
   }
 
 
 
-  bool FrontalLu::grows(const int f) const
+  bool FrontalLu::eliminate(const int f, Work &of_thread)
   {
-    const int rows = 6 * (tree.own(f) + tree.later(f));
+    const Front front = front_of(f, of_thread);
+    fill(f, front);
+    for (int c = plan.child_begin[f]; c < plan.child_begin[f + 1]; ++c)
+      add_child(plan.child[c], front);
+    if (symmetric)
+      copy_lower_to_upper(front.own);
     for (int k = 0; k < tree.own(f); ++k)
-      {
-        const double start = diagonal[tree.block[tree.begin[f] + k]].cwiseAbs().maxCoeff();
-        const double now =
-          front_block(const_cast<double *>(front.data()), rows, k, k).cwiseAbs().maxCoeff();
-        if (!(now <= max_front_growth * start))
-          return true;
-      }
-    return false;
-  }
-
-
-
-  bool FrontalLu::invert_own(const int f, double *inverse)
-  {
-    const int p = tree.own(f), n = 6 * p, rows = 6 * (p + tree.later(f));
-    if (p == 1)
-      {
-        Eigen::Map<Mat6> d(inverse);
-        d = block_inverse(front_block(front.data(), rows, 0, 0));
-        return d.allFinite();
-      }
-    for (int j = 0; j < n; ++j)
-      std::copy_n(front.data() + static_cast<std::size_t>(j) * rows, n, inverse + j * n);
-    int       info      = 0;
-    const int work_size = lapack_columns * n;
-    dgetrf_(&n, &n, inverse, &n, pivots.data(), &info);
-    if (info == 0)
-      dgetri_(&n, inverse, &n, pivots.data(), lapack_work.data(), &work_size, &info);
-    return info == 0 && Eigen::Map<Eigen::MatrixXd>(inverse, n, n).allFinite();
+      of_thread.largest[k] =
+        max_front_growth * diagonal[tree.block[tree.begin[f] + k]].cwiseAbs().maxCoeff();
+    if (!of_thread.inverse.invert(front.own, of_thread.largest.data()))
+      return false;
+    if (tree.later(f) == 0)
+      return true;
+    multiply(1., front.below, front.own, 0., front.kept);
+    if (symmetric)
+      subtract_lower(front.kept, front.below, front.later);
+    else
+      multiply(-1., front.kept, front.right, 1., front.later);
+    return true;
   }
 
 
 
   bool FrontalLu::eliminate()
   {
-    constexpr double one = 1., minus = -1., zero = 0.;
-    std::size_t      top = 0;
     place_factors();
-    std::vector<int> &stack = fronts_waiting;
-    stack.clear();
-    for (int f = 0; f < tree.n_fronts(); ++f)
-      {
-        fill(f);
-        while (!stack.empty() && tree.parent[stack.back()] == f)
-          {
-            const std::size_t n = 6 * tree.later(stack.back());
-            top -= n * n;
-            add_child(stack.back(), top);
-            stack.pop_back();
-          }
-        const int p = 6 * tree.own(f), u = 6 * tree.later(f), rows = p + u;
-        double   *inverse = factors.data() + factor_begin[f];
-        double   *below   = inverse + static_cast<std::size_t>(p) * p;
-        double   *right   = below + static_cast<std::size_t>(p) * u;
-        if (grows(f) || !invert_own(f, inverse))
-          return false;
-        if (u == 0)
-          continue;
-        const double *b = front.data() + static_cast<std::size_t>(p) * rows;
-        double       *e = front.data() + static_cast<std::size_t>(p) * rows + p;
-        dgemm_("N", "N", &u, &p, &p, &one, front.data() + p, &rows, inverse, &p, &zero, below, &u);
-        dgemm_("N", "N", &u, &u, &p, &minus, below, &u, b, &rows, &one, e, &rows);
-        for (int j = 0; j < u && !symmetric; ++j)
-          std::copy_n(b + static_cast<std::size_t>(j) * rows,
-                      p,
-                      right + static_cast<std::size_t>(j) * p);
-        if (tree.parent[f] < 0)
-          continue;
-        for (int j = 0; j < u; ++j)
-          std::copy_n(e + static_cast<std::size_t>(j) * rows,
-                      u,
-                      waiting.data() + top + static_cast<std::size_t>(j) * u);
-        top += static_cast<std::size_t>(u) * u;
-        stack.push_back(f);
-      }
-    return true;
+    reserve_work();
+    bool      regular  = true;
+    const int n_shared = static_cast<int>(plan.shared.size());
+#pragma omp parallel for schedule(dynamic) reduction(&& : regular) if (is_worth_sharing(size))
+    for (int s = 0; s < n_shared; ++s)
+      for (int f = plan.shared[s].first; regular && f < plan.shared[s].last; ++f)
+        regular = eliminate(f, work[omp_get_thread_num()]);
+    for (std::size_t k = 0; regular && k < plan.above.size(); ++k)
+      regular = eliminate(plan.above[k], work[0]);
+    return regular;
   }
 
 
 
   void FrontalLu::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
   {
+    const int  n_shared = static_cast<int>(plan.shared.size());
+    const bool is_large = is_worth_sharing(size);
     for (int p = 0; p < size; ++p)
-      ordered.segment<6>(6 * p) = b.segment<6>(6 * tree.block[p]);
-    for (int f = 0; f < tree.n_fronts(); ++f)
+      rest.segment<6>(6 * p) = b.segment<6>(6 * tree.block[p]);
+#pragma omp parallel for schedule(dynamic) if (is_large)
+    for (int s = 0; s < n_shared; ++s)
+      for (int f = plan.shared[s].first; f < plan.shared[s].last; ++f)
+        solve_forward(f);
+    for (const int f : plan.above)
       solve_forward(f);
-    for (int f = tree.n_fronts() - 1; f >= 0; --f)
-      solve_backward(f);
+    for (auto f = plan.above.rbegin(); f != plan.above.rend(); ++f)
+      solve_backward(*f);
+#pragma omp parallel for schedule(dynamic) if (is_large)
+    for (int s = 0; s < n_shared; ++s)
+      for (int f = plan.shared[s].last - 1; f >= plan.shared[s].first; --f)
+        solve_backward(f);
     for (int p = 0; p < size; ++p)
       x.segment<6>(6 * tree.block[p]) = ordered.segment<6>(6 * p);
   }
@@ -351,32 +295,44 @@ namespace hybrid::dda
 
   void FrontalLu::solve_forward(const int f)
   {
-    const int     p = 6 * tree.own(f), u = 6 * tree.later(f);
-    const double *below = factors.data() + factor_begin[f] + static_cast<std::size_t>(p) * p;
-    add_product('N', u, p, {1., below, ordered.data() + 6 * tree.begin[f]}, 0., gathered.data());
-    const int *place = tree.later_places.data() + tree.later_begin[f];
-    for (int k = 0; k < u / 6; ++k)
-      ordered.segment<6>(6 * place[k]) -= gathered.segment<6>(6 * k);
+    const int p = tree.own(f), u = tree.later(f);
+    double   *own  = rest.data() + 6 * tree.begin[f];
+    double   *hand = handed.data() + 6 * static_cast<std::ptrdiff_t>(tree.later_begin[f]);
+    std::fill_n(hand, 6 * u, 0.);
+    for (int c = plan.child_begin[f]; c < plan.child_begin[f + 1]; ++c)
+      {
+        const int     begin = tree.later_begin[plan.child[c]];
+        const double *left  = handed.data() + 6 * static_cast<std::ptrdiff_t>(begin);
+        for (int k = 0; k < tree.later(plan.child[c]); ++k)
+          {
+            const int place = tree.in_parent[begin + k];
+            Eigen::Map<Vec6>(place < p ? own + 6 * place : hand + 6 * (place - p)) +=
+              Eigen::Map<const Vec6>(left + 6 * k);
+          }
+      }
+    double *kept = factors.data() + factor_begin[f] + static_cast<std::size_t>(36) * p * p;
+    subtract_product({kept, 6 * u, 6 * p, 6 * u}, own, hand);
   }
 
 
 
   void FrontalLu::solve_backward(const int f)
   {
-    const int     p = 6 * tree.own(f), u = 6 * tree.later(f);
-    const double *inverse = factors.data() + factor_begin[f];
-    const double *below   = inverse + static_cast<std::size_t>(p) * p;
-    const double *right   = below + static_cast<std::size_t>(p) * u;
-    const int    *place   = tree.later_places.data() + tree.later_begin[f];
-    double       *here    = ordered.data() + 6 * tree.begin[f];
+    const int  p = 6 * tree.own(f), u = 6 * tree.later(f);
+    double    *inverse = factors.data() + factor_begin[f];
+    double    *kept    = inverse + static_cast<std::size_t>(p) * p;
+    double    *right   = kept + static_cast<std::size_t>(p) * u;
+    double    *here    = rest.data() + 6 * tree.begin[f];
+    double    *result  = ordered.data() + 6 * tree.begin[f];
+    double    *later   = handed.data() + 6 * static_cast<std::ptrdiff_t>(tree.later_begin[f]);
+    const int *place   = tree.later_places.data() + tree.later_begin[f];
     for (int k = 0; k < u / 6; ++k)
-      gathered.segment<6>(p + 6 * k) = ordered.segment<6>(6 * place[k]);
-    std::copy_n(here, p, gathered.data());
+      Eigen::Map<Vec6>(later + 6 * k) = ordered.segment<6>(6 * place[k]);
     if (!symmetric)
-      add_product('N', p, u, {-1., right, gathered.data() + p}, 1., gathered.data());
-    add_product('N', p, p, {1., inverse, gathered.data()}, 0., here);
+      subtract_product({right, p, u, p}, later, here);
+    set_product({inverse, p, p, p}, here, result);
     if (symmetric) // D^-1 B is the transpose of C D^-1
-      add_product('T', u, p, {-1., below, gathered.data() + p}, 1., here);
+      subtract_transposed_product({kept, u, p, u}, later, result);
   }
 
 

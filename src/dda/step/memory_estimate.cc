@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/linear/front_tree.h>
+#include <hybrid/dda/linear/front_plan.h>
 #include <hybrid/dda/model/state.h>
 #include <hybrid/dda/springs/spring_stiffness.h>
 #include <hybrid/dda/step/memory_estimate.h>
@@ -41,9 +41,12 @@ namespace hybrid::dda
     // The inverse diagonal and the copy that is swept, too.
     const double in_matrix = (2. * n + 2. * coupled) * per_mat6;
     // What is factored.
-    const double in_copy   = (n + coupled) * per_mat6;
-    const double largest   = tree.largest;
-    const double in_factor = (tree.entries + tree.waiting + largest * largest) * per_mat6;
+    const double    in_copy = (n + coupled) * per_mat6;
+    const FrontPlan plan(tree);
+    const double    work = static_cast<double>(plan.largest_panel) +
+                        1.5 * static_cast<double>(plan.largest_own) * plan.largest_own;
+    const double in_factor =
+      (tree.entries + work) * per_mat6 + static_cast<double>(plan.size) * sizeof(double);
     return in_springs + in_state + in_matrix + in_copy + in_factor;
   }
 } // namespace hybrid::dda

@@ -47,6 +47,13 @@ namespace hybrid::dda
       return later_begin[f + 1] - later_begin[f];
     }
 
+    /// Products of 6x6 blocks in the elimination of a front.
+    double products_of(const int f) const
+    {
+      const double p = own(f), u = later(f);
+      return p * p * p + p * p * u + p * u * u;
+    }
+
     /// Position of a block among those of the front, own ones first. @param p place of the block
     int position(int f, int p) const;
 
@@ -61,8 +68,6 @@ namespace hybrid::dda
 
     double entries  = 0.; ///< of the factors L and U together
     double products = 0.; ///< of 6x6 blocks in a factorisation
-    int    largest  = 0;  ///< blocks of the largest front
-    double waiting  = 0.; ///< largest number of entries that wait for their parents
 
   private:
     void order(int n_blocks, const std::vector<BlockMatrix::Pair> &pairs);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/linear/front_tree.h>
+#include <hybrid/dda/linear/front_kernels.h>
+#include <hybrid/dda/linear/front_plan.h>
 #include <hybrid/restart/archive_forward.h>
 
 #include <Eigen/Core>
@@ -21,8 +22,11 @@ namespace hybrid::dda
    *
    *     C D^-1,   E - (C D^-1) B
    *
-   * are what is kept and what goes to the parent. Rows are exchanged within D only: inertia and
-   * elasticity make it regular. Where that does not suffice entries grow, and there are no factors.
+   * are what is kept and what goes to the parent; of a symmetric matrix the half below the
+   * diagonal. Rows are exchanged within D only: inertia and elasticity make it regular. Where that
+   * does not suffice entries grow, and there are no factors.
+   *
+   * Threads share subtrees of fronts (FrontPlan), with the same bits for any number of them.
    */
   class FrontalLu
   {
@@ -59,21 +63,40 @@ namespace hybrid::dda
       bool turned; ///< the first is the second of the pair
     };
 
+    /// Where the parts of a front are in memory.
+    struct Front
+    {
+      DenseView own;   ///< D, then its inverse
+      DenseView right; ///< B; not of a symmetric matrix
+      DenseView below; ///< C, in work space
+      DenseView kept;  ///< C D^-1
+      DenseView later; ///< E
+    };
+
+    /// Work space of a thread.
+    struct Work
+    {
+      std::vector<double> below;
+      std::vector<double> largest; ///< entry that each own block may have
+      DenseInverse        inverse;
+    };
+
     int                            size      = 0; ///< blocks that were analysed
     int                            analyses  = 0;
     bool                           symmetric = false; ///< what was factored last
     std::vector<BlockMatrix::Pair> pairs;             ///< analysed
     FrontTree                      tree;
+    FrontPlan                      plan;
     std::vector<int>               entry_begin; ///< CSR over fronts
     std::vector<Entry>             entries;
     std::vector<Mat6>              diagonal, upper, lower; ///< what is factored, as in BlockMatrix
     std::vector<std::size_t>       factor_begin;           ///< of each front in factors
     std::vector<double> factors; ///< per front D^-1, C D^-1 and, unless symmetric, B; by columns
-    std::vector<double> front, waiting;    ///< work
-    std::vector<double> lapack_work;       ///< work
-    std::vector<int>    pivots;            ///< work
-    std::vector<int>    fronts_waiting;    ///< work
-    Eigen::VectorXd     ordered, gathered; ///< work
+    std::vector<double> waiting; ///< E of fronts, see FrontPlan
+    std::vector<Work>   work;    ///< of each thread
+    Eigen::VectorXd     rest;    ///< work: right-hand side in the order of places
+    Eigen::VectorXd     ordered; ///< work: solution in the order of places
+    Eigen::VectorXd     handed;  ///< work: of each front's later blocks
 
     /// Bring order and fronts up to date, and copy the matrix.
     void load(const BlockMatrix &matrix);
@@ -85,18 +108,22 @@ namespace hybrid::dda
 
     bool eliminate();
 
-    void fill(int f);
+    /// Work space for each thread that there may be.
+    void reserve_work();
 
-    /// Add what child fronts left. @param top of those that wait [entries of waiting]
-    void add_child(int child, std::size_t top);
+    Front front_of(int f, Work &of_thread);
+
+    /// Eliminate one front.
+    bool eliminate(int f, Work &of_thread);
+
+    /// Entries of the matrix.
+    void fill(int f, const Front &front) const;
+
+    /// Add what a child front left.
+    void add_child(int child, const Front &front) const;
 
     void solve_forward(int f);
 
     void solve_backward(int f);
-
-    bool invert_own(int f, double *inverse);
-
-    /// An own block has become too large.
-    bool grows(int f) const;
   };
 } // namespace hybrid::dda

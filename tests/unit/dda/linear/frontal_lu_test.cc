@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <omp.h>
+
 namespace
 {
   using namespace hybrid::dda;
@@ -154,4 +156,30 @@ TEST(FrontalLu, a_restored_factor_and_later_ones_give_the_same_bits)
           ASSERT_TRUE(factor.factorize(m) && copy.factorize(m));
         }
     }
+}
+
+
+
+// Enough blocks to be shared out: subtrees, and products of the large fronts above them.
+TEST(FrontalLu, the_same_bits_with_any_number_of_threads)
+{
+  const int side = 60, n = side * side, before = omp_get_max_threads();
+  for (const BlockMatrix &m :
+       {random_block_matrix(n, 0, {1, side}), unsymmetric_block_matrix(n, 0, 0.1, {1, side})})
+    {
+      const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(6 * n, -1., 2.);
+      Eigen::VectorXd       one(6 * n), x(6 * n);
+      for (const int threads : {1, 2, 3})
+        {
+          omp_set_num_threads(threads);
+          FrontalLu factor;
+          ASSERT_TRUE(factor.factorize(m));
+          factor.solve(b, threads == 1 ? one : x);
+          if (threads > 1)
+            {
+              EXPECT_EQ(one, x) << threads << " threads";
+            }
+        }
+    }
+  omp_set_num_threads(before);
 }

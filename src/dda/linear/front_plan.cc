@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/front_plan.h>
+
+#include <algorithm>
+#include <array>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    /// Largest part of all products that is eliminated in a row while others are.
+    constexpr double largest_part = 1. / 16.;
+  } // namespace
+
+
+
+  FrontPlan::FrontPlan(const FrontTree &tree)
+  {
+    for (int f = 0; f < tree.n_fronts(); ++f)
+      {
+        largest_own = std::max(largest_own, tree.own(f));
+        largest_panel =
+          std::max(largest_panel, static_cast<std::size_t>(tree.own(f)) * tree.later(f));
+      }
+    list_children(tree);
+    find_subtrees(tree);
+    find_places(tree);
+  }
+
+
+
+  void FrontPlan::list_children(const FrontTree &tree)
+  {
+    const int n = tree.n_fronts();
+    child_begin.assign(n + 1, 0);
+    for (const int parent : tree.parent)
+      if (parent >= 0)
+        ++child_begin[parent + 1];
+    for (int f = 0; f < n; ++f)
+      child_begin[f + 1] += child_begin[f];
+    child.resize(child_begin[n]);
+    std::vector<int> at(child_begin.begin(), child_begin.end() - 1);
+    for (int f = 0; f < n; ++f)
+      if (tree.parent[f] >= 0)
+        child[at[tree.parent[f]]++] = f;
+  }
+
+
+
+  void FrontPlan::find_subtrees(const FrontTree &tree)
+  {
+    const int           n = tree.n_fronts();
+    std::vector<double> products(n); // of all below, too
+    std::vector<int>    first(n);    // front of all below
+    for (int f = 0; f < n; ++f)
+      {
+        products[f] = tree.products_of(f);
+        first[f]    = f;
+        for (int c = child_begin[f]; c < child_begin[f + 1]; ++c)
+          {
+            products[f] += products[child[c]];
+            first[f] = std::min(first[f], first[child[c]]);
+          }
+      }
+    const double most  = largest_part * tree.products;
+    double       taken = 0.; // by the last list of subtrees
+    for (int f = 0; f < n; ++f)
+      {
+        if (products[f] > most)
+          {
+            above.push_back(f);
+            continue;
+          }
+        if (tree.parent[f] >= 0 && products[tree.parent[f]] <= most)
+          continue;
+        if (!shared.empty() && shared.back().last == first[f] && taken + products[f] <= most)
+          taken += products[f];
+        else
+          {
+            shared.push_back({first[f], f});
+            taken = products[f];
+          }
+        shared.back().last = f + 1;
+      }
+  }
+
+
+
+  void FrontPlan::find_places(const FrontTree &tree)
+  {
+    const int        n = tree.n_fronts();
+    std::vector<int> depth(n, 0), list(n, -1);
+    for (int f = n - 1; f >= 0; --f)
+      depth[f] = tree.parent[f] < 0 ? 0 : 1 - depth[tree.parent[f]];
+    for (std::size_t s = 0; s < shared.size(); ++s)
+      std::fill(list.begin() + shared[s].first, list.begin() + shared[s].last, static_cast<int>(s));
+    place.assign(n, 0);
+    const auto entries = [&tree](const int f) {
+      return 36 * static_cast<std::size_t>(tree.later(f)) * tree.later(f);
+    };
+    const auto stack = [&](const auto &fronts) {
+      std::array<std::size_t, 2> top{0, 0}, highest{0, 0};
+      for (const int f : fronts)
+        {
+          place[f] = top[depth[f]];
+          top[depth[f]] += entries(f);
+          highest[depth[f]] = std::max(highest[depth[f]], top[depth[f]]);
+          for (int c = child_begin[f]; c < child_begin[f + 1]; ++c)
+            if (list[child[c]] == list[f])
+              top[1 - depth[f]] -= entries(child[c]);
+        }
+      for (const int f : fronts)
+        place[f] += size + (depth[f] == 0 ? 0 : highest[0]);
+      size += highest[0] + highest[1];
+    };
+    std::vector<int> fronts;
+    for (const Subtrees &trees : shared)
+      {
+        fronts.clear();
+        for (int f = trees.first; f < trees.last; ++f)
+          fronts.push_back(f);
+        stack(fronts);
+      }
+    stack(above);
+  }
+} // namespace hybrid::dda
