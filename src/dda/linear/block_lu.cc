@@ -17,15 +17,14 @@ namespace hybrid::dda
 
 
 
-  void BlockLu::connect(const BlockMatrix &matrix)
+  void BlockLu::connect()
   {
-    neighbours.resize(matrix.n_blocks());
+    neighbours.resize(n_analyzed);
     for (auto &list : neighbours)
       list.clear();
-    for (std::size_t s = 0; s < matrix.pairs.size(); ++s)
-      if (!matrix.is_zero(s))
-        for (const int end : {0, 1})
-          neighbours[matrix.pairs[s][end]].push_back(matrix.pairs[s][1 - end]);
+    for (const auto &pair : analyzed)
+      for (const int end : {0, 1})
+        neighbours[pair[end]].push_back(pair[1 - end]);
     for (auto &list : neighbours)
       std::sort(list.begin(), list.end());
   }
@@ -53,7 +52,7 @@ namespace hybrid::dda
 
 
 
-  void BlockLu::choose_order()
+  void BlockLu::choose_order(const long most)
   {
     const int n = static_cast<int>(neighbours.size());
     by_degree.resize(std::max<std::size_t>(by_degree.size(), n + 1));
@@ -63,6 +62,7 @@ namespace hybrid::dda
       by_degree[neighbours[b].size()].push_back(b);
     block.clear();
     place.assign(n, -1);
+    n_products = 0;
     for (std::size_t degree = 0; static_cast<int>(block.size()) < n;)
       {
         if (by_degree[degree].empty())
@@ -74,6 +74,15 @@ namespace hybrid::dda
         by_degree[degree].pop_back();
         if (place[b] >= 0 || neighbours[b].size() != degree)
           continue;
+        // The d neighbours of a block are coupled to each other once it is gone, and then take at
+        // least what a full matrix of d blocks takes: the sum of k (k + 1), k < d.
+        const long d = static_cast<long>(degree);
+        if (d * (d + 1) + (d - 1) * d * (d + 1) / 3 > most - n_products)
+          {
+            n_products = most + 1;
+            return;
+          }
+        n_products += d * (d + 1);
         place[b] = static_cast<int>(block.size());
         block.push_back(b);
         eliminate(b);
@@ -98,18 +107,22 @@ namespace hybrid::dda
 
 
 
-  long BlockLu::analyze(const BlockMatrix &matrix)
+  long BlockLu::analyze(const BlockMatrix &matrix, const long most)
   {
-    connect(matrix);
-    choose_order();
-    set_pattern();
-    long products = 0;
-    for (std::size_t p = 0; p + 1 < begin.size(); ++p)
-      {
-        const long n = begin[p + 1] - begin[p];
-        products += n * (n + 1);
-      }
-    return products;
+    touching.clear();
+    for (std::size_t s = 0; s < matrix.pairs.size(); ++s)
+      if (!matrix.is_zero(s))
+        touching.push_back(matrix.pairs[s]);
+    if (n_analyzed == matrix.n_blocks() && most_allowed == most && touching == analyzed)
+      return n_products;
+    n_analyzed   = matrix.n_blocks();
+    most_allowed = most;
+    std::swap(touching, analyzed);
+    connect();
+    choose_order(most);
+    if (n_products <= most)
+      set_pattern();
+    return n_products;
   }
 
 
@@ -202,5 +215,7 @@ namespace hybrid::dda
   void BlockLu::serialize(restart::Archive &archive)
   {
     archive(place, block, begin, later, upper, lower, inverse);
+    if (archive.is_reading())
+      n_analyzed = -1;
   }
 } // namespace hybrid::dda

@@ -228,12 +228,12 @@ namespace hybrid::dda
 
   bool SparseFactor::factorize(const BlockMatrix &matrix)
   {
-    size      = 0;
-    symmetric = matrix.symmetric;
-    if (!symmetric)
-      block_lu_products = static_cast<double>(block_lu.analyze(matrix));
-    if (!symmetric && block_lu_products <= static_cast<double>(few_products * matrix.n_blocks()) &&
-        block_lu.factorize(matrix))
+    size              = 0;
+    symmetric         = matrix.symmetric;
+    const long most   = few_products * matrix.n_blocks();
+    const long n      = symmetric ? 0 : block_lu.analyze(matrix, most);
+    block_lu_products = static_cast<double>(n);
+    if (!symmetric && n <= most && block_lu.factorize(matrix))
       kind = Kind::block_lu;
     else if (frontal.factorize(matrix))
       kind = Kind::frontal;

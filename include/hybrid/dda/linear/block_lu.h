@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 namespace hybrid::dda
@@ -23,12 +24,14 @@ namespace hybrid::dda
   class BlockLu
   {
   public:
-    /// Choose the order of elimination for the pairs of @p matrix that are not zero.
-    /// @return how many products of 6x6 blocks factorize() takes.
-    long analyze(const BlockMatrix &matrix);
+    /// Choose the order of elimination for the pairs of @p matrix that are not zero; kept from the
+    /// last call if the same pairs are.
+    /// @return how many products of 6x6 blocks factorize() takes; more than @p most, and no order,
+    /// where it takes more than that.
+    long analyze(const BlockMatrix &matrix, long most = std::numeric_limits<long>::max());
 
-    /// @pre analyze() was called with this matrix. @return false if a block of the diagonal becomes
-    /// singular or large.
+    /// @pre analyze() has found an order for this matrix. @return false if a block of the diagonal
+    /// becomes singular or large.
     bool factorize(const BlockMatrix &matrix);
 
     /// x = K^-1 b for the first 6 n_blocks entries.
@@ -53,19 +56,27 @@ namespace hybrid::dda
     std::vector<Mat6> lower;   ///< L off the diagonal; its diagonal is the unit matrix
     std::vector<Mat6> inverse; ///< of the diagonal of U
 
-    std::vector<Mat6>             diagonal;   ///< work: what is left of it
-    std::vector<std::vector<int>> neighbours; ///< work: of each block, those not yet eliminated
-    std::vector<std::vector<int>> by_degree;  ///< work: blocks, some of them outdated
-    std::vector<int>              joined;     ///< work
+    // What was analysed last: the order depends on nothing else.
+    std::vector<BlockMatrix::Pair> analyzed;          ///< pairs
+    int                            n_analyzed   = -1; ///< blocks; -1: nothing
+    long                           most_allowed = 0;  ///< products
+    long                           n_products   = 0;  ///< that it came to
 
-    /// Fill neighbours with the pairs that are not zero.
-    void connect(const BlockMatrix &matrix);
+    std::vector<BlockMatrix::Pair> touching;   ///< work: pairs that are not zero
+    std::vector<Mat6>              diagonal;   ///< work: what is left of it
+    std::vector<std::vector<int>>  neighbours; ///< work: of each block, those not yet eliminated
+    std::vector<std::vector<int>>  by_degree;  ///< work: blocks, some of them outdated
+    std::vector<int>               joined;     ///< work
+
+    /// Fill neighbours with the pairs that touch.
+    void connect();
 
     /// Take a block out of the graph: its neighbours become neighbours of each other.
     void eliminate(int b);
 
-    /// Fill place, block and, but for the order, the neighbours of all blocks at later places.
-    void choose_order();
+    /// Fill place, block and, but for the order, the neighbours of all blocks at later places, and
+    /// count products, as long as they are no more than @p most.
+    void choose_order(long most);
 
     void set_pattern();
 

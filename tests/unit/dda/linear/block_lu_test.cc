@@ -55,6 +55,42 @@ TEST(BlockLu, a_chain_fills_nothing_in)
 
 
 
+TEST(BlockLu, no_order_is_found_that_takes_more_than_allowed)
+{
+  const BlockMatrix m = unsymmetric_block_matrix(40, 0, 0.1, {1, 3, 7});
+  const long        n = BlockLu().analyze(m);
+  BlockLu           factor;
+  EXPECT_EQ(factor.analyze(m, n), n);
+  ASSERT_TRUE(factor.factorize(m));
+  EXPECT_LT(error(factor, m), 1e-12);
+  EXPECT_GT(factor.analyze(m, n - 1), n - 1);
+  EXPECT_EQ(factor.analyze(m, n), n);
+  ASSERT_TRUE(factor.factorize(m));
+  EXPECT_LT(error(factor, m), 1e-12);
+}
+
+
+
+TEST(BlockLu, the_order_follows_the_pairs_that_touch)
+{
+  BlockMatrix m = unsymmetric_block_matrix(40, 0, 0.1, {1, 3, 7}), few = m;
+  part_pairs(few, 3);
+  BlockLu    factor;
+  const long all = factor.analyze(m), less = factor.analyze(few);
+  EXPECT_LT(less, all);
+  for (int round = 0; round < 2; ++round) // the second time from memory
+    {
+      EXPECT_EQ(factor.analyze(few), less);
+      ASSERT_TRUE(factor.factorize(few));
+      EXPECT_LT(error(factor, few), 1e-12);
+    }
+  EXPECT_EQ(factor.analyze(m), all);
+  ASSERT_TRUE(factor.factorize(m));
+  EXPECT_LT(error(factor, m), 1e-12);
+}
+
+
+
 TEST(BlockLu, a_star_is_eliminated_from_its_ends)
 {
   BlockMatrix                    m;
