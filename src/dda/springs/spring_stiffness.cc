@@ -16,12 +16,18 @@ namespace hybrid::dda
 
 
 
-  SpringStiffness::Rows SpringStiffness::Coefficients::times(const Rows &gradient) const
+  void SpringStiffness::add_product(const Rows         &g,
+                                    const Coefficients &d,
+                                    const Rows         &h,
+                                    const double        sign,
+                                    Mat6               &k)
   {
-    Rows product;
-    product.row(0) = nn * gradient.row(0);
-    product.row(1) = tn * gradient.row(0) + tt * gradient.row(1);
-    return product;
+    const Vec6 normal = g.row(0).transpose(), tangent = g.row(1).transpose();
+    for (int c = 0; c < 6; ++c)
+      {
+        const double n = sign * (d.nn * h(0, c)), t = sign * (d.tn * h(0, c) + d.tt * h(1, c));
+        k.col(c) += n * normal + t * tangent;
+      }
   }
 
 
@@ -183,12 +189,15 @@ namespace hybrid::dda
         const bool  is_first = entry % 2 == 0;
         const Rows &g        = is_first ? k.of_block : k.of_other;
         const int   there    = is_first ? k.other : k.block;
-        matrix.diagonal[block].noalias() += g.transpose() * k.stiffness.times(g);
+        add_product(g, k.stiffness, g, 1., matrix.diagonal[block]);
         if (there == foundation_body)
           continue;
-        const Rows dg = k.stiffness.times(is_first ? k.of_other : k.of_block);
-        (block < there ? matrix.off_diagonal : matrix.lower)[springs.springs[s].slot[0]]
-          .noalias() -= g.transpose() * dg;
+        add_product(g,
+                    k.stiffness,
+                    is_first ? k.of_other : k.of_block,
+                    -1.,
+                    (block < there ? matrix.off_diagonal
+                                   : matrix.lower)[springs.springs[s].slot[0]]);
       }
   }
 

@@ -80,9 +80,6 @@ namespace hybrid::dda
       {
         return nn == o.nn && tt == o.tt && tn == o.tn;
       }
-
-      /// D G of gradients G.
-      Rows times(const Rows &gradient) const;
     };
 
     /// One spring as it was assembled.
@@ -103,6 +100,10 @@ namespace hybrid::dda
 
     /// Rebuild the kept springs in the list renewed.
     void renew(const Springs &springs, const Trial &trial, const Choice &choice);
+
+    /// K = K + sign G^T D H
+    static void
+    add_product(const Rows &g, const Coefficients &d, const Rows &h, double sign, Mat6 &k);
 
     void add_foundation_spring(const Springs &springs, int s, BlockMatrix &matrix) const;
 
