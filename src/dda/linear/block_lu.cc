@@ -182,7 +182,8 @@ namespace hybrid::dda
       {
         const double start = matrix.diagonal[block[p]].cwiseAbs().maxCoeff();
         inverse[p]         = block_inverse(diagonal[p]);
-        if (!inverse[p].allFinite() || !(diagonal[p].cwiseAbs().maxCoeff() <= max_growth * start))
+        if (!(condition(inverse[p], diagonal[p]) <= 6. * worst_condition_of_inverse) ||
+            !(diagonal[p].cwiseAbs().maxCoeff() <= max_growth * start))
           return false;
         for (int a = begin[p]; a < begin[p + 1]; ++a)
           lower[a] = lower[a] * inverse[p];

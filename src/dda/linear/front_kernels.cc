@@ -32,27 +32,39 @@ extern "C"
               const double *beta,
               double       *y,
               const int    *inc_y);
-  // LAPACK: LU factors of a matrix, and its inverse from them.
+  // BLAS: B = alpha B A^-1 (side R) of a triangular A.
+  void dtrsm_(const char   *side,
+              const char   *part,
+              const char   *trans,
+              const char   *diagonal,
+              const int    *m,
+              const int    *n,
+              const double *alpha,
+              const double *a,
+              const int    *lda,
+              double       *b,
+              const int    *ldb);
+  // LAPACK: LU factors of a matrix, and the solution from them.
   void dgetrf_(const int *m, const int *n, double *a, const int *lda, int *pivots, int *info);
-  void dgetri_(const int *n,
-               double    *a,
-               const int *lda,
-               const int *pivots,
-               double    *work,
-               const int *work_size,
-               int       *info);
+  void dgetrs_(const char   *trans,
+               const int    *n,
+               const int    *columns,
+               const double *factors,
+               const int    *lda,
+               const int    *pivots,
+               double       *b,
+               const int    *ldb,
+               int          *info);
 }
 
 namespace hybrid::dda
 {
   namespace
   {
-    /// Columns of the work space of dgetri.
-    constexpr int lapack_columns = 64;
-
-    /// Columns of a large product that a thread takes at a time; operations from which it is large:
-    /// 100 us.
+    /// Columns of a large product, or rows of a large quotient, that a thread takes at a time;
+    /// operations from which it is large: 100 us.
     constexpr int    columns_of_thread = 96;
+    constexpr int    rows_of_thread    = 96;
     constexpr double large_product     = 4e6;
 
     /// Entries of a matrix from which its product with a vector is BLAS's.
@@ -121,6 +133,40 @@ namespace hybrid::dda
           if (!a.block(i, j).allFinite())
             return false;
       return true;
+    }
+
+
+
+    Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> matrix(const DenseView &a)
+    {
+      return {a.data, a.rows, a.columns, Eigen::OuterStride<>(a.stride)};
+    }
+
+
+
+    /// X = X D^-1 by the factors of D.
+    void divide_by_factors(const DenseView &x, const DenseDivisor &d)
+    {
+      constexpr double one    = 1.;
+      const DenseView &lu     = d.matrix;
+      const auto       divide = [&](const char part, const char diagonal) {
+        dtrsm_("R",
+               &part,
+               "N",
+               &diagonal,
+               &x.rows,
+               &x.columns,
+               &one,
+               lu.data,
+               &lu.stride,
+               x.data,
+               &x.stride);
+      };
+      divide('U', 'N');
+      divide('L', 'U');
+      for (int j = x.columns - 1; j >= 0; --j)
+        if (const int other = d.pivots[j] - 1; other != j)
+          std::swap_ranges(x.at(0, j), x.at(0, j) + x.rows, x.at(0, other));
     }
 
 
@@ -254,47 +300,54 @@ namespace hybrid::dda
 
 
 
-  void DenseInverse::reserve(const int n)
+  void divide(const DenseView &a, const DenseDivisor &d, const DenseView &x)
   {
-    const auto size = static_cast<std::size_t>(n);
-    copy.resize(std::max(copy.size(), size * size));
-    work.resize(std::max(work.size(), std::max(size * size / 2, lapack_columns * size)));
-    pivots.resize(std::max(pivots.size(), size));
+    if (d.is_inverse())
+      return multiply(1., a, d.matrix, 0., x);
+    copy_matrix(a, x);
+#pragma omp parallel for schedule(dynamic) if (2. * x.rows * x.columns * x.columns >= large_product)
+    for (int i = 0; i < x.rows; i += rows_of_thread)
+      divide_by_factors(x.part(i, 0, std::min(rows_of_thread, x.rows - i), x.columns), d);
   }
 
 
 
-  bool DenseInverse::invert(const DenseView &a, const double *largest)
+  void divide(const double *b, const DenseDivisor &d, double *x)
   {
-    if (a.rows == 6)
-      return invert_by_halves(a, largest);
-    const DenseView kept = {copy.data(), a.rows, a.rows, a.rows};
+    if (d.is_inverse())
+      return set_product(d.matrix, b, x);
+    constexpr int one  = 1;
+    int           info = 0;
+    const int     n    = d.matrix.rows;
+    std::copy_n(b, n, x);
+    dgetrs_("N", &n, &one, d.matrix.data, &d.matrix.stride, d.pivots, x, &n, &info);
+  }
+
+
+
+  void DenseInverse::reserve(const int n)
+  {
+    const auto size = static_cast<std::size_t>(n);
+    copy.resize(std::max(copy.size(), size * size));
+    work.resize(std::max(work.size(), size * size / 2));
+  }
+
+
+
+  bool DenseInverse::invert(const DenseDivisor &d, const double *largest)
+  {
+    const DenseView &a = d.matrix, kept = {copy.data(), a.rows, a.rows, a.rows};
     copy_matrix(a, kept);
-    if (invert_by_halves(a, largest))
+    d.pivots[0] = 0;
+    if (invert_halves(a, largest, work.data()) &&
+        condition(matrix(a), matrix(kept)) <= a.rows * worst_condition_of_inverse)
       return true;
     copy_matrix(kept, a);
     for (int k = 0; k < a.rows / 6; ++k)
       if (!(a.block(k, k).cwiseAbs().maxCoeff() <= largest[k]))
         return false;
-    return invert_with_pivots(a);
-  }
-
-
-
-  bool DenseInverse::invert_by_halves(const DenseView &a, const double *largest)
-  {
-    return invert_halves(a, largest, work.data()) && is_finite(a);
-  }
-
-
-
-  bool DenseInverse::invert_with_pivots(const DenseView &a)
-  {
-    int       info      = 0;
-    const int work_size = lapack_columns * a.rows;
-    dgetrf_(&a.rows, &a.rows, a.data, &a.stride, pivots.data(), &info);
-    if (info == 0)
-      dgetri_(&a.rows, a.data, &a.stride, pivots.data(), work.data(), &work_size, &info);
+    int info = 0;
+    dgetrf_(&a.rows, &a.rows, a.data, &a.stride, d.pivots, &info);
     return info == 0 && is_finite(a);
   }
 } // namespace hybrid::dda

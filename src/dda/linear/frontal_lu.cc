@@ -80,6 +80,7 @@ namespace hybrid::dda
     upper.resize(pairs.size());
     lower.resize(pairs.size());
     waiting.resize(plan.size);
+    pivots.resize(6 * static_cast<std::size_t>(n_blocks));
     rest.resize(6 * n_blocks);
     ordered.resize(6 * n_blocks);
     handed.resize(6 * static_cast<Eigen::Index>(tree.later_places.size()));
@@ -178,6 +179,13 @@ namespace hybrid::dda
 
 
 
+  DenseDivisor FrontalLu::divisor(const int f, const DenseView &own)
+  {
+    return {own, pivots.data() + 6 * static_cast<std::ptrdiff_t>(tree.begin[f])};
+  }
+
+
+
   void FrontalLu::fill(const int f, const Front &front) const
   {
     const int own = tree.own(f);
@@ -238,11 +246,12 @@ namespace hybrid::dda
     for (int k = 0; k < tree.own(f); ++k)
       of_thread.largest[k] =
         max_front_growth * diagonal[tree.block[tree.begin[f] + k]].cwiseAbs().maxCoeff();
-    if (!of_thread.inverse.invert(front.own, of_thread.largest.data()))
+    const DenseDivisor own = divisor(f, front.own);
+    if (!of_thread.inverse.invert(own, of_thread.largest.data()))
       return false;
     if (tree.later(f) == 0)
       return true;
-    multiply(1., front.below, front.own, 0., front.kept);
+    divide(front.below, own, front.kept);
     if (symmetric)
       subtract_lower(front.kept, front.below, front.later);
     else
@@ -319,18 +328,18 @@ namespace hybrid::dda
   void FrontalLu::solve_backward(const int f)
   {
     const int  p = 6 * tree.own(f), u = 6 * tree.later(f);
-    double    *inverse = factors.data() + factor_begin[f];
-    double    *kept    = inverse + static_cast<std::size_t>(p) * p;
-    double    *right   = kept + static_cast<std::size_t>(p) * u;
-    double    *here    = rest.data() + 6 * tree.begin[f];
-    double    *result  = ordered.data() + 6 * tree.begin[f];
-    double    *later   = handed.data() + 6 * static_cast<std::ptrdiff_t>(tree.later_begin[f]);
-    const int *place   = tree.later_places.data() + tree.later_begin[f];
+    double    *own    = factors.data() + factor_begin[f];
+    double    *kept   = own + static_cast<std::size_t>(p) * p;
+    double    *right  = kept + static_cast<std::size_t>(p) * u;
+    double    *here   = rest.data() + 6 * tree.begin[f];
+    double    *result = ordered.data() + 6 * tree.begin[f];
+    double    *later  = handed.data() + 6 * static_cast<std::ptrdiff_t>(tree.later_begin[f]);
+    const int *place  = tree.later_places.data() + tree.later_begin[f];
     for (int k = 0; k < u / 6; ++k)
       Eigen::Map<Vec6>(later + 6 * k) = ordered.segment<6>(6 * place[k]);
     if (!symmetric)
       subtract_product({right, p, u, p}, later, here);
-    set_product({inverse, p, p, p}, here, result);
+    divide(here, divisor(f, {own, p, p, p}), result);
     if (symmetric) // D^-1 B is the transpose of C D^-1
       subtract_transposed_product({kept, u, p, u}, later, result);
   }

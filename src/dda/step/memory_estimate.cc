@@ -45,8 +45,8 @@ namespace hybrid::dda
     const FrontPlan plan(tree);
     const double    work = static_cast<double>(plan.largest_panel) +
                         1.5 * static_cast<double>(plan.largest_own) * plan.largest_own;
-    const double in_factor =
-      (tree.entries + work) * per_mat6 + static_cast<double>(plan.size) * sizeof(double);
+    const double in_factor = (tree.entries + work) * per_mat6 +
+                             static_cast<double>(plan.size) * sizeof(double) + n * 6. * sizeof(int);
     return in_springs + in_state + in_matrix + in_copy + in_factor;
   }
 } // namespace hybrid::dda

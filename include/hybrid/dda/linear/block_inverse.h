@@ -71,4 +71,26 @@ namespace hybrid::dda
     result.bottomRightCorner<3, 3>() = second;
     return result;
   }
+
+
+
+  /**
+   * Condition of a matrix up to which its inverse takes the place of its triangular factors.
+   *
+   * What hardly holds to anything, such as a block between contacts that are open, has one of 1e11
+   * in a static step. Products with the inverse then lose all digits, solutions with the factors
+   * none that the matrix has (du Croz and Higham 1992, section 2).
+   */
+  constexpr double worst_condition_of_inverse = 1e6;
+
+
+
+  /// Condition of a matrix: trace of |inverse| |matrix|, at least its size. It does not depend on
+  /// units, of rows or columns (Skeel 1979). Not finite where the inverse is not.
+  template <typename Inverse, typename Matrix>
+  double condition(const Eigen::MatrixBase<Inverse> &inverse,
+                   const Eigen::MatrixBase<Matrix>  &matrix)
+  {
+    return inverse.cwiseProduct(matrix.transpose()).cwiseAbs().rowwise().sum().sum();
+  }
 } // namespace hybrid::dda

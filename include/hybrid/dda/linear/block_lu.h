@@ -18,8 +18,8 @@ namespace hybrid::dda
    * the graph of a heap falls into pieces and chains, and elimination in the order of least degree
    * (Tinney and Walker 1967, their scheme 2) fills in so little that a general solver spends its
    * time on book-keeping. Rows are exchanged within the 6x6 blocks of the diagonal only: inertia
-   * and elasticity make these regular. Where that does not suffice entries grow, and there are no
-   * factors.
+   * and elasticity make these regular. Where that does not suffice, because entries grow or a block
+   * is nearly singular, there are no factors.
    */
   class BlockLu
   {
@@ -31,7 +31,7 @@ namespace hybrid::dda
     long analyze(const BlockMatrix &matrix, long most = std::numeric_limits<long>::max());
 
     /// @pre analyze() has found an order for this matrix. @return false if a block of the diagonal
-    /// becomes singular or large.
+    /// becomes nearly singular or large.
     bool factorize(const BlockMatrix &matrix);
 
     /// x = K^-1 b for the first 6 n_blocks entries.

@@ -54,10 +54,31 @@ namespace hybrid::dda
   void set_product(const DenseView &a, const double *x, double *y);
 
 
+  /// What stands in the place of a matrix D to divide by it: D^-1, or where products with it would
+  /// lose digits (worst_condition_of_inverse) the LU factors of D.
+  struct DenseDivisor
+  {
+    DenseView matrix;
+    int      *pivots; ///< rows exchanged in the factors, from 1; the first is 0 if it is D^-1
+
+    bool is_inverse() const
+    {
+      return pivots[0] == 0;
+    }
+  };
+
+
+  /// X = A D^-1; threads share the rows of large ones, with the same bits for any number of them.
+  void divide(const DenseView &a, const DenseDivisor &d, const DenseView &x);
+
+  /// x = D^-1 b
+  void divide(const double *b, const DenseDivisor &d, double *x);
+
+
   /**
    * Inverse of the own blocks of a front, in place: by halves, down to 6x6 blocks, which is
-   * products of matrices for the most part. Rows are exchanged within 6x6 blocks; among all of them
-   * (LAPACK) where entries grow.
+   * products of matrices for the most part. Rows are exchanged within 6x6 blocks. Where entries
+   * grow, or the inverse would lose digits, LU factors with rows exchanged among all (LAPACK).
    */
   class DenseInverse
   {
@@ -65,16 +86,12 @@ namespace hybrid::dda
     /// Room for matrices of up to @p n rows.
     void reserve(int n);
 
+    /// @param d holds D, then its inverse or factors
     /// @param largest entry that each 6x6 block of the diagonal may have when its turn comes
     /// @return false if the matrix is singular, or if the blocks are too large to begin with
-    bool invert(const DenseView &a, const double *largest);
+    bool invert(const DenseDivisor &d, const double *largest);
 
   private:
     std::vector<double> copy, work;
-    std::vector<int>    pivots;
-
-    bool invert_by_halves(const DenseView &a, const double *largest);
-
-    bool invert_with_pivots(const DenseView &a);
   };
 } // namespace hybrid::dda

@@ -23,8 +23,9 @@ namespace hybrid::dda
    *     C D^-1,   E - (C D^-1) B
    *
    * are what is kept and what goes to the parent; of a symmetric matrix the half below the
-   * diagonal. Rows are exchanged within D only: inertia and elasticity make it regular. Where that
-   * does not suffice entries grow, and there are no factors.
+   * diagonal. D is inverted, or where it is nearly singular factored: for what is free but for its
+   * inertia (DenseDivisor). Rows are exchanged within D only: inertia and elasticity make it
+   * regular. Where that does not suffice entries grow, and there are no factors.
    *
    * Threads share subtrees of fronts (FrontPlan), with the same bits for any number of them.
    */
@@ -66,7 +67,7 @@ namespace hybrid::dda
     /// Where the parts of a front are in memory.
     struct Front
     {
-      DenseView own;   ///< D, then its inverse
+      DenseView own;   ///< D, then its inverse or factors
       DenseView right; ///< B; not of a symmetric matrix
       DenseView below; ///< C, in work space
       DenseView kept;  ///< C D^-1
@@ -91,7 +92,9 @@ namespace hybrid::dda
     std::vector<Entry>             entries;
     std::vector<Mat6>              diagonal, upper, lower; ///< what is factored, as in BlockMatrix
     std::vector<std::size_t>       factor_begin;           ///< of each front in factors
-    std::vector<double> factors; ///< per front D^-1, C D^-1 and, unless symmetric, B; by columns
+    std::vector<double> factors; ///< per front D^-1 or the factors of D, C D^-1 and, unless
+                                 ///< symmetric, B; by columns
+    std::vector<int>    pivots;  ///< of each front's DenseDivisor, at its first place
     std::vector<double> waiting; ///< E of fronts, see FrontPlan
     std::vector<Work>   work;    ///< of each thread
     Eigen::VectorXd     rest;    ///< work: right-hand side in the order of places
@@ -112,6 +115,9 @@ namespace hybrid::dda
     void reserve_work();
 
     Front front_of(int f, Work &of_thread);
+
+    /// Division by the own blocks, from their first entry among the factors on.
+    DenseDivisor divisor(int f, const DenseView &own);
 
     /// Eliminate one front.
     bool eliminate(int f, Work &of_thread);
