@@ -27,7 +27,10 @@ namespace hybrid::dda
     {
       Model copy                                = problem;
       copy.iteration.changes_together           = IterationParameters().changes_together;
+      copy.iteration.is_patient                 = true;
       copy.iteration.maximum_displacement_ratio = std::numeric_limits<double>::infinity();
+      for (Joint &joint : copy.joints)
+        joint.law = joint.law.without_tensile_failure();
       return copy;
     }
   } // namespace
@@ -99,6 +102,7 @@ namespace hybrid::dda
           }
         state.time = -1. - dt;
         solver.accept(state);
+        great.joints = problem.joints;
         ++result.steps;
         result.residual    = std::max(step.unbalanced, step.residual);
         result.equilibrium = result.residual <= static_target && step.first_residual <= small_start;

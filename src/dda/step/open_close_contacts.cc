@@ -3,6 +3,7 @@
 #include <hybrid/dda/step/open_close_iteration.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hybrid::dda
@@ -32,6 +33,8 @@ namespace hybrid::dda
     const std::size_t n                            = springs.springs.size();
     keep(at_start);
     conditions.resize(n);
+    if (model.iteration.is_patient)
+      return yield_patiently(step);
     Attempt    attempt      = Attempt::failed;
     const bool path_at_once = memory.path_steps > 0;
     memory.path_steps       = std::max(0, memory.path_steps - 1);
@@ -68,15 +71,32 @@ namespace hybrid::dda
 
 
 
+  OpenCloseIteration::Attempt OpenCloseIteration::yield_patiently(const Step &step)
+  {
+    constexpr Patience most{24, 24};
+    const double       first = step.result.residual;
+    for (std::size_t s = 0; s < conditions.size(); ++s)
+      conditions[s] = springs.condition(s);
+    const Attempt attempt = iterate_conditions(step, most);
+    if (attempt == Attempt::failed && !(step.result.residual < first))
+      {
+        go_back(at_start);
+        step.result.residual = evaluate(step.model, step.state, step.foundation);
+      }
+    return attempt;
+  }
+
+
+
   OpenCloseIteration::Attempt OpenCloseIteration::iterate_conditions(const Step     &step,
                                                                      const Patience &patience)
   {
     constexpr double leads_away = 100., same = 1e-6;
     const auto &[model, state, foundation, result] = step;
-    const double first                             = result.residual;
-    double       least = std::numeric_limits<double>::infinity(), previous = least;
-    double       before = -1.; // residual two updates ago: circles are of two
-    int          slow   = 0;
+    const double          first                    = result.residual;
+    double                least = std::numeric_limits<double>::infinity(), previous = least;
+    int                   slow = 0;
+    std::array<double, 3> before{-1., -1., -1.}; // last residuals: circles are of two, or three
     for (int k = 0; k < patience.updates; ++k)
       {
         if (!may_go_on(step))
@@ -85,15 +105,16 @@ namespace hybrid::dda
         if (springs.prescribe(model, state, trial, conditions))
           norm = balance(model, state, foundation);
         repair(step, k == 0 || result.residual <= 1e-3 * previous, previous);
-        before   = k > 0 ? previous : -1.;
-        previous = result.residual;
+        before[k % 3] = previous = result.residual;
         solve_linear(step, std::max(0.2 * model.iteration.tolerance, linear_fraction * norm));
         take(step, 1.);
         ++result.iterations;
         result.residual = evaluate(model, state, foundation);
         if (result.residual <= model.iteration.tolerance)
           return Attempt::converged;
-        const bool circle = before > 0. && std::abs(result.residual - before) <= same * before;
+        const bool circle = std::any_of(before.begin(), before.end(), [&](const double r) {
+          return r > 0. && r != previous && std::abs(result.residual - r) <= same * r;
+        });
         const bool away   = !(result.residual <= leads_away * std::max(first, 1.)); // or NaN
         slow += result.residual > 0.5 * least ? 1 : 0;
         if (away || circle || slow > patience.slow_ones)

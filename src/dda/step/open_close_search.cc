@@ -75,6 +75,8 @@ namespace hybrid::dda
     double    window_start                         = std::numeric_limits<double>::infinity();
     // The first linear system is solved to the end where that may be all.
     double previous = expects_many ? result.residual : std::numeric_limits<double>::infinity();
+    // A tangent that active sets have left is that of another place.
+    bool served = result.iterations == 0;
     while (std::isfinite(result.residual))
       {
         if (result.iterations > 0 && result.residual <= model.iteration.tolerance)
@@ -88,7 +90,7 @@ namespace hybrid::dda
             window_start = result.residual;
           }
         // A kept tangent that no longer takes most of the residual away is rebuilt.
-        repair(step, result.iterations == 0 || result.residual <= 1e-3 * previous, previous);
+        repair(step, served, previous);
         const double left = std::max(0.2 * model.iteration.tolerance,
                                      forcing_term(result.residual, previous) * result.residual);
         solve_linear(step, left);
@@ -96,6 +98,7 @@ namespace hybrid::dda
         previous                  = result.residual;
         const LineSearch searched = search_line(model, state, foundation);
         result.residual           = searched.residual;
+        served                    = result.residual <= 1e-3 * previous;
         if (model.iteration.regularises_sliding)
           stale = sliding_regularisation.adapt(searched.fraction) || stale;
       }

@@ -80,6 +80,14 @@ namespace hybrid::dda
       return law;
     }
 
+    /// The same with a bond that no tension tears.
+    JointLaw without_tensile_failure() const
+    {
+      JointLaw law         = *this;
+      law.strength.tensile = std::numeric_limits<double>::infinity();
+      return law;
+    }
+
     /// The same, with a tension that takes this time to fall by F_t [s].
     JointLaw letting_go_in(const double time) const
     {

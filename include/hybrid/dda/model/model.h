@@ -112,7 +112,8 @@ namespace hybrid::dda
     double maximum_displacement_ratio = 0.05; ///< displacement per step over block size [-]
     bool   regularises_sliding =
       false; ///< sliding contacts keep a share of stiffness, see SlidingRegularisation
-    bool changes_together = true; ///< contacts, before the line search, see OpenCloseIteration
+    bool changes_together = true;  ///< contacts, before the line search, see OpenCloseIteration
+    bool is_patient       = false; ///< full steps go on while the residual does not fall, see there
   };
 
 
