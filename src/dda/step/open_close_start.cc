@@ -75,7 +75,7 @@ namespace hybrid::dda
                                           const DdaState           &state,
                                           const FoundationResponse &foundation)
   {
-    constexpr double near_balance      = 1e-3;
+    constexpr double near_balance      = 0.03;
     const double     with_acceleration = evaluate(model, state, foundation);
     if (with_acceleration <= near_balance)
       return with_acceleration;

@@ -54,7 +54,7 @@ ROWS = (
     family("slide", SIMULATED, {"100": 1, "400": 4, "900": 10, "2000": 25, "10000": 150}, is_long=("10000",))
     + family("rest", SIMULATED, {"100": 0.1, "400": 0.4, "900": 0.9, "2000": 2})
     + family("badong", STEP, {"8": 3, "4": 6, "2": 20}, is_long=("2",))
-    + family("static", STATIC, {"8": None, "4": 1, "2": 5}, is_long=("2",))
+    + family("static", STATIC, {"8": None, "4": 1, "2": 5, "1": None}, is_long=("2", "1"))
     + family("bonded", RATE, {"5000": 5e5, "20000": 5e5, "100000": 5e5, "1000000": 5e5}, is_long=("100000", "1000000"))
     + [
         Row("bin_30", RUN),
