@@ -75,12 +75,19 @@ namespace hybrid
   void Simulation::save(Run &run)
   {
     run.recorder.flush(); // run.h5 is never behind the checkpoint
-    restart::Archive archive = restart::Archive::writer();
-    archive.put(model.scene.used_prm);
-    archive.put(fingerprint(model.mesh, model.motion.outcrop()));
-    serialize(archive, run);
+    const std::uint64_t number = fingerprint(model.mesh, model.motion.outcrop());
+    const auto          fill   = [&](restart::Archive &archive) {
+      archive.put(model.scene.used_prm);
+      archive.put(number);
+      serialize(archive, run);
+    };
+    restart::Archive size = restart::Archive::counter();
+    fill(size);
+    // One copy of a state that may take a tenth of all memory.
+    restart::Archive archive = restart::Archive::writer(size.counted());
+    fill(archive);
     restart::write_checkpoint(checkpoint_file(model.scene.output.directory),
-                              {layout(run), archive.content()});
+                              {layout(run), archive.take_content()});
     run.schedule.written();
   }
 

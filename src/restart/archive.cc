@@ -12,9 +12,18 @@ namespace hybrid::restart
 
 
 
-  Archive Archive::writer()
+  Archive Archive::writer(const std::size_t expected_size)
   {
-    return Archive(Direction::write);
+    Archive archive(Direction::write);
+    archive.bytes.reserve(expected_size);
+    return archive;
+  }
+
+
+
+  Archive Archive::counter()
+  {
+    return Archive(Direction::count);
   }
 
 
@@ -42,6 +51,11 @@ namespace hybrid::restart
     if (direction == Direction::write)
       {
         bytes.append(static_cast<const char *>(memory), n);
+        return;
+      }
+    if (direction == Direction::count)
+      {
+        position += n;
         return;
       }
     if (n > bytes.size() - position)

@@ -31,8 +31,8 @@ namespace hybrid::restart
     archive.put(checkpoint_version);
     archive.put(content.layout);
     archive.put(checksum(content.state));
-    archive.put(content.state);
-    replace_file(file_name, archive.content(), true);
+    archive.put(static_cast<std::uint64_t>(content.state.size())); // as in front of any text
+    replace_file(file_name, {archive.content(), content.state}, true);
   }
 
 

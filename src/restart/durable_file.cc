@@ -66,10 +66,17 @@ namespace hybrid::restart
 
 
     /// @return 0 or the number of the error.
-    int write_file(const std::string &name, const std::string_view content, const bool durable)
+    int write_file(const std::string                   &name,
+                   const std::vector<std::string_view> &parts,
+                   const bool                           durable)
     {
       const Descriptor file(open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-      if (!file.is_open() || !file.write_all(content) || (durable && !file.synchronize()))
+      if (!file.is_open())
+        return errno;
+      for (const std::string_view part : parts)
+        if (!file.write_all(part))
+          return errno;
+      if (durable && !file.synchronize())
         return errno;
       return 0;
     }
@@ -84,11 +91,12 @@ namespace hybrid::restart
 
 
 
-  void
-  replace_file(const std::string &file_name, const std::string_view content, const bool durable)
+  void replace_file(const std::string                   &file_name,
+                    const std::vector<std::string_view> &parts,
+                    const bool                           durable)
   {
     const std::string temporary = temporary_name(file_name);
-    int               error     = write_file(temporary, content, durable);
+    int               error     = write_file(temporary, parts, durable);
     if (error == 0 && std::rename(temporary.c_str(), file_name.c_str()) != 0)
       error = errno;
     if (error != 0)

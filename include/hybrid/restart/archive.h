@@ -63,8 +63,11 @@ namespace hybrid::restart
   class Archive
   {
   public:
-    /// Archive that is filled.
-    static Archive writer();
+    /// Archive that is filled. @param expected_size bytes for which there is room at once
+    static Archive writer(std::size_t expected_size = 0);
+
+    /// Archive that only counts what a writer would be filled with.
+    static Archive counter();
 
     /// Archive that is read from @p content.
     static Archive reader(std::string content);
@@ -98,6 +101,18 @@ namespace hybrid::restart
       return bytes;
     }
 
+    /// All bytes, which leave the archive.
+    std::string take_content()
+    {
+      return std::move(bytes);
+    }
+
+    /// Bytes that have been counted.
+    std::size_t counted() const
+    {
+      return position;
+    }
+
     /// Everything has been read.
     bool at_end() const
     {
@@ -108,6 +123,7 @@ namespace hybrid::restart
     enum class Direction
     {
       write,
+      count,
       read,
       describe
     };
@@ -116,7 +132,7 @@ namespace hybrid::restart
 
     Direction   direction;
     std::string bytes;
-    std::size_t position = 0; ///< of the next byte to read
+    std::size_t position = 0; ///< of the next byte to read; bytes counted
 
     /// @p n bytes to or from memory.
     void move(void *memory, std::size_t n);
