@@ -73,6 +73,8 @@ namespace hybrid::dda
 
   OpenCloseIteration::Attempt OpenCloseIteration::yield_patiently(const Step &step)
   {
+    // Many joints begin to slide, one after the other, and only then the residual falls. The line
+    // search goes on where this ends, if that is closer to balance.
     constexpr Patience most{24, 24};
     const double       first = step.result.residual;
     for (std::size_t s = 0; s < conditions.size(); ++s)

@@ -161,14 +161,9 @@ namespace hybrid::dda
       stopped
     };
 
-    /// Active sets and interior point method, whichever serves. At the end of a failure the trial
-    /// is where the line search shall begin.
+    /// Active sets, then interior point method; failures end where the line search shall begin.
     Attempt settle_contacts(const Step &step);
-
-    /// Updates with frozen conditions for as long as they take; the line search goes on where they
-    /// end, if that is closer to balance. In a whole mass that comes to rest many joints begin to
-    /// slide, one after the other, and only then the residual falls.
-    Attempt yield_patiently(const Step &step);
+    Attempt yield_patiently(const Step &step); ///< for IterationParameters::is_patient
 
     /// How long updates with frozen conditions go on.
     struct Patience
