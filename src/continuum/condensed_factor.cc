@@ -26,9 +26,11 @@ namespace hybrid::continuum
     Factor &operator=(const Factor &) = delete;
 
     cholmod_factor *factor;
-    cholmod_factor  interior; ///< the same without the supernodes of the surface; owns nothing
+    cholmod_factor  interior; ///< the same without columns of the surface; owns nothing
     cholmod_common *common;
-    Eigen::MatrixXd surface; ///< L_GG, lower triangle
+    std::vector<int>
+                    interior_super; ///< first column of each supernode of the interior, and the end
+    Eigen::MatrixXd surface;        ///< L_GG, lower triangle
   };
 
 
@@ -40,6 +42,7 @@ namespace hybrid::continuum
     cholmod_factor  *symbolic  = nullptr;
     cholmod_dense   *y = nullptr, *x = nullptr; ///< forward and backward solution, in order of L
     cholmod_dense   *work = nullptr;            ///< of the rows below a supernode
+    Eigen::VectorXd  surface_load;              ///< becomes the solution there
 
     int size() const
     {
@@ -64,6 +67,12 @@ namespace hybrid::continuum
     }
 
     std::vector<int> ordering();
+
+    /// Most rows below a supernode of the interior, at least 1.
+    std::size_t rows_below() const
+    {
+      return std::max<std::size_t>({1, symbolic->maxesize, static_cast<std::size_t>(n_surface)});
+    }
 
     /// Unknowns of the surface among those in order of L.
     Eigen::Map<Eigen::VectorXd> surface_of(cholmod_dense *dense) const
@@ -118,10 +127,9 @@ namespace hybrid::continuum
     for (int k = c.size() - n_surface; k < c.size(); ++k)
       if (used[k] != k)
         throw std::logic_error("CHOLMOD: the surface is not the trailing block");
-    c.y = cholmod_zeros(c.size(), 1, CHOLMOD_REAL, &c.common);
-    c.x = cholmod_zeros(c.size(), 1, CHOLMOD_REAL, &c.common);
-    c.work =
-      cholmod_zeros(std::max<std::size_t>(1, c.symbolic->maxesize), 1, CHOLMOD_REAL, &c.common);
+    c.y    = cholmod_zeros(c.size(), 1, CHOLMOD_REAL, &c.common);
+    c.x    = cholmod_zeros(c.size(), 1, CHOLMOD_REAL, &c.common);
+    c.work = cholmod_zeros(c.rows_below(), 1, CHOLMOD_REAL, &c.common);
   }
 
 
@@ -173,31 +181,31 @@ namespace hybrid::continuum
 
   void CondensedFactorisation::separate_surface(Factor &factor) const
   {
-    // L = [L_II 0; L_GI L_GG]: the columns of L_GG are copied out of the supernodes that reach into
-    // them. The last supernodes hold nothing else and are left out of the triangular solves; one
-    // with columns of both kinds gets the unit matrix in place of L_GG.
-    cholmod_factor &l     = *factor.factor;
-    const int      *super = static_cast<const int *>(l.super);
-    const int      *pi    = static_cast<const int *>(l.pi);
-    const int      *px    = static_cast<const int *>(l.px);
-    const int      *s     = static_cast<const int *>(l.s);
-    double         *x     = static_cast<double *>(l.x);
-    const int       first = cholmod->size() - cholmod->n_surface;
-    factor.surface        = Eigen::MatrixXd::Zero(cholmod->n_surface, cholmod->n_surface);
-    factor.interior       = l;
+    // L = [L_II 0; L_GI L_GG]: L_GG is copied out of the supernodes that reach into it. Supernodes
+    // of the surface alone are left out of the triangular solves; of one with columns of both kinds
+    // only those of the interior stay, the rows of the surface below them.
+    const cholmod_factor &l     = *factor.factor;
+    const int            *super = static_cast<const int *>(l.super);
+    const int            *pi    = static_cast<const int *>(l.pi);
+    const int            *px    = static_cast<const int *>(l.px);
+    const int            *s     = static_cast<const int *>(l.s);
+    const double         *x     = static_cast<const double *>(l.x);
+    const int             first = cholmod->size() - cholmod->n_surface;
+    factor.surface              = Eigen::MatrixXd::Zero(cholmod->n_surface, cholmod->n_surface);
+    factor.interior             = l;
     for (int k = static_cast<int>(l.nsuper) - 1; k >= 0 && super[k + 1] > first; --k)
       {
         const int rows = pi[k + 1] - pi[k];
         for (int j = std::max(first, super[k]); j < super[k + 1]; ++j)
           for (int i = j - super[k]; i < rows; ++i)
-            {
-              double &entry = x[px[k] + (j - super[k]) * rows + i];
-              factor.surface(s[pi[k] + i] - first, j - first) = entry;
-              entry                                           = i == j - super[k] ? 1. : 0.;
-            }
+            factor.surface(s[pi[k] + i] - first, j - first) = x[px[k] + (j - super[k]) * rows + i];
         if (super[k] >= first)
           factor.interior.nsuper = k;
       }
+    factor.interior_super.assign(super, super + factor.interior.nsuper + 1);
+    factor.interior_super.back() = std::min(first, factor.interior_super.back());
+    factor.interior.super        = factor.interior_super.data();
+    factor.interior.maxesize     = cholmod->rows_below();
   }
 
 
@@ -238,21 +246,30 @@ namespace hybrid::continuum
 
   void CondensedFactorisation::backward(Factor &factor, std::vector<double> &x)
   {
-    Eigen::VectorXd surface = cholmod->surface_of(cholmod->y);
-    solve_surface(factor, surface);
-    backward(factor, surface, x);
+    cholmod->surface_load = cholmod->surface_of(cholmod->y);
+    solve_surface(factor, cholmod->surface_load);
+    backward(factor, cholmod->surface_load, x);
+  }
+
+
+  void CondensedFactorisation::solve_load_on_surface(Factor                &factor,
+                                                     const Eigen::VectorXd &load,
+                                                     std::vector<double>   &x)
+  {
+    cholmod->surface_load = load;
+    solve_surface(factor, cholmod->surface_load);
+    double *y = static_cast<double *>(cholmod->y->x);
+    std::fill(y, y + cholmod->size(), 0.);
+    backward(factor, cholmod->surface_load, x);
   }
 
 
   void CondensedFactorisation::solve(const Factor &factor, Eigen::MatrixXd &b)
   {
-    Cholmod                    &c    = *cholmod;
-    const int                  *perm = static_cast<const int *>(factor.factor->Perm);
-    cholmod_dense              *x    = cholmod_zeros(b.rows(), b.cols(), CHOLMOD_REAL, &c.common);
-    cholmod_dense              *work = cholmod_zeros(std::max<std::size_t>(1, c.symbolic->maxesize),
-                                        b.cols(),
-                                        CHOLMOD_REAL,
-                                        &c.common);
+    Cholmod       &c    = *cholmod;
+    const int     *perm = static_cast<const int *>(factor.factor->Perm);
+    cholmod_dense *x    = cholmod_zeros(b.rows(), b.cols(), CHOLMOD_REAL, &c.common);
+    cholmod_dense *work = cholmod_zeros(c.rows_below(), b.cols(), CHOLMOD_REAL, &c.common);
     Eigen::Map<Eigen::MatrixXd> in_order(static_cast<double *>(x->x), b.rows(), b.cols());
     for (int k = 0; k < c.size(); ++k)
       in_order.row(k) = b.row(perm[k]);

@@ -83,8 +83,7 @@ namespace hybrid::continuum
 
 
 
-  void Continuum::Implementation::solve_inertia(const std::vector<double> &force,
-                                                std::vector<double>       &a)
+  CondensedFactorisation::Factor &Continuum::Implementation::factor_of_inertia()
   {
     if (inertia_factor == nullptr)
       {
@@ -95,15 +94,29 @@ namespace hybrid::continuum
           inertia[k] += matrices.inertia_correction[k];
         inertia_factor = factorisation->factor(pattern.values(inertia));
       }
+    return *inertia_factor;
+  }
+
+
+
+  void Continuum::Implementation::solve_inertia(const std::vector<double> &force,
+                                                std::vector<double>       &a)
+  {
     const auto &supports = boundary->supports();
     for (std::size_t s = 0; s < dof_of_system.size(); ++s)
       rhs[s] = supports[dof_of_system[s]] == Support::none ? force[dof_of_system[s]] : 0.;
-    Eigen::VectorXd surface_part;
-    factorisation->forward(*inertia_factor, rhs, surface_part);
-    factorisation->backward(*inertia_factor, solution);
+    factorisation->forward(factor_of_inertia(), rhs, surface_motion);
+    factorisation->backward(factor_of_inertia(), solution);
+    take_acceleration(a);
+  }
+
+
+
+  void Continuum::Implementation::take_acceleration(std::vector<double> &a) const
+  {
     a.assign(n_dofs(), 0.);
     for (std::size_t s = 0; s < dof_of_system.size(); ++s)
-      if (supports[dof_of_system[s]] == Support::none)
+      if (boundary->supports()[dof_of_system[s]] == Support::none)
         a[dof_of_system[s]] = solution[s];
   }
 

@@ -260,10 +260,9 @@ namespace hybrid::continuum
     a.clear();
     if (surface_force.size() == 0 || surface_force.isZero(0.))
       return;
-    std::fill(product.begin(), product.end(), 0.);
-    for (std::size_t k = 0; k < 2 * surface.size(); ++k)
-      product[2 * surface[k / 2] + k % 2] += surface_force[k];
-    solve_inertia(product, a);
+    set_surface(surface_force);
+    factorisation->solve_load_on_surface(factor_of_inertia(), surface_motion, solution);
+    take_acceleration(a);
   }
 
 
@@ -314,14 +313,20 @@ namespace hybrid::continuum
 
 
 
-  void Continuum::Implementation::expand(const double           dt,
-                                         const Eigen::VectorXd &surface_displacement)
+  void Continuum::Implementation::set_surface(const Eigen::VectorXd &values)
   {
-    surface_motion = surface_displacement;
+    surface_motion = values;
     for (std::size_t k = 0; k < surface.size(); ++k)
       for (int c = 0; c < 2; ++c)
         if (boundary->supports()[2 * surface[k] + c] != Support::none)
           surface_motion[2 * k + c] = 0.;
+  }
+
+
+  void Continuum::Implementation::expand(const double           dt,
+                                         const Eigen::VectorXd &surface_displacement)
+  {
+    set_surface(surface_displacement);
     factorisation->backward(*step_matrix(dt).factor, surface_motion, solution);
   }
 

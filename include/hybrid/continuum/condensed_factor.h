@@ -58,6 +58,10 @@ namespace hybrid::continuum
     /// x = A^-1 b. Follows forward().
     void backward(Factor &factor, std::vector<double> &x);
 
+    /// x = A^-1 b, b zero but for @p load on the surface; forward() has to follow before
+    /// backward().
+    void solve_load_on_surface(Factor &factor, const Eigen::VectorXd &load, std::vector<double> &x);
+
   private:
     struct Cholmod;
 

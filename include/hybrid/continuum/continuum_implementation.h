@@ -110,12 +110,15 @@ namespace hybrid::continuum
     void find_acceleration(ContinuumState &state);
 
     // one step (continuum_step.cc)
-    StepMatrix               &step_matrix(double dt);
-    std::vector<BaseCoupling> base_coupling(const std::vector<double> &blocks) const;
-    void                      predict(const ContinuumState &state, double dt);
-    void                      newmark_acceleration(const ContinuumState &state);
-    void                      keep_change(ContinuumState &state, double dt) const;
+    StepMatrix                     &step_matrix(double dt);
+    std::vector<BaseCoupling>       base_coupling(const std::vector<double> &blocks) const;
+    void                            predict(const ContinuumState &state, double dt);
+    void                            newmark_acceleration(const ContinuumState &state);
+    void                            keep_change(ContinuumState &state, double dt) const;
+    CondensedFactorisation::Factor &factor_of_inertia();
     void solve_inertia(const std::vector<double> &force, std::vector<double> &a);
+    void take_acceleration(std::vector<double> &a) const; ///< what solution holds
+    void set_surface(const Eigen::VectorXd &values);      ///< surface_motion, zero at supports
     void accelerate_by(const Eigen::VectorXd &surface_force, std::vector<double> &a);
     void add_contacts(ContinuumState &state, const SurfaceForce &force);
     void take_displacement(const ContinuumState &state, double dt);

@@ -76,7 +76,7 @@ TEST(CondensedFactor, equals_dense_condensation)
   std::vector<double> b(n), x(n);
   for (int i = 0; i < n; ++i)
     b[i] = std::sin(i + 1.);
-  const Eigen::Map<Eigen::VectorXd> rhs(b.data(), n), solution(x.data(), n);
+  Eigen::Map<Eigen::VectorXd> rhs(b.data(), n), solution(x.data(), n);
   Eigen::VectorXd                   g(ns);
   system.forward(*factor, b, g);
   EXPECT_LT((g - (rhs.tail(ns) - coupling * inner.solve(rhs.head(ni)))).norm(), 1e-12);
@@ -89,6 +89,10 @@ TEST(CondensedFactor, equals_dense_condensation)
   EXPECT_LT((solution.tail(ns) - given).norm(), 1e-13);
   EXPECT_LT((solution.head(ni) - inner.solve(rhs.head(ni) - coupling.transpose() * given)).norm(),
             1e-12);
+
+  rhs.head(ni).setZero();
+  system.solve_load_on_surface(*factor, rhs.tail(ns), x);
+  EXPECT_LT((solution - a.ldlt().solve(rhs)).norm(), 1e-12);
 
   values.front() = -1.;
   EXPECT_THROW(system.factor(values), std::runtime_error);
