@@ -25,9 +25,13 @@ namespace hybrid::dda
 {
   namespace
   {
-    /// Entries below this part of the diagonal are left out: the tangent may be as much off, as the
-    /// residual is not.
+    /// Entries below this part of the diagonal are left out of the tangent: it may be as much off,
+    /// as the residual is not.
     constexpr double small_fraction = 1e-8;
+
+    /// Entries below this part of the diagonal are held in single precision: what that takes of
+    /// them (6e-8) is below the round-off of the diagonal.
+    constexpr double far_fraction = 1e-9;
 
     /// Joints and contacts softer than this part of the foundation are left out of its factor.
     constexpr double soft_fraction = 0.1;
@@ -43,6 +47,33 @@ namespace hybrid::dda
           if (std::abs(s(j + band, j)) > fraction * std::sqrt(s(j, j) * s(j + band, j + band)))
             return band;
       return 0;
+    }
+
+
+
+    /// y += sign S x for @p n entries of column @p j from row @p first on, and for those of row j
+    /// that mirror them.
+    template <typename Number>
+    void add_column(const Number *entry,
+                    const int     n,
+                    const int     j,
+                    const int     first,
+                    const double *x,
+                    double       *y,
+                    const double  sign)
+    {
+      const double  xj  = sign * x[j];
+      const double *xs  = x + first;
+      double       *ys  = y + first;
+      double        sum = 0.;
+#pragma omp simd reduction(+ : sum)
+      for (int k = 0; k < n; ++k)
+        {
+          const double value = entry[k];
+          sum += value * xs[k];
+          ys[k] += value * xj;
+        }
+      y[j] += sign * sum;
     }
   } // namespace
 
@@ -66,12 +97,17 @@ namespace hybrid::dda
     size  = static_cast<int>(stiffness->rows());
     width = std::min(size - 1, std::max(3, half_band_width(*stiffness, small_fraction)));
     // All entries beyond together are lost in the round-off of a row's product.
-    reach = half_band_width(*stiffness, std::numeric_limits<double>::epsilon() / size);
-    band  = Eigen::MatrixXd::Zero(width + 1, size);
+    const int reach = half_band_width(*stiffness, std::numeric_limits<double>::epsilon() / size);
+    const int edge  = std::max(width, half_band_width(*stiffness, far_fraction));
+    band            = Eigen::MatrixXd::Zero(edge + 1, size);
+    far             = Eigen::MatrixXf::Zero(std::max(0, reach - edge), size);
     for (int j = 0; j < size; ++j)
-      for (int below = 0; below <= width && j + below < size; ++below)
-        band(below, j) = (*stiffness)(j + below, j);
-    foundation_factor = band;
+      for (int below = 0; below <= reach && j + below < size; ++below)
+        if (below <= edge)
+          band(below, j) = (*stiffness)(j + below, j);
+        else
+          far(below - edge - 1, j) = static_cast<float>((*stiffness)(j + below, j));
+    foundation_factor = band.topRows(width + 1);
     joined            = false;
     if (!factorize(foundation_factor))
       {
@@ -107,7 +143,7 @@ namespace hybrid::dda
       return;
     own.resize(m);
     next.resize(m);
-    joined_factor = band;
+    joined_factor = band.topRows(width + 1);
     for (int k = 0; k < m; ++k)
       {
         const Eigen::Matrix2d &d = matrix.node_diagonal[k];
@@ -134,26 +170,25 @@ namespace hybrid::dda
       return;
     for (int j = 0; j < size; ++j)
       {
-        const double *column = band.data() + static_cast<std::ptrdiff_t>(j) * (width + 1);
-        const double  xj     = x[j];
-        const int     last   = std::min(width, size - 1 - j);
-        double        sum    = column[0] * xj;
-        for (int below = 1; below <= last; ++below)
-          {
-            sum += column[below] * x[j + below];
-            y[j + below] += column[below] * xj;
-          }
-        y[j] += sum;
+        y[j] += band(0, j) * x[j];
+        add_column(&band(1, j), std::min(width, size - 1 - j), j, j + 1, x, y, 1.);
       }
   }
 
 
 
-  double InterfaceStiffness::row_product(const int row, const Eigen::VectorXd &x) const
+  void InterfaceStiffness::subtract_whole_product(const double *x, double *y) const
   {
-    // S is symmetric: its columns are read, in their order in memory.
-    const int first = std::max(0, row - reach), n = std::min(size, row + reach + 1) - first;
-    return source->col(row).segment(first, n).dot(x.segment(first, n));
+    if (source == nullptr)
+      return;
+    const int edge = static_cast<int>(band.rows()) - 1, reach = edge + static_cast<int>(far.rows());
+    for (int j = 0; j < size; ++j)
+      {
+        y[j] -= band(0, j) * x[j];
+        add_column(&band(1, j), std::min(edge, size - 1 - j), j, j + 1, x, y, -1.);
+        if (j + edge + 1 < size && reach > edge)
+          add_column(&far(0, j), std::min(reach, size - 1 - j) - edge, j, j + edge + 1, x, y, -1.);
+      }
   }
 
 

@@ -23,18 +23,6 @@ namespace hybrid::dda
 
 
 
-  void OpenCloseIteration::subtract_foundation_product(const Eigen::VectorXd      &displacement,
-                                                       Eigen::Ref<Eigen::VectorXd> force) const
-  {
-    const InterfaceStiffness &rock = solver.foundation_stiffness();
-    const Eigen::Index        n    = displacement.size();
-#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
-    for (Eigen::Index k = 0; k < n; ++k)
-      force[k] -= rock.row_product(static_cast<int>(k), displacement);
-  }
-
-
-
   void OpenCloseIteration::move(const DdaState &state)
   {
     const int n = static_cast<int>(trial.increment.size());
@@ -129,7 +117,8 @@ namespace hybrid::dda
         residual.tail(2 * m) += foundation_start + weight * contact_increment;
         const Stopwatch timer(times.surface_products);
         if (!foundation_moved.isZero(0.))
-          subtract_foundation_product(foundation_moved, residual.tail(2 * m));
+          solver.foundation_stiffness().subtract_whole_product(foundation_moved.data(),
+                                                               residual.data() + 6 * n);
       }
     reference = absolute.norm();
     // A quiet mass on moving ground: the round-off of the foundation's balance.

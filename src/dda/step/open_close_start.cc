@@ -48,7 +48,8 @@ namespace hybrid::dda
       return;
     foundation_start = foundation.load;
     const Stopwatch timer(times.surface_products);
-    subtract_foundation_product(foundation.displacement, foundation_start);
+    solver.foundation_stiffness().subtract_whole_product(foundation.displacement.data(),
+                                                         foundation_start.data());
   }
 
 

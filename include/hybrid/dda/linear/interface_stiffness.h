@@ -31,8 +31,8 @@ namespace hybrid::dda
       return source != nullptr;
     }
 
-    /// Row of S times x (n entries) to round-off, for residuals.
-    double row_product(int row, const Eigen::VectorXd &x) const;
+    /// y -= S x for n entries, S to round-off: for residuals.
+    void subtract_whole_product(const double *x, double *y) const;
 
     /// y += S x for n entries, as the tangent knows S.
     void add_product(const double *x, double *y) const;
@@ -51,12 +51,12 @@ namespace hybrid::dda
     std::array<double, 4>
                     key{}; ///< a few entries of S, to notice another matrix at the same address
     int             size  = 0;
-    int             width = 0;         ///< half band width of the tangent's S, at least that of P
-    int             reach = 0;         ///< half band width of S to round-off
-    Eigen::MatrixXd band;              ///< rows 0..width: S(j + r, j), LAPACK lower band storage
-    Eigen::MatrixXd foundation_factor; ///< Cholesky factor of S, same storage
-    Eigen::MatrixXd joined_factor;     ///< of S + P
-    bool            joined = false;    ///< P is not zero
+    int             width = 0; ///< half band width of the tangent's S, at least that of P
+    Eigen::MatrixXd band;      ///< rows r = 0, 1, ...: S(j + r, j), more than width
+    Eigen::MatrixXf far;       ///< the rows after those, as far as they reach over round-off
+    Eigen::MatrixXd foundation_factor;      ///< Cholesky factor of S, LAPACK lower band storage
+    Eigen::MatrixXd joined_factor;          ///< of S + P
+    bool            joined = false;         ///< P is not zero
     std::vector<Eigen::Matrix2d> own, next; ///< P between a node and itself or the next
 
     bool factorize(Eigen::MatrixXd &matrix) const;

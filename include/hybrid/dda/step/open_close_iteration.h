@@ -218,10 +218,6 @@ namespace hybrid::dda
                  const FoundationResponse &foundation,
                  double                    dt);
 
-    /// force -= S displacement
-    void subtract_foundation_product(const Eigen::VectorXd      &displacement,
-                                     Eigen::Ref<Eigen::VectorXd> force) const;
-
     void move(const DdaState &state);
 
     /// Acceleration of a block by the contacts' forces in the trial.

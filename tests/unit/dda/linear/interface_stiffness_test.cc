@@ -7,6 +7,8 @@
 
 #include <Eigen/LU>
 
+#include <cmath>
+
 namespace
 {
   using namespace hybrid::dda;
@@ -102,4 +104,36 @@ TEST(InterfaceStiffness, without_a_base_nothing_changes)
   foundation.solve(x.data());
   foundation.add_product(same.data(), x.data());
   EXPECT_EQ(x, same);
+}
+
+
+
+TEST(InterfaceStiffness, product_for_residuals_is_exact_to_round_off)
+{
+  // As of rock in a short step: entries fall from the diagonal on, beyond the 41st below 1e-9 of it
+  // (single precision), beyond the 90th below round-off.
+  const int       n = 150;
+  Eigen::MatrixXd s(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      s(i, j) = (4. + std::sin(std::min(i, j))) * std::exp(-0.5 * std::abs(i - j));
+  InterfaceStiffness foundation;
+  foundation.set(&s);
+  for (const bool rises : {false, true}) // the largest displacement far from where rows begin
+    {
+      Eigen::VectorXd x(n), y(n);
+      for (int i = 0; i < n; ++i)
+        {
+          x[i] = std::sin(1.7 * i) * std::exp((rises ? 0.2 : -0.2) * i);
+          y[i] = std::cos(i);
+        }
+      const Eigen::Matrix<long double, Eigen::Dynamic, 1> exact =
+        y.cast<long double>() - s.cast<long double>() * x.cast<long double>();
+      const Eigen::VectorXd bound =
+        2e-15 * (s.cwiseAbs() * x.cwiseAbs() + y.cwiseAbs()) +
+        Eigen::VectorXd::Constant(n, 2e-16 * s(0, 0) * x.cwiseAbs().maxCoeff());
+      foundation.subtract_whole_product(x.data(), y.data());
+      EXPECT_TRUE(
+        ((y.cast<long double>() - exact).cast<double>().cwiseAbs().array() <= bound.array()).all());
+    }
 }
