@@ -222,8 +222,8 @@ namespace hybrid::continuum
     const double      gamma  = newmark.gamma;
     ContinuumEnergy  &energy = state.energy;
 
-    // Du . K Du, from the equilibrium of both ends: what pushes from outside, then inertia and
-    // damping.
+    // Du . K Du, from the equilibrium of both ends: what pushes from outside and damping; inertia's
+    // part goes with the filter's straight into the loss.
     double strain_change = add_boundary_energy(state);
     strain_change += add_base_energy(state);
     strain_change += add_surface_energy(state, force);
@@ -233,10 +233,12 @@ namespace hybrid::continuum
     for (std::size_t i = 0; i < n; ++i)
       {
         du[i] = u1[i] - state.displacement[i];
-        da[i] = a1[i] - a0[i];
+        da[i] = (0.5 - gamma) * (a1[i] - a0[i]);
+        if (filter > 0.)
+          da[i] += filter * state.acceleration_change[i];
       }
     matrices.multiply_inertia(da.data(), product.data());
-    strain_change -= dot(du, product);
+    energy.integration_loss += dot(du, product);
     if (rayleigh_mass != 0. || rayleigh_stiffness != 0.)
       {
         for (std::size_t i = 0; i < n; ++i)
@@ -249,11 +251,6 @@ namespace hybrid::continuum
         strain_change -= dot(du, load);
       }
     energy.integration_loss += (gamma - 0.5) * strain_change;
-    if (filter > 0.)
-      {
-        matrices.multiply_inertia(state.acceleration_change.data(), product.data());
-        energy.integration_loss += filter * dot(du, product);
-      }
   }
 
 

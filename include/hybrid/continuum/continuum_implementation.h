@@ -77,7 +77,7 @@ namespace hybrid::continuum
     BoundaryForces::Incoming incoming0, incoming1;
     std::vector<double>      edge0, edge1, edge_force0, edge_force1, edge_du, edge_du_ff, edge_v_ff;
     std::vector<double>      edge_u0, edge_u1, edge_u_ff; ///< with boundary springs only
-    std::vector<double>      du, da, u1, v1, a0, a1, c1;
+    std::vector<double>      du, da, u1, v1, a0, a1, c1;  ///< da: what makes the scheme's loss
     double                   filter = 0.;                 ///< Newmark::filter_in() of this step [-]
     std::vector<double>      slip_work, excess0, excess1; ///< with slipping planes only
     Eigen::VectorXd          surface_load, surface_motion;
