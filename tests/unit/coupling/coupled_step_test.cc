@@ -83,7 +83,7 @@ TEST(CoupledStep, that_does_not_converge_leaves_the_state)
 TEST(CoupledStep, that_moves_too_far_leaves_the_state_and_a_shorter_one_goes_on)
 {
   CoupledRun run(Section(), coupled_parameters());
-  throw_blocks(run, 100.);
+  throw_blocks(run, 10.);
   const coupling::CoupledState before = run.state;
   const dda::StepResult        result = run.step->solve(run.state, 1e-2);
   EXPECT_FALSE(result.converged);
@@ -92,7 +92,7 @@ TEST(CoupledStep, that_moves_too_far_leaves_the_state_and_a_shorter_one_goes_on)
 
   // The failed trial does not change what follows.
   CoupledRun other(Section(), coupled_parameters());
-  throw_blocks(other, 100.);
+  throw_blocks(other, 10.);
   ASSERT_TRUE(run.step->solve(run.state, 1e-5).converged);
   ASSERT_TRUE(other.step->solve(other.state, 1e-5).converged);
   expect_close(run.state, other.state);
