@@ -77,7 +77,7 @@ TEST(CondensedFactor, equals_dense_condensation)
   for (int i = 0; i < n; ++i)
     b[i] = std::sin(i + 1.);
   Eigen::Map<Eigen::VectorXd> rhs(b.data(), n), solution(x.data(), n);
-  Eigen::VectorXd                   g(ns);
+  Eigen::VectorXd             g(ns);
   system.forward(*factor, b, g);
   EXPECT_LT((g - (rhs.tail(ns) - coupling * inner.solve(rhs.head(ni)))).norm(), 1e-12);
   system.backward(*factor, x);
