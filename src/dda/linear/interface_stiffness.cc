@@ -51,30 +51,90 @@ namespace hybrid::dda
 
 
 
-    /// y += sign S x for @p n entries of column @p j from row @p first on, and for those of row j
-    /// that mirror them.
+    /// Entries of a symmetric matrix that are @p first to @p last below the diagonal.
     template <typename Number>
-    void add_column(const Number *entry,
-                    const int     n,
-                    const int     j,
-                    const int     first,
-                    const double *x,
-                    double       *y,
-                    const double  sign)
+    struct Diagonals
     {
-      const double  xj  = sign * x[j];
-      const double *xs  = x + first;
-      double       *ys  = y + first;
-      double        sum = 0.;
-#pragma omp simd reduction(+ : sum)
-      for (int k = 0; k < n; ++k)
-        {
-          const double value = entry[k];
-          sum += value * xs[k];
-          ys[k] += value * xj;
-        }
-      y[j] += sign * sum;
-    }
+      const Number  *entry; ///< first of the first column
+      std::ptrdiff_t leading;
+      int            size, first, last;
+
+      /// Entry of @p row in column @p j.
+      const Number *at(const int row, const int j) const
+      {
+        return entry + j * leading + (row - j - first);
+      }
+
+      /// y += sign (A + A^T) x for rows @p begin to @p end (excluded) of N columns from @p j on:
+      /// with four, y is read and written once for all.
+      template <int N>
+      void add(const int     j,
+               const int     begin,
+               const int     end,
+               const double  sign,
+               const double *x,
+               double       *y) const
+      {
+        const Number *column[N];
+        double        factor[N], sum[N];
+        for (int c = 0; c < N; ++c)
+          {
+            column[c] = at(begin, j + c);
+            factor[c] = sign * x[j + c];
+            sum[c]    = 0.;
+          }
+        const double *xs = x + begin;
+        double       *ys = y + begin;
+        if constexpr (N == 4)
+          {
+            double a = 0., b = 0., c = 0., d = 0.;
+#pragma omp simd reduction(+ : a, b, c, d)
+            for (int k = 0; k < end - begin; ++k)
+              {
+                const double p = column[0][k], q = column[1][k], r = column[2][k], s = column[3][k];
+                a += p * xs[k];
+                b += q * xs[k];
+                c += r * xs[k];
+                d += s * xs[k];
+                ys[k] += (p * factor[0] + q * factor[1]) + (r * factor[2] + s * factor[3]);
+              }
+            sum[0] = a, sum[1] = b, sum[2] = c, sum[3] = d;
+          }
+        else
+          for (int k = 0; k < end - begin; ++k)
+            {
+              sum[0] += column[0][k] * xs[k];
+              ys[k] += column[0][k] * factor[0];
+            }
+        for (int c = 0; c < N; ++c)
+          y[j + c] += sign * sum[c];
+      }
+
+      void add_product(const double sign, const double *x, double *y) const
+      {
+        for (int j = 0; j < size; j += 4)
+          {
+            const int  columns = std::min(4, size - j);
+            const int  begin   = j + columns - 1 + first; // rows that all of them have
+            const int  end     = std::min(size, j + last + 1);
+            const bool four    = columns == 4 && begin < end;
+            for (int c = 0; c < columns; ++c)
+              {
+                const int own_begin = std::min(size, j + c + first);
+                const int own_end   = std::min(size, j + c + last + 1);
+                if (!four)
+                  add<1>(j + c, own_begin, std::max(own_begin, own_end), sign, x, y);
+                else
+                  {
+                    add<1>(j + c, own_begin, begin, sign, x, y);
+                    add<1>(j + c, end, own_end, sign, x, y);
+                  }
+              }
+            if (four)
+              add<4>(j, begin, end, sign, x, y);
+          }
+      }
+    };
   } // namespace
 
 
@@ -169,10 +229,8 @@ namespace hybrid::dda
     if (source == nullptr)
       return;
     for (int j = 0; j < size; ++j)
-      {
-        y[j] += band(0, j) * x[j];
-        add_column(&band(1, j), std::min(width, size - 1 - j), j, j + 1, x, y, 1.);
-      }
+      y[j] += band(0, j) * x[j];
+    Diagonals<double>{band.data() + 1, band.rows(), size, 1, width}.add_product(1., x, y);
   }
 
 
@@ -183,12 +241,10 @@ namespace hybrid::dda
       return;
     const int edge = static_cast<int>(band.rows()) - 1, reach = edge + static_cast<int>(far.rows());
     for (int j = 0; j < size; ++j)
-      {
-        y[j] -= band(0, j) * x[j];
-        add_column(&band(1, j), std::min(edge, size - 1 - j), j, j + 1, x, y, -1.);
-        if (j + edge + 1 < size && reach > edge)
-          add_column(&far(0, j), std::min(reach, size - 1 - j) - edge, j, j + edge + 1, x, y, -1.);
-      }
+      y[j] -= band(0, j) * x[j];
+    Diagonals<double>{band.data() + 1, band.rows(), size, 1, edge}.add_product(-1., x, y);
+    if (reach > edge)
+      Diagonals<float>{far.data(), far.rows(), size, edge + 1, reach}.add_product(-1., x, y);
   }
 
 
