@@ -11,7 +11,7 @@ namespace hybrid
     if (name == "dissipative")
       return {0.3, 0.6};
     if (name == "filtered")
-      return {0.3, 0.6, 0., 0.1};
+      return {0.3, 0.6, 0., 0.1, 0.2};
     if (name == "trapezoidal" || name == "fourth order")
       return {0.25, 0.5};
     if (name == "shi")

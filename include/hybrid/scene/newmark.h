@@ -29,6 +29,11 @@ namespace hybrid
     /// scheme of second order, or 0: none.
     double filter = 0.;
 
+    /// Of the change of a block's velocity over a step, as far as it is new, what the displacement
+    /// has beyond the mean of both velocities, in halves [-]: for blocks that touch others. A
+    /// contact that the step does not see would else throw the velocity from one side to the other.
+    double velocity_filter = 0.;
+
     /// Of the change over a step, what is remembered; the rest is of what was before [-].
     static constexpr double memory = 0.5;
 

@@ -342,7 +342,8 @@ namespace hybrid::dda
                                            Eigen::VectorXd       &x)
   {
     const Eigen::Index size = matrix.size();
-    for (Eigen::VectorXd *work : {&x, &unknown, &r, &dual_r, &p, &dual_p, &q, &t, &dual_t, &z})
+    for (Eigen::VectorXd *work :
+         {&x, &unknown, &r, &dual_r, &shadow, &p, &dual_p, &q, &t, &dual_t, &z})
       work->resize(size);
     x.setZero();
     is_symmetric = matrix.symmetric;

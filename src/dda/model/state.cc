@@ -65,11 +65,13 @@ namespace hybrid::dda
            acceleration,
            contact_acceleration,
            acceleration_change,
+           velocity_change,
            stress,
            viscous_stress,
            plastic_strain,
            rest_plastic_strain] = block;
     archive(centroid, rotation, velocity, acceleration, contact_acceleration, acceleration_change);
+    archive(velocity_change);
     archive(stress, viscous_stress, plastic_strain, rest_plastic_strain);
   }
 

@@ -168,8 +168,10 @@ namespace hybrid::dda
         s.old.history = r.history;
         s.old.normal = s.old.elastic_normal = r.normal;
         s.old.shear = s.old.elastic_shear = r.shear;
-        s.old.state                       = r.state;
-        s.coulomb = law.law.is_coulomb(s.old.history, s.cohesion_length_ratio);
+        // At its limit it slides on, though the law calls that sticking until more is asked of it.
+        const bool slid = contact.state == ContactState::sliding;
+        s.old.state     = slid && r.state == ContactState::locked ? contact.state : r.state;
+        s.coulomb       = law.law.is_coulomb(s.old.history, s.cohesion_length_ratio);
         springs.push_back(s);
       }
   }

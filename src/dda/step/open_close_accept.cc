@@ -99,8 +99,8 @@ namespace hybrid::dda
   {
     const int    n  = model.n_blocks();
     const double dt = trial.dt;
-    state.energy =
-      audit_step({model, state, trial, springs, stresses, mass, damping_time, incoming});
+    state.energy    = audit_step(
+      {model, state, trial, springs, stresses, mass, damping_time, kinematics, incoming});
     if (incoming.size() > 0)
       state.boundary_force = incoming;
     const double gamma    = model.newmark.gamma;
@@ -122,6 +122,8 @@ namespace hybrid::dda
         const BlockMotion &move  = trial.motion[b];
         block.centroid           = move.centroid;
         block.rotation += trial.increment[b][2];
+        block.velocity_change =
+          carried_rates(kinematics.remembered(b, trial.rate[b]), move.cosine, move.sine);
         block.velocity = rotated_rates(trial.rate[b], move.cosine, move.sine);
         const Eigen::Vector3d stress =
           model.blocks[b].elasticity * stresses.elastic_strain(trial.increment[b].tail<3>(), b);

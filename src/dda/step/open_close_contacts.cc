@@ -26,7 +26,7 @@ namespace hybrid::dda
 
   OpenCloseIteration::Attempt OpenCloseIteration::settle_contacts(const Step &step)
   {
-    constexpr Patience with_last{3, 0}, with_guess{16, 6};
+    constexpr Patience patience{10, 3};
     constexpr int      longest_span                = 16;
     const auto &[model, state, foundation, result] = step;
     const double      first                        = result.residual;
@@ -35,23 +35,17 @@ namespace hybrid::dda
     conditions.resize(n);
     if (model.iteration.is_patient)
       return yield_patiently(step);
-    Attempt    attempt      = Attempt::failed;
     const bool path_at_once = memory.path_steps > 0;
-    memory.path_steps       = std::max(0, memory.path_steps - 1);
-    for (int k = 0; k < 2 && attempt == Attempt::failed && !path_at_once; ++k)
+    Attempt    attempt      = Attempt::failed;
+    if (path_at_once)
+      --memory.path_steps;
+    else
       {
-        const bool from_guess = (k == 0) == memory.from_guess;
-        if (k > 0)
-          {
-            go_back(at_start);
-            result.residual = evaluate(model, state, foundation);
-          }
         for (std::size_t s = 0; s < n; ++s)
-          conditions[s] =
-            from_guess ? springs.condition(s) : Springs::condition_of(springs.springs[s].old);
-        attempt = iterate_conditions(step, from_guess ? with_guess : with_last);
+          conditions[s] = Springs::condition_of(springs.springs[s].old);
+        attempt = iterate_conditions(step, patience);
         if (attempt == Attempt::converged)
-          memory = {from_guess, 0, 0};
+          memory = {};
       }
     if (attempt != Attempt::failed)
       return attempt;
@@ -106,7 +100,11 @@ namespace hybrid::dda
         double norm = result.residual;
         if (springs.prescribe(model, state, trial, conditions))
           norm = balance(model, state, foundation);
-        repair(step, k == 0 || result.residual <= 1e-3 * previous, previous);
+        const bool served =
+          k > 0 ? result.residual <= 1e-3 * previous : conditions == tangent_conditions;
+        repair(step, served, previous);
+        tangent_conditions.resize(conditions.size());
+        std::copy(conditions.begin(), conditions.end(), tangent_conditions.begin());
         before[k % 3] = previous = result.residual;
         solve_linear(step, std::max(0.2 * model.iteration.tolerance, linear_fraction * norm));
         take(step, 1.);

@@ -12,17 +12,6 @@
 
 namespace hybrid::dda
 {
-  namespace
-  {
-    /// Weight of contact forces beside M (d - d*) / (beta dt^2), for their dt^2/2 in d.
-    double contact_weight(const Newmark &newmark)
-    {
-      return 0.5 / newmark.beta;
-    }
-  } // namespace
-
-
-
   void OpenCloseIteration::move(const DdaState &state)
   {
     const int n = static_cast<int>(trial.increment.size());
@@ -66,7 +55,7 @@ namespace hybrid::dda
                                      const FoundationResponse &foundation)
   {
     const int    n = model.n_blocks(), m = model.n_foundation_nodes();
-    const double dt = trial.dt, beta = model.newmark.beta, weight = contact_weight(model.newmark);
+    const double dt = trial.dt, weight = StepKinematics::contact_weight(model.newmark);
     residual.setZero(6 * n + 2 * m);
     contact_force.setZero(6 * n + 2 * m);
     absolute.setZero(n);
@@ -78,19 +67,20 @@ namespace hybrid::dda
     for (int b = 0; b < n; ++b)
       {
         const BlockProperties &p = model.blocks[b];
-        const Vec6 inertia = mass[b] * ((trial.increment[b] - predicted[b]) / (beta * dt * dt));
+        const Vec6             inertial_force =
+          mass[b] * (kinematics.inertia(b) * (trial.increment[b] - kinematics.predicted(b)));
         // The damping follows the mean strain rate of the step: with the rate at its end it would
         // feed what it damps while a contact holds (doc/theory.md).
         const Eigen::Vector3d stress = stresses.evaluate(
           p, state.blocks[b], trial.increment[b].tail<3>(), damping_time[b] / dt, b);
         Eigen::Map<Vec6> r(residual.data() + 6 * b);
-        r += weight * contact_force.segment<6>(6 * b) - inertia;
+        r += weight * contact_force.segment<6>(6 * b) - inertial_force;
         r[0] += p.pushed_mass * model.horizontal;
         r[1] -= p.weight * model.gravity;
         r.tail<3>() -= p.area * stress;
         // The last term is the round-off of a body that only flies: there no force is left to
         // compare with.
-        absolute[b] += inertia.head<2>().norm() + p.weight * model.gravity +
+        absolute[b] += inertial_force.head<2>().norm() + p.weight * model.gravity +
                        p.pushed_mass * std::abs(model.horizontal) + p.size * stress.norm() +
                        1e-5 * p.mass * trial.increment[b].head<2>().norm() / (dt * dt);
       }
@@ -164,7 +154,7 @@ namespace hybrid::dda
   void OpenCloseIteration::update_stiffness(const Model &model, const Tangent &tangent)
   {
     SpringStiffness::Choice choice{tangent.follow_softening,
-                                   contact_weight(model.newmark),
+                                   StepKinematics::contact_weight(model.newmark),
                                    sliding_regularisation.value(),
                                    tangent.all || model.n_bedrock > 0 || model.blocks_yield};
     stiffness.update(springs, trial, choice);
@@ -183,7 +173,7 @@ namespace hybrid::dda
                                     const Tangent            &tangent)
   {
     const Stopwatch timer(times.assembly);
-    const double    dt = trial.dt, beta = model.newmark.beta;
+    const double    dt = trial.dt;
     update_stiffness(model, tangent);
     const std::vector<int> &rows = stiffness.changed_blocks();
 #pragma omp parallel for schedule(static) if (is_worth_sharing(rows.size()))
@@ -192,7 +182,7 @@ namespace hybrid::dda
         const int              b = rows[k];
         const BlockProperties &p = model.blocks[b];
         matrix.set_row_zero(b);
-        matrix.diagonal[b] = mass[b] / (beta * dt * dt);
+        matrix.diagonal[b] = kinematics.inertia(b) * mass[b];
         matrix.diagonal[b].bottomRightCorner<3, 3>() +=
           p.area * stresses.tangent(p, damping_time[b] / dt, b);
         stiffness.add_rows(springs, b, matrix);
@@ -312,14 +302,13 @@ namespace hybrid::dda
 
   void OpenCloseIteration::finish(const Model &model)
   {
-    const double inertia = 1. / (model.newmark.beta * trial.dt * trial.dt);
 #pragma omp parallel for schedule(static) if (is_worth_sharing(model.n_blocks()))
     for (int b = 0; b < model.n_blocks(); ++b)
       {
         const Vec6 c            = acceleration_by_contacts(b);
         contact_acceleration[b] = c;
-        acceleration[b] =
-          inertia * (trial.increment[b] - predicted[b]) - contact_weight(model.newmark) * c;
+        acceleration[b] = kinematics.inertia(b) * (trial.increment[b] - kinematics.predicted(b)) -
+                          StepKinematics::contact_weight(model.newmark) * c;
         trial.rate[b] = end_rate(b);
       }
   }
@@ -330,7 +319,7 @@ namespace hybrid::dda
   {
     bool is_current = tangent_pattern == matrix.pattern_version();
     archive(matrix, stiffness, tangent_dt, is_current, expects_many, stale);
-    archive(memory.from_guess, memory.path_steps, memory.path_span);
+    archive(memory.path_steps, memory.path_span, tangent_conditions);
     solver.serialize(archive, matrix);
     archive(times);
     if (!archive.is_reading())

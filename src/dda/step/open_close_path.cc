@@ -64,20 +64,18 @@ namespace hybrid::dda
 
   OpenCloseIteration::Attempt OpenCloseIteration::follow_path(const Step &step)
   {
-    constexpr double   few_changes = 0.01, near_balance = 1e-2, wider = 100., stalled = 0.5;
+    constexpr double   few_changes = 0.01, near_balance = 1e-2, wider = 100.;
     constexpr int      most_widenings = 4;
     constexpr Patience to_finish{4, 0};
     const auto &[model, state, foundation, result] = step;
     path_width                                     = 1.;
-    const double start                             = begin_path(step);
-    if (start <= 0.)
+    if (begin_path(step) <= 0.)
       return Attempt::failed;
     path_now.assign(conditions.size(), Condition::law);
     path_tried.clear();
     bool begins = true;
     for (int widenings = 0; may_go_on(step);)
       {
-        const double before = result.residual;
         if (go_along_path(step, begins && widenings < most_widenings) == 0. && begins)
           {
             path_width *= wider;
@@ -104,10 +102,6 @@ namespace hybrid::dda
             go_back(on_path);
             result.residual = evaluate(model, state, foundation);
           }
-        // Contacts are at their conditions, what is left is of other springs.
-        else if (changed == 0 && result.residual > stalled * before &&
-                 interior.mean_product() < path_end * start)
-          return Attempt::failed;
       }
     return result.stopped ? Attempt::stopped : Attempt::failed;
   }

@@ -72,7 +72,8 @@ namespace hybrid::dda
     constexpr double stalled_fraction              = 0.3;
     const auto &[model, state, foundation, result] = step;
     const int first                                = result.iterations;
-    double    window_start                         = std::numeric_limits<double>::infinity();
+    tangent_conditions.clear(); // it is one of the laws from now on
+    double window_start = std::numeric_limits<double>::infinity();
     // The first linear system is solved to the end where that may be all.
     double previous = expects_many ? result.residual : std::numeric_limits<double>::infinity();
     // A tangent that active sets have left is that of another place.

@@ -5,7 +5,9 @@
 #include <hybrid/dda/step/open_close_iteration.h>
 #include <hybrid/scene/stopwatch.h>
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace hybrid::dda
 {
@@ -14,32 +16,22 @@ namespace hybrid::dda
                                    const FoundationResponse &foundation,
                                    const double              dt)
   {
-    const int    n = model.n_blocks(), m = model.n_foundation_nodes();
-    const double beta = model.newmark.beta;
-    trial.dt          = dt;
+    const int n = model.n_blocks(), m = model.n_foundation_nodes();
+    trial.dt = dt;
     trial.increment.resize(n);
     trial.rate.resize(n);
     trial.motion.resize(n);
     trial.displacement.resize(state.geometry.vertices.size());
     mass.resize(n);
-    predicted.resize(n);
-    start_rate.resize(n);
     acceleration.resize(n);
     contact_acceleration.resize(n);
     scale.setOnes(6 * n + 2 * m);
     block_damping_times(model, state, damping_time);
-    const double filtered = 0.5 * dt * dt * model.newmark.filter_in(dt, state.last_step);
+    kinematics.begin(model, state, springs, dt);
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
-        const BlockState &block = state.blocks[b];
-        const Vec6        v     = model.dynamic_coefficient * block.velocity;
-        const Vec6        a     = block.acceleration - block.contact_acceleration;
-        mass[b]                 = mass_matrix(model.blocks[b], block.rotation);
-        predicted[b]            = dt * v + dt * dt * (0.5 - beta) * a;
-        if (filtered > 0.)
-          predicted[b] -= filtered * block.acceleration_change;
-        start_rate[b] = v;
+        mass[b] = mass_matrix(model.blocks[b], state.blocks[b].rotation);
         scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
       }
     assert(foundation.displacement.size() == 2 * m);
@@ -72,12 +64,39 @@ namespace hybrid::dda
 
 
 
+  double OpenCloseIteration::unbalanced_without_motion(const Model    &model,
+                                                       const DdaState &state) const
+  {
+    double unbalanced = 0., weight = 0.;
+    for (int b = 0; b < model.n_blocks(); ++b)
+      {
+        const BlockProperties &p     = model.blocks[b];
+        const BlockState      &block = state.blocks[b];
+        // Springs and stresses stay as they were, so they still balance the accelerations.
+        const Vec6 left =
+          mass[b] * (block.acceleration - block.contact_acceleration +
+                     StepKinematics::contact_weight(model.newmark) * block.contact_acceleration +
+                     kinematics.inertia(b) * kinematics.predicted(b));
+        unbalanced +=
+          left.head<2>().squaredNorm() + left.tail<4>().squaredNorm() / (p.size * p.size);
+        weight += std::pow(p.weight * model.gravity, 2);
+      }
+    return std::sqrt(unbalanced / std::max(weight, 1e-300));
+  }
+
+
+
   double OpenCloseIteration::choose_guess(const Model              &model,
                                           const DdaState           &state,
                                           const FoundationResponse &foundation)
   {
-    constexpr double near_balance      = 0.03;
-    const double     with_acceleration = evaluate(model, state, foundation);
+    constexpr double near_balance = 0.03, at_rest = 1e-6;
+    if (unbalanced_without_motion(model, state) <= at_rest)
+      {
+        std::fill(trial.increment.begin(), trial.increment.end(), Vec6::Zero());
+        return evaluate(model, state, foundation);
+      }
+    const double with_acceleration = evaluate(model, state, foundation);
     if (with_acceleration <= near_balance)
       return with_acceleration;
     guesses_acceleration = false;

@@ -28,7 +28,8 @@ namespace hybrid::scene
       [&time](const std::string &name) { time.scheme = name; },
       "Newmark time integration of blocks and continuum (beta, gamma): dissipative (0.3, 0.6) is of first "
       "order and damps all frequencies, filtered is the same less a tenth of how the acceleration "
-      "has changed: of second order, it damps what the step cannot resolve, "
+      "has changed, and of how the velocity of blocks that touch has: of second order, it damps what "
+      "the step cannot resolve, "
       "trapezoidal (0.25, 0.5) damps nothing, shi (0.5, 1) is the constant acceleration of Shi "
       "(1988). Fourth order is trapezoidal with the inertia M - dt^2 K/6 in "
       "place of M, for a continuum alone whose bedding planes, if any, are elastic. Automatic is "

@@ -32,7 +32,13 @@ TEST(Newmark, FilteredPresetIsOfSecondOrder)
   EXPECT_NEAR(filtered.filter, filtered.gamma - 0.5, 1e-15); // takes back what the ends differ by
   EXPECT_LE(filtered.filter, 9. / 8.);                       // dashpots stay passive
   for (const char *name : {"dissipative", "trapezoidal", "fourth order", "shi"})
-    EXPECT_EQ(Newmark::preset(name).filter, 0.) << name;
+    {
+      EXPECT_EQ(Newmark::preset(name).filter, 0.) << name;
+      EXPECT_EQ(Newmark::preset(name).velocity_filter, 0.) << name;
+    }
+  EXPECT_GT(filtered.velocity_filter, 0.);
+  EXPECT_LT(filtered.velocity_filter,
+            0.5); // above, a stiff contact's velocity no longer changes sign
 }
 
 TEST(Newmark, FilterOfAStepAfterAnother)

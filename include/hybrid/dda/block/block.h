@@ -49,6 +49,8 @@ namespace hybrid::dda
     Vec6   contact_acceleration = Vec6::Zero(); ///< contacts' part of it, see Springs
     Vec6   acceleration_change  = Vec6::Zero(); ///< remembered by a Newmark::filter, of all but
                                                 ///< contacts; turned with the block
+    Vec6 velocity_change = Vec6::Zero();        ///< remembered by a Newmark::velocity_filter while
+                                                ///< the block touches others; turned with it
     Eigen::Vector3d stress =
       Eigen::Vector3d::Zero(); ///< elastic (xx, yy, xy) [Pa], tension positive
     Eigen::Vector3d viscous_stress =

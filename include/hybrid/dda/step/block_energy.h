@@ -3,6 +3,7 @@
 
 #include <hybrid/dda/springs/springs.h>
 #include <hybrid/dda/step/block_stresses.h>
+#include <hybrid/dda/step/step_kinematics.h>
 
 namespace hybrid::dda
 {
@@ -25,7 +26,8 @@ namespace hybrid::dda
     const BlockStresses       &stresses;
     const std::vector<Mat6>   &mass;
     const std::vector<double> &damping_time; ///< beta_K of each block [s]
-    const Eigen::VectorXd     &incoming;     ///< at artificial boundaries, end of the step [N/m]
+    const StepKinematics      &kinematics;
+    const Eigen::VectorXd     &incoming; ///< at artificial boundaries, end of the step [N/m]
   };
 
   /// Energy after the step.

@@ -9,6 +9,7 @@
 #include <hybrid/dda/step/foundation_response.h>
 #include <hybrid/dda/step/part_times.h>
 #include <hybrid/dda/step/sliding_regularisation.h>
+#include <hybrid/dda/step/step_kinematics.h>
 #include <hybrid/dda/step/step_result.h>
 
 #include <functional>
@@ -107,9 +108,8 @@ namespace hybrid::dda
     Trial                 trial;
     BlockStresses         stresses;
     std::vector<Mat6>     mass;
+    StepKinematics        kinematics;
     std::vector<double>   damping_time; ///< beta_K of each block in this step [s]
-    std::vector<Vec6>     predicted;    ///< Newmark's d*: a = (d - d*) / (beta dt^2)
-    std::vector<Vec6>     start_rate;   ///< velocity that the step begins with, k01 v
     std::vector<Vec6> acceleration; ///< of all but contacts, end of the solved step, not yet turned
     std::vector<Vec6> contact_acceleration; ///< of contacts, likewise
     Eigen::VectorXd   residual, absolute, scale, update, force_increment, contact_increment;
@@ -127,17 +127,17 @@ namespace hybrid::dda
     bool             guesses_acceleration   = true;  ///< the trial begins as if it stayed the same
     double           reference              = 0.;    ///< norm of absolute forces [N]
     InteriorContacts interior;
-    std::vector<Condition> conditions; ///< of springs, for the next update
-    std::vector<Condition> path_now;   ///< of contacts on the central path
-    std::vector<Condition> path_tried; ///< those from which active sets were tried last
-    bool            stale   = false;   ///< the tangent is not one of the laws, or of another step
-    int             repairs = 0;       ///< tangents rebuilt in this step
+    std::vector<Condition> conditions;         ///< of springs, for the next update
+    std::vector<Condition> tangent_conditions; ///< of springs, with the last update
+    std::vector<Condition> path_now;           ///< of contacts on the central path
+    std::vector<Condition> path_tried;         ///< those from which active sets were tried last
+    bool            stale   = false; ///< the tangent is not one of the laws, or of another step
+    int             repairs = 0;     ///< tangents rebuilt in this step
     ActiveSetMemory memory;
     PartTimes       times;
     double          path_width = 1.; ///< beside that of a path of usual width
 
     static constexpr double linear_fraction = 1e-6; ///< of a residual that its update may leave
-    static constexpr double path_end        = 1e-6; ///< of the first product: contacts have settled
 
     TrialPlace at_start, on_path;
 
@@ -223,11 +223,10 @@ namespace hybrid::dda
     /// Acceleration of a block by the contacts' forces in the trial.
     Vec6 acceleration_by_contacts(int block) const;
 
-    /// Velocity of a block at the end of the trial: with 2 beta = gamma the mean of both ends is
-    /// the increment over dt, whatever the forces.
-    Vec6 end_rate(int block) const
+    /// Velocity of a block at the end of the trial.
+    Vec6 end_rate(const int block) const
     {
-      return 2. / trial.dt * trial.increment[block] - start_rate[block];
+      return kinematics.end_rate(block, trial.increment[block]);
     }
 
     /// Forces of the trial and what is left of the balance; they depend on the trial alone.
@@ -272,8 +271,13 @@ namespace hybrid::dda
     void
     start_trial(const Model &model, const DdaState &state, const FoundationResponse &foundation);
 
-    /// Begin the trial with the acceleration as it was or, far from balance, with none where that
-    /// is closer. @return relative norm of the residual there
+    /// Forces that no motion at all in this step would leave, relative to the weights [-].
+    double unbalanced_without_motion(const Model &model, const DdaState &state) const;
+
+    /// Begin the trial without motion if the mass rests, else with the acceleration as it was or,
+    /// far from balance, with none where that is closer. A guess that moves what rests would press
+    /// stiff contacts with what little the last step has left. @return relative norm of the
+    /// residual there
     double
     choose_guess(const Model &model, const DdaState &state, const FoundationResponse &foundation);
 

@@ -29,9 +29,8 @@ namespace hybrid::dda
   /// What steps remember of how the one before was solved, for the checkpoint.
   struct ActiveSetMemory
   {
-    bool from_guess = false; ///< conditions of the guess served, not those of the last step
-    int  path_steps = 0;     ///< steps that begin with the interior point method at once
-    int  path_span  = 0;     ///< of them when it was last decided
+    int path_steps = 0; ///< steps that begin with the interior point method at once
+    int path_span  = 0; ///< of them when it was last decided
   };
 
 

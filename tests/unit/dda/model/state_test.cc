@@ -33,6 +33,7 @@ namespace hybrid::dda
       block.acceleration         = Vec6::LinSpaced(10., 15.);
       block.contact_acceleration = Vec6::LinSpaced(16., 21.);
       block.acceleration_change  = Vec6::LinSpaced(30., 35.);
+      block.velocity_change      = Vec6::LinSpaced(40., 45.);
       block.stress               = {22., 23., 24.};
       block.viscous_stress       = {25., 26., 27.};
       block.plastic_strain       = 28.;
@@ -44,6 +45,7 @@ namespace hybrid::dda
       EXPECT_EQ(copy.acceleration, block.acceleration);
       EXPECT_EQ(copy.contact_acceleration, block.contact_acceleration);
       EXPECT_EQ(copy.acceleration_change, block.acceleration_change);
+      EXPECT_EQ(copy.velocity_change, block.velocity_change);
       EXPECT_EQ(copy.stress, block.stress);
       EXPECT_EQ(copy.viscous_stress, block.viscous_stress);
       EXPECT_EQ(copy.plastic_strain, block.plastic_strain);
