@@ -239,7 +239,8 @@ namespace hybrid::dda
     Attempt    attempt = Attempt::failed;
     if (model.iteration.changes_together)
       attempt = settle_contacts(step);
-    if (attempt == Attempt::failed)
+    const bool may_search = !model.iteration.changes_together || model.iteration.is_patient;
+    if (attempt == Attempt::failed && may_search)
       attempt = search(step);
     constexpr int few_iterations = 4;
     expects_many                 = result.iterations > few_iterations;
