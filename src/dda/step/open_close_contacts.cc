@@ -29,6 +29,7 @@ namespace hybrid::dda
     constexpr Patience patience{10, 3};
     constexpr int      longest_span                = 16;
     const auto &[model, state, foundation, result] = step;
+    const double      first                        = result.residual;
     const std::size_t n                            = springs.springs.size();
     keep(at_start);
     conditions.resize(n);
@@ -54,6 +55,11 @@ namespace hybrid::dda
     if (attempt == Attempt::converged && !path_at_once)
       memory.path_steps = memory.path_span =
         std::min(std::max(2, 2 * memory.path_span), longest_span);
+    if (attempt == Attempt::failed && !(result.residual <= first))
+      {
+        go_back(at_start);
+        result.residual = evaluate(model, state, foundation);
+      }
     return attempt;
   }
 

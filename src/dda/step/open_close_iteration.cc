@@ -239,8 +239,7 @@ namespace hybrid::dda
     Attempt    attempt = Attempt::failed;
     if (model.iteration.changes_together)
       attempt = settle_contacts(step);
-    const bool may_search = !model.iteration.changes_together || model.iteration.is_patient;
-    if (attempt == Attempt::failed && may_search)
+    if (attempt == Attempt::failed)
       attempt = search(step);
     constexpr int few_iterations = 4;
     expects_many                 = result.iterations > few_iterations;

@@ -38,7 +38,8 @@ namespace hybrid::dda
    * Contacts change their conditions (open, sticking, sliding) in three ways, each tried where the
    * one before has not settled the step: Newton's method on the active set, from the conditions of
    * the last step; the interior point method on the full Coulomb law (InteriorContacts), which
-   * changes all of them together; and, in steps without inertia, a line search by the laws alone.
+   * changes all of them together; and a line search with the laws alone, which is all that steps
+   * without inertia know.
    */
   class OpenCloseIteration
   {
@@ -160,7 +161,7 @@ namespace hybrid::dda
       stopped
     };
 
-    /// Active sets, then interior point method.
+    /// Active sets, then interior point method; failures end where the line search shall begin.
     Attempt settle_contacts(const Step &step);
     Attempt yield_patiently(const Step &step); ///< for IterationParameters::is_patient
 
