@@ -29,7 +29,7 @@ namespace hybrid::dda
       copy.iteration.changes_together           = IterationParameters().changes_together;
       copy.iteration.is_patient                 = true;
       copy.iteration.maximum_displacement_ratio = std::numeric_limits<double>::infinity();
-      for (Joint &joint : copy.joints)
+      for (Joint &joint : copy.joints) // trials far from rest would tear them
         joint.law = joint.law.without_tensile_failure();
       return copy;
     }
@@ -102,7 +102,7 @@ namespace hybrid::dda
           }
         state.time = -1. - dt;
         solver.accept(state);
-        great.joints = problem.joints;
+        great.joints = problem.joints; // near rest bonds may tear
         ++result.steps;
         result.residual    = std::max(step.unbalanced, step.residual);
         result.equilibrium = result.residual <= static_target && step.first_residual <= small_start;
