@@ -76,18 +76,12 @@ namespace hybrid
   {
     run.recorder.flush(); // run.h5 is never behind the checkpoint
     const std::uint64_t number = fingerprint(model.mesh, model.motion.outcrop());
-    const auto          fill   = [&](restart::Archive &archive) {
+    const auto          write  = [&](restart::Archive &archive) {
       archive.put(model.scene.used_prm);
       archive.put(number);
       serialize(archive, run);
     };
-    restart::Archive size = restart::Archive::counter();
-    fill(size);
-    // One copy of a state that may take a tenth of all memory.
-    restart::Archive archive = restart::Archive::writer(size.counted());
-    fill(archive);
-    restart::write_checkpoint(checkpoint_file(model.scene.output.directory),
-                              {layout(run), archive.take_content()});
+    restart::write_checkpoint(checkpoint_file(model.scene.output.directory), layout(run), write);
     run.schedule.written();
   }
 

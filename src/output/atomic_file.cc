@@ -6,6 +6,6 @@ namespace hybrid::output
 {
   void write_atomically(const std::string &file_name, const std::string &content)
   {
-    restart::replace_file(file_name, {content}, false);
+    restart::replace_file(file_name, content, false);
   }
 } // namespace hybrid::output

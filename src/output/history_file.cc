@@ -373,7 +373,7 @@ namespace hybrid::output
     std::vector<char> image(static_cast<std::size_t>(size));
     check(H5Fget_file_image(file, image.data(), image.size()) != size ? -1 : 0,
           "copy " + file_name);
-    restart::replace_file(file_name, {std::string_view(image.data(), image.size())}, durable);
+    restart::replace_file(file_name, std::string_view(image.data(), image.size()), durable);
   }
 
 

@@ -6,24 +6,32 @@
 
 namespace hybrid::restart
 {
+  namespace
+  {
+    /// Bytes that a sink gets at once.
+    constexpr std::size_t portion = 1 << 20;
+  } // namespace
+
+
+
   Archive::Archive(const Direction which)
     : direction(which)
   {}
 
 
 
-  Archive Archive::writer(const std::size_t expected_size)
+  Archive Archive::writer()
   {
-    Archive archive(Direction::write);
-    archive.bytes.reserve(expected_size);
-    return archive;
+    return Archive(Direction::write);
   }
 
 
 
-  Archive Archive::counter()
+  Archive Archive::writer(Sink sink)
   {
-    return Archive(Direction::count);
+    Archive archive(Direction::write);
+    archive.sink = std::move(sink);
+    return archive;
   }
 
 
@@ -51,17 +59,22 @@ namespace hybrid::restart
     if (direction == Direction::write)
       {
         bytes.append(static_cast<const char *>(memory), n);
-        return;
-      }
-    if (direction == Direction::count)
-      {
-        position += n;
+        if (sink && bytes.size() >= portion)
+          flush();
         return;
       }
     if (n > bytes.size() - position)
       throw InputError("the checkpoint ends too early");
     std::memcpy(memory, bytes.data() + position, n);
     position += n;
+  }
+
+
+
+  void Archive::flush()
+  {
+    sink(bytes);
+    bytes.clear();
   }
 
 
@@ -104,9 +117,9 @@ namespace hybrid::restart
 
 
 
-  std::uint64_t checksum(const std::string &bytes)
+  std::uint64_t checksum(const std::string_view bytes, const std::uint64_t before)
   {
-    std::uint64_t hash = 14695981039346656037u;
+    std::uint64_t hash = before;
     for (const char byte : bytes)
       hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211u;
     return hash;

@@ -17,22 +17,36 @@ namespace hybrid::restart
     constexpr std::array<char, 8> magic      = {'h', 'y', 'b', 'r', 'i', 'd', 'c', 'p'};
     constexpr std::uint32_t       byte_order = 0x01020304;
 
-    /// Reading the header needs as many bytes.
-    constexpr std::size_t header_size = sizeof(magic) + 2 * sizeof(std::uint32_t);
+    /// In front of the state: magic, byte order, version, layout. Behind it is its checksum.
+    constexpr std::size_t header_size =
+      sizeof(magic) + 2 * sizeof(std::uint32_t) + sizeof(std::uint64_t);
   } // namespace
 
 
 
-  void write_checkpoint(const std::string &file_name, const CheckpointContent &content)
+  void write_checkpoint(const std::string                    &file_name,
+                        const std::uint64_t                   layout,
+                        const std::function<void(Archive &)> &write_state)
   {
-    Archive archive = Archive::writer();
-    archive.put(magic);
-    archive.put(byte_order);
-    archive.put(checkpoint_version);
-    archive.put(content.layout);
-    archive.put(checksum(content.state));
-    archive.put(static_cast<std::uint64_t>(content.state.size())); // as in front of any text
-    replace_file(file_name, {archive.content(), content.state}, true);
+    const auto write = [&](const Archive::Sink &file) {
+      Archive header = Archive::writer(file);
+      header.put(magic);
+      header.put(byte_order);
+      header.put(checkpoint_version);
+      header.put(layout);
+      header.flush();
+      std::uint64_t sum   = checksum({});
+      Archive       state = Archive::writer([&](const std::string_view bytes) {
+        sum = checksum(bytes, sum);
+        file(bytes);
+      });
+      write_state(state);
+      state.flush();
+      Archive end = Archive::writer(file);
+      end.put(sum);
+      end.flush();
+    };
+    replace_file(file_name, write, true);
   }
 
 
@@ -43,13 +57,17 @@ namespace hybrid::restart
     if (!file)
       throw InputError("there is no checkpoint '" + file_name + "'");
     std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (bytes.size() < header_size || !std::equal(magic.begin(), magic.end(), bytes.begin()))
+    if (bytes.size() < sizeof(magic) || !std::equal(magic.begin(), magic.end(), bytes.begin()))
       throw InputError("'" + file_name + "' is no checkpoint of hybrid");
+    const InputError damaged("the checkpoint '" + file_name + "' is damaged");
+    if (bytes.size() < header_size + sizeof(std::uint64_t))
+      throw damaged;
 
-    Archive             archive = Archive::reader(std::move(bytes));
+    CheckpointContent   content;
     std::array<char, 8> first;
     std::uint32_t       order = 0, version = 0;
-    archive(first, order, version);
+    std::uint64_t       expected = 0;
+    Archive::reader(bytes.substr(0, header_size))(first, order, version, content.layout);
     if (order != byte_order)
       throw InputError("the checkpoint '" + file_name +
                        "' was written on a machine with another byte order");
@@ -57,18 +75,12 @@ namespace hybrid::restart
       throw InputError("the checkpoint '" + file_name + "' has version " + std::to_string(version) +
                        ", this program reads version " + std::to_string(checkpoint_version) +
                        ": resume with the program that wrote it");
-    CheckpointContent content;
-    std::uint64_t     expected = 0;
-    try
-      {
-        archive(content.layout, expected, content.state);
-      }
-    catch (const InputError &)
-      {
-        expected = ~checksum(content.state);
-      }
-    if (expected != checksum(content.state) || !archive.at_end())
-      throw InputError("the checkpoint '" + file_name + "' is damaged");
+    Archive::reader(bytes.substr(bytes.size() - sizeof(expected)))(expected);
+    bytes.resize(bytes.size() - sizeof(expected));
+    bytes.erase(0, header_size);
+    if (expected != checksum(bytes))
+      throw damaged;
+    content.state = std::move(bytes);
     return content;
   }
 } // namespace hybrid::restart

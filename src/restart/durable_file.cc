@@ -62,24 +62,6 @@ namespace hybrid::restart
     private:
       const int descriptor;
     };
-
-
-
-    /// @return 0 or the number of the error.
-    int write_file(const std::string                   &name,
-                   const std::vector<std::string_view> &parts,
-                   const bool                           durable)
-    {
-      const Descriptor file(open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-      if (!file.is_open())
-        return errno;
-      for (const std::string_view part : parts)
-        if (!file.write_all(part))
-          return errno;
-      if (durable && !file.synchronize())
-        return errno;
-      return 0;
-    }
   } // namespace
 
 
@@ -91,18 +73,29 @@ namespace hybrid::restart
 
 
 
-  void replace_file(const std::string                   &file_name,
-                    const std::vector<std::string_view> &parts,
-                    const bool                           durable)
+  void
+  replace_file(const std::string &file_name,
+               const std::function<void(const std::function<void(std::string_view)> &file)> &write,
+               const bool durable)
   {
     const std::string temporary = temporary_name(file_name);
-    int               error     = write_file(temporary, parts, durable);
-    if (error == 0 && std::rename(temporary.c_str(), file_name.c_str()) != 0)
-      error = errno;
-    if (error != 0)
+    const auto        check     = [&](const bool succeeded) {
+      if (!succeeded)
+        throw failure(file_name, errno);
+    };
+    try
+      {
+        const Descriptor file(
+          open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+        check(file.is_open());
+        write([&](const std::string_view bytes) { check(file.write_all(bytes)); });
+        check(!durable || file.synchronize());
+        check(std::rename(temporary.c_str(), file_name.c_str()) == 0);
+      }
+    catch (...)
       {
         std::remove(temporary.c_str());
-        throw failure(file_name, error);
+        throw;
       }
     if (!durable)
       return;
@@ -110,5 +103,14 @@ namespace hybrid::restart
     const Descriptor  folder(open(directory.empty() ? "." : directory.c_str(), O_RDONLY));
     if (!folder.is_open() || !folder.synchronize())
       throw failure(directory, errno);
+  }
+
+
+
+  void
+  replace_file(const std::string &file_name, const std::string_view content, const bool durable)
+  {
+    replace_file(
+      file_name, [&](const auto &file) { file(content); }, durable);
   }
 } // namespace hybrid::restart

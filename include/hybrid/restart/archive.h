@@ -5,8 +5,10 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -63,11 +65,14 @@ namespace hybrid::restart
   class Archive
   {
   public:
-    /// Archive that is filled. @param expected_size bytes for which there is room at once
-    static Archive writer(std::size_t expected_size = 0);
+    /// Takes the next bytes of a writer.
+    using Sink = std::function<void(std::string_view)>;
 
-    /// Archive that only counts what a writer would be filled with.
-    static Archive counter();
+    /// Archive that is filled.
+    static Archive writer();
+
+    /// Archive whose bytes go to @p sink in portions; flush() hands over the last one.
+    static Archive writer(Sink sink);
 
     /// Archive that is read from @p content.
     static Archive reader(std::string content);
@@ -101,17 +106,8 @@ namespace hybrid::restart
       return bytes;
     }
 
-    /// All bytes, which leave the archive.
-    std::string take_content()
-    {
-      return std::move(bytes);
-    }
-
-    /// Bytes that have been counted.
-    std::size_t counted() const
-    {
-      return position;
-    }
+    /// Hand what is left to the sink. @pre the archive has one
+    void flush();
 
     /// Everything has been read.
     bool at_end() const
@@ -123,7 +119,6 @@ namespace hybrid::restart
     enum class Direction
     {
       write,
-      count,
       read,
       describe
     };
@@ -132,7 +127,8 @@ namespace hybrid::restart
 
     Direction   direction;
     std::string bytes;
-    std::size_t position = 0; ///< of the next byte to read; bytes counted
+    std::size_t position = 0; ///< of the next byte to read
+    Sink        sink;         ///< none: all bytes are kept
 
     /// @p n bytes to or from memory.
     void move(void *memory, std::size_t n);
@@ -236,6 +232,6 @@ namespace hybrid::restart
     }
   };
 
-  /// 64-bit checksum (Fowler, Noll, Vo: FNV-1a) of bytes.
-  std::uint64_t checksum(const std::string &bytes);
+  /// 64-bit checksum (Fowler, Noll, Vo: FNV-1a) of bytes. @param before checksum of those in front
+  std::uint64_t checksum(std::string_view bytes, std::uint64_t before = 14695981039346656037u);
 } // namespace hybrid::restart

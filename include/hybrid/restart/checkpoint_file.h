@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/restart/archive_forward.h>
+
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace hybrid::restart
@@ -14,11 +17,15 @@ namespace hybrid::restart
   };
 
   /// Version of the file format that this program writes and reads.
-  constexpr std::uint32_t checkpoint_version = 7;
+  constexpr std::uint32_t checkpoint_version = 8;
 
   /// Write under a temporary name, bring to the disk, rename: after a kill or a power failure there
-  /// is the old checkpoint or the new one. @throws WriteError.
-  void write_checkpoint(const std::string &file_name, const CheckpointContent &content);
+  /// is the old checkpoint or the new one. The state is never in memory as a whole.
+  /// @param layout as in CheckpointContent @param write_state fills the archive with the state
+  /// @throws WriteError.
+  void write_checkpoint(const std::string                    &file_name,
+                        std::uint64_t                         layout,
+                        const std::function<void(Archive &)> &write_state);
 
   /// @throws InputError if there is no file, or one that is no checkpoint, has another version or
   /// is damaged.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace hybrid::restart
 {
@@ -11,12 +11,17 @@ namespace hybrid::restart
   std::string temporary_name(const std::string &file_name);
 
   /**
-   * Write @p parts one after the other under a temporary name and rename it: whoever reads @p
-   * file_name finds the old content or the new one, also after a kill at any moment.
+   * Write a file under a temporary name and rename it: whoever reads @p file_name finds the old
+   * content or the new one, also after a kill at any moment.
+   * @param write hands the content to its argument, portion by portion
    * @param durable also after a power failure: waits until the disk has it.
-   * @throws WriteError; the old content is still there.
+   * @throws WriteError, or what @p write throws; the old content is still there.
    */
-  void replace_file(const std::string                   &file_name,
-                    const std::vector<std::string_view> &parts,
-                    bool                                 durable);
+  void
+  replace_file(const std::string &file_name,
+               const std::function<void(const std::function<void(std::string_view)> &file)> &write,
+               bool durable);
+
+  /// The same with a content that is in memory.
+  void replace_file(const std::string &file_name, std::string_view content, bool durable);
 } // namespace hybrid::restart

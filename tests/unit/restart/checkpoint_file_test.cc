@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/restart/archive.h>
 #include <hybrid/restart/checkpoint_file.h>
 #include <hybrid/restart/durable_file.h>
 #include <hybrid/scene/input_error.h>
@@ -9,6 +10,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numeric>
+#include <vector>
 
 namespace hybrid::restart
 {
@@ -19,12 +22,16 @@ namespace hybrid::restart
     protected:
       const std::string directory = testing::TempDir() + "hybrid_checkpoint_file";
       const std::string file      = directory + "/state.bin";
+      const std::string state     = std::string("state\0of a run", 14);
 
       void SetUp() override
       {
         std::filesystem::remove_all(directory);
         std::filesystem::create_directories(directory);
-        write_checkpoint(file, {42, std::string("state\0of a run", 14)});
+        write_checkpoint(file, 42, [this](Archive &archive) {
+          for (char byte : state)
+            archive(byte);
+        });
       }
 
       std::string bytes() const
@@ -55,7 +62,7 @@ namespace hybrid::restart
     {
       const CheckpointContent content = read_checkpoint(file);
       EXPECT_EQ(content.layout, 42u);
-      EXPECT_EQ(content.state, std::string("state\0of a run", 14));
+      EXPECT_EQ(content.state, state);
       EXPECT_FALSE(std::filesystem::exists(temporary_name(file)));
     }
 
@@ -115,9 +122,34 @@ namespace hybrid::restart
     {
       const std::string good = bytes();
       std::filesystem::create_directories(temporary_name(file) + "/x"); // in the way
-      EXPECT_THROW(write_checkpoint(file, {1, "other"}), InputError);
+      const auto nothing = [](Archive &) {};
+      EXPECT_THROW(write_checkpoint(file, 1, nothing), InputError);
       EXPECT_EQ(bytes(), good);
-      EXPECT_THROW(write_checkpoint(directory + "/nowhere/state.bin", {1, ""}), InputError);
+      EXPECT_THROW(write_checkpoint(directory + "/nowhere/state.bin", 1, nothing), InputError);
+    }
+
+
+
+    TEST_F(CheckpointFile, AStateThatCannotBeWrittenLeavesTheOldOne)
+    {
+      const std::string good = bytes();
+      EXPECT_THROW(write_checkpoint(file, 1, [](Archive &) { throw InputError("no"); }),
+                   InputError);
+      EXPECT_EQ(bytes(), good);
+      EXPECT_FALSE(std::filesystem::exists(temporary_name(file)));
+    }
+
+
+
+    TEST_F(CheckpointFile, ALargeStateIsWrittenInPortions)
+    {
+      std::vector<double> values(400000), copy;
+      std::iota(values.begin(), values.end(), 0.5);
+      write_checkpoint(file, 1, [&](Archive &archive) { archive(values, values); });
+      Archive archive = Archive::reader(read_checkpoint(file).state);
+      archive(copy, copy);
+      EXPECT_EQ(copy, values);
+      EXPECT_TRUE(archive.at_end());
     }
   } // namespace
 } // namespace hybrid::restart
