@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/advice.h>
 #include <hybrid/output/scene_card.h>
+#include <hybrid/scene/motion/motion_measures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -158,6 +159,38 @@ namespace hybrid::output
 
 
 
+    void describe_motion(const scene::SceneParameters &scene,
+                         const scene::Motion          &motion,
+                         std::string                  &text)
+    {
+      if (motion.empty())
+        {
+          text += line("  motion             off");
+          return;
+        }
+      const double                g = 9.80665;
+      const scene::MotionMeasures found =
+        scene::measure(scene.motion.outcrop ? motion : motion.scaled(0.5));
+      text += line(
+        "  motion             on   %s, %s peak %.4g m/s2 (%.3g g), %.4g s, 95 %% of its energy below %.3g Hz",
+        scene.motion.type.c_str(),
+        scene.motion.outcrop ? "outcrop" : "incident",
+        found.peak_acceleration,
+        found.peak_acceleration / g,
+        motion.duration(),
+        highest_frequency(motion));
+      if (found.peak_acceleration > 0.)
+        text += line(
+          "                          peak velocity %.3g m/s (%.3g cm/s per g), 5 to 95 %% of the Arias intensity in %.3g s, largest spectral acceleration %.3g m/s2 at %.2g s (5 %%)",
+          found.peak_velocity,
+          100. * g * found.velocity_over_acceleration(),
+          found.significant_duration,
+          found.spectral_peak,
+          found.spectral_period);
+    }
+
+
+
     void describe_loads(const scene::SceneParameters &scene,
                         const scene::Motion          &motion,
                         std::string                  &text)
@@ -188,18 +221,7 @@ namespace hybrid::output
                        edges.tractions.size(),
                        edges.start,
                        edges.start + edges.rise_time);
-      const double peak = motion.peak_acceleration() / (scene.motion.outcrop ? 1. : 2.);
-      text +=
-        motion.empty()
-          ? line("  motion             off")
-          : line(
-              "  motion             on   %s, %s peak %.4g m/s2 (%.3g g), %.4g s, 95 %% of its energy below %.3g Hz",
-              scene.motion.type.c_str(),
-              scene.motion.outcrop ? "outcrop" : "incident",
-              peak,
-              peak / 9.80665,
-              motion.duration(),
-              highest_frequency(motion));
+      describe_motion(scene, motion, text);
     }
 
 

@@ -25,6 +25,11 @@ namespace hybrid::scene
           !source->reads_record)
         warnings.push_back("Motion/File = " + motion.file + " is not read, as Motion/Type = " +
                            motion.type + "; set it to text or at2");
+      const EarthquakeSource &given = motion.earthquake, usual;
+      if (motion.type != "none" && motion.type != "stochastic" &&
+          (given.magnitude != usual.magnitude || given.distance != usual.distance))
+        warnings.push_back("Motion/Magnitude and Distance have no effect, as Motion/Type = " +
+                           motion.type + "; set it to stochastic");
     }
 
 

@@ -22,8 +22,9 @@ namespace hybrid::scene
         motion.type,
         types(),
         "Source of the motion: a Ricker wavelet, a sine burst, a synthetic accelerogram, one that "
-        "has a given response spectrum, a text file of two columns (time [s], acceleration "
-        "[Unit]), or a PEER .at2 file.");
+        "has a given response spectrum, one of an earthquake of given magnitude and distance "
+        "(stochastic), a text file of two columns (time [s], acceleration [Unit]), or a PEER .at2 "
+        "file.");
       section.file("File", motion.file, "a text or .at2 file", "The record.");
       section.choice<double>(
         "Unit",
@@ -38,7 +39,7 @@ namespace hybrid::scene
         {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}, {"gal", 0.01}},
         ParameterRange::closed(0., 1e4),
         "Scale the motion to this peak acceleration; as recorded: leave a record as it is "
-        "and a spectrum as given; ricker, sine and synthetic have 1 m/s2.");
+        "and a spectrum or an earthquake as given; ricker, sine and synthetic have 1 m/s2.");
     }
 
     void declare_synthesis(ParameterSection &section, MotionParameters &motion)
@@ -58,22 +59,78 @@ namespace hybrid::scene
                      ParameterRange::at_least(0.),
                      "Cycles over which the sine burst rises to its peak, and falls at the end; at "
                      "most half of Cycles.");
-      section.number("Lowest frequency",
-                     motion.lowest_frequency,
-                     "Hz",
-                     positive,
-                     "Lowest frequency of a synthetic motion or of the spectrum to be met.");
+      section.number(
+        "Lowest frequency",
+        motion.lowest_frequency,
+        "Hz",
+        positive,
+        "Lowest frequency of a synthetic or stochastic motion or of the spectrum to be "
+        "met.");
       section.number("Highest frequency",
                      motion.highest_frequency,
                      "Hz",
                      positive,
-                     "Highest frequency of a synthetic motion or of the spectrum to be met.");
+                     "Highest frequency of a synthetic or stochastic motion or of the spectrum to "
+                     "be met.");
       section.number(
         "Duration", motion.duration, "s", positive, "Duration of a synthetic or spectrum motion.");
       section.integer("Seed",
                       motion.seed,
                       {0, 2147483647},
-                      "Seed of a synthetic or spectrum motion.");
+                      "Seed of a synthetic, stochastic or spectrum motion.");
+      section.choice<bool>(
+        "Noise spectrum",
+        motion.clough_penzien,
+        {{"Kanai-Tajimi", false}, {"Clough-Penzien", true}},
+        "Power spectrum of a synthetic motion: Kanai-Tajimi passes long periods in full; "
+        "Clough-Penzien has a second filter, at a tenth of Frequency, which takes them out.");
+    }
+
+    void declare_earthquake(ParameterSection &section, EarthquakeSource &source)
+    {
+      const ParameterRange positive = ParameterRange::above(0.);
+      section.number("Magnitude",
+                     source.magnitude,
+                     "",
+                     ParameterRange::closed(-2., 9.5),
+                     "Moment magnitude of a stochastic motion.");
+      section.number("Distance",
+                     source.distance,
+                     "m",
+                     ParameterRange::closed(100., 1e6),
+                     "From the source of a stochastic motion to the site; waves spread as 1/R, "
+                     "which holds to some 70 km.");
+      section.number("Stress drop",
+                     source.stress_drop,
+                     "Pa",
+                     positive,
+                     "Of the source of a stochastic motion: with the magnitude it sets the corner "
+                     "frequency.");
+      section.number("Source velocity",
+                     source.velocity,
+                     "m/s",
+                     positive,
+                     "Of S waves at the source of a stochastic motion.");
+      section.number("Source density",
+                     source.density,
+                     "kg/m3",
+                     positive,
+                     "At the source of a stochastic motion.");
+      section.number("Quality factor",
+                     source.quality,
+                     "",
+                     positive,
+                     "Q at 1 Hz on the way from the source to the site: exp(-pi f R / (Q v)).");
+      section.number("Quality exponent",
+                     source.quality_exponent,
+                     "",
+                     ParameterRange::closed(0., 1.5),
+                     "Q grows with frequency to this power.");
+      section.number("Kappa",
+                     source.kappa,
+                     "s",
+                     ParameterRange::at_least(0.),
+                     "Attenuation of a stochastic motion near the site: exp(-pi kappa f).");
     }
 
     void declare_spectrum(ParameterSection &section, MotionParameters &motion)
@@ -113,6 +170,7 @@ namespace hybrid::scene
     section.number(
       "Start", motion.start, "s", ParameterRange::at_least(0.), "Time at which the motion starts.");
     declare_synthesis(section, motion);
+    declare_earthquake(section, motion.earthquake);
     declare_spectrum(section, motion);
     section.toggle("Baseline correction",
                    motion.baseline_correction,

@@ -5,6 +5,7 @@
 #include <hybrid/scene/motion/ricker.h>
 #include <hybrid/scene/motion/sine_burst.h>
 #include <hybrid/scene/motion/spectrum_motion.h>
+#include <hybrid/scene/motion/stochastic_motion.h>
 #include <hybrid/scene/motion/synthetic_motion.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@ namespace hybrid::scene
       sine_source(),
       synthetic_source(),
       spectrum_source(),
+      stochastic_source(),
       text_source(),
       at2_source()};
     return sources;

@@ -23,6 +23,15 @@ namespace hybrid::scene
     }
 
 
+    /// What the second filter of Clough and Penzien leaves of it [-].
+    double second_filter(const double r)
+    {
+      const double damping = 0.6, corner = 0.1; // of the ground frequency
+      const double q = r / corner, q2 = q * q;
+      return q2 * q2 / ((1. - q2) * (1. - q2) + 4. * damping * damping * q2);
+    }
+
+
     void check(const MotionParameters &parameters)
     {
       const auto refuse =
@@ -74,9 +83,11 @@ namespace hybrid::scene
     RandomNumbers       random(static_cast<std::uint64_t>(parameters.seed));
     for (std::size_t k = 0; k < harmonics; ++k)
       {
-        const double f         = parameters.lowest_frequency + (k + 0.5) * df;
-        const double amplitude = std::sqrt(kanai_tajimi(f / parameters.frequency));
-        const auto [c, s]      = random.normal_pair();
+        const double f = parameters.lowest_frequency + (k + 0.5) * df;
+        const double r = f / parameters.frequency;
+        const double amplitude =
+          std::sqrt(kanai_tajimi(r) * (parameters.clough_penzien ? second_filter(r) : 1.));
+        const auto [c, s] = random.normal_pair();
         for (std::size_t i = 0; i < n; ++i)
           {
             const double phase = 2. * M_PI * f * (i * dt);

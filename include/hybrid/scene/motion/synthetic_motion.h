@@ -14,7 +14,9 @@ namespace hybrid::scene
   /**
    * Artificial accelerogram: band-limited Gaussian noise with the Kanai-Tajimi spectrum
    *   S(f) ~ (1 + 4 z^2 r^2) / ((1 - r^2)^2 + 4 z^2 r^2),  r = f / frequency, z = 0.6
-   * (Kanai 1957, Tajimi 1960) from lowest_frequency to highest_frequency as a sum of
+   * (Kanai 1957, Tajimi 1960), with clough_penzien times the second filter
+   *   q^4 / ((1 - q^2)^2 + 4 z^2 q^2),  q = 10 r
+   * (Clough & Penzien 1975), from lowest_frequency to highest_frequency as a sum of
    * harmonics with normally distributed amplitudes, times an envelope that rises as t^2 over
    * the first 15 % of the duration, is 1 until 60 %, and falls as cos^2 to zero at the end.
    *

@@ -8,6 +8,7 @@
 #include <hybrid/scene/parameters/bedrock_model.h>
 #include <hybrid/scene/parameters/checkpoint_parameters.h>
 #include <hybrid/scene/parameters/load_parameters.h>
+#include <hybrid/scene/parameters/motion_parameters.h>
 #include <hybrid/scene/parameters/start_parameters.h>
 #include <hybrid/scene/types.h>
 
@@ -148,35 +149,6 @@ namespace hybrid::scene
                                  ///< position of the block)
     WaterMethod water_method  = WaterMethod::paper;
     double      water_density = 1000.; ///< [kg/m3], > 0
-  };
-
-  /// Section "Motion".
-  struct MotionParameters
-  {
-    std::string type = "none"; ///< none | ricker | sine | synthetic | spectrum | text | at2
-    std::string file;          ///< for text and at2; resolved path
-    double file_unit = 1.; ///< of acceleration in text and spectrum files [m/s2] (parameter "Unit":
-                           ///< m/s2 | g | cm/s2 | gal)
-    bool   file_unit_is_set = false; ///< by the user
-    double peak = -1.; ///< scale to this outcrop/incident peak acceleration [m/s2]; < 0: as it is
-    bool   peak_has_unit = false; ///< the user wrote the unit
-    bool   outcrop =
-      true; ///< the motion is the outcrop motion (twice the upgoing wave); false: the upgoing wave
-    double angle =
-      0.; ///< direction of shaking [deg] from +x: 0 = S wave (horizontal), 90 = P wave (vertical)
-    double      start     = 0.;  ///< the motion starts at this time [s]
-    double      frequency = 2.;  ///< ricker: dominant; sine: its own; synthetic: predominant [Hz]
-    double      cycles    = 10.; ///< sine: number of cycles [-], > 0
-    double      taper     = 2.;  ///< sine: cycles over which it rises, and falls [-], >= 0
-    double      lowest_frequency  = 0.3;  ///< synthetic and spectrum: lowest [Hz]
-    double      highest_frequency = 8.;   ///< synthetic and spectrum: highest [Hz]
-    double      duration          = 12.;  ///< synthetic and spectrum [s]
-    int         seed              = 1;    ///< synthetic and spectrum
-    std::string spectrum_file;            ///< spectrum: the target, two columns; resolved path
-    bool   spectrum_by_frequency = false; ///< its first column is frequency [Hz]; else period [s]
-    double spectrum_damping      = 0.05;  ///< of critical [-], (0, 1)
-    bool   baseline_correction =
-      true; ///< make velocity and displacement end at zero (all types but ricker, which does)
   };
 
   /// A named point whose motion is recorded.

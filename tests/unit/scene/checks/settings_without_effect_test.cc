@@ -64,6 +64,19 @@ namespace hybrid::scene
   }
 
 
+  TEST_F(SettingsWithoutEffect, AMagnitudeIsThatOfAStochasticMotion)
+  {
+    scene.motion.earthquake.magnitude = 6.;
+    for (const char *type : {"none", "stochastic"})
+      {
+        scene.motion.type = type;
+        expect({});
+      }
+    scene.motion.type = "ricker";
+    expect({"Motion/Magnitude and Distance have no effect", "Motion/Type = ricker", "stochastic"});
+  }
+
+
   TEST_F(SettingsWithoutEffect, WaterMustReachABlockAndDoSomething)
   {
     scene.environment.water_level = 5.5;
