@@ -149,7 +149,7 @@ namespace hybrid
                               model.scene.time.end_time);
     const long       first_step = summary.steps, first_iteration = summary.iterations;
     RunStatus        status = RunStatus::finished;
-    while (!run.clock.at_end() && status == RunStatus::finished)
+    while (!run.clock.at_end() && !run.rest.is_at_rest() && status == RunStatus::finished)
       {
         const auto            begin  = SteadyClock::now();
         const double          dt     = run.clock.next_step();
@@ -186,6 +186,8 @@ namespace hybrid
         output_time += seconds_since(accepted);
         if (summary.steps == 1)
           run.count_processor_time("first_step");
+        if (run.rest.is_on())
+          run.rest.look(run.clock.time(), dda::fastest_block(state.blocks));
         if (!watch_energy(run))
           status = RunStatus::energy_limit;
         else if (interruption.is_requested())
@@ -195,6 +197,8 @@ namespace hybrid
       }
     if (status != RunStatus::no_convergence)
       progress.finish();
+    if (run.rest.is_at_rest())
+      run_report.at_rest(run.clock.time());
     if (status == RunStatus::interrupted || status == RunStatus::energy_limit ||
         model.scene.checkpoint.is_on())
       save(run);

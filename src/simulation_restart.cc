@@ -27,6 +27,8 @@ namespace hybrid
     , schedule(simulation.model.scene.checkpoint)
     , energy(simulation.model.scene.output.energy_warning,
              simulation.model.scene.output.energy_limit)
+    , rest(solver != nullptr ? simulation.model.scene.time.rest_speed : 0.,
+           simulation.model.scene.motion.start + simulation.model.motion.outcrop().duration())
   {}
 
 
@@ -51,7 +53,7 @@ namespace hybrid
     auto &[settled_blocks, equilibrium, planes_hold, residual, iterations, displacement] =
       summary.static_stage;
     archive(settled_blocks, equilibrium, planes_hold, residual, iterations, displacement);
-    archive(run.recorder, run.energy);
+    archive(run.recorder, run.energy, run.rest);
     if (!archive.is_reading())
       return;
     run.earlier_wall_time      = wall_time;

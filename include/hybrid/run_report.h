@@ -35,6 +35,9 @@ namespace hybrid
 
     void resumed(double time, long steps, bool at_end) const;
 
+    /// Of a run that ends as nothing moves any more (RestWatch).
+    void at_rest(double time) const;
+
     /// Of a run that goes on: somebody has deleted pictures.
     void missing_pictures(const std::vector<std::string> &files) const;
 

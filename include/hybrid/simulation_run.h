@@ -7,6 +7,7 @@
 #include <hybrid/dda/step/block_solver.h>
 #include <hybrid/output/energy_watch.h>
 #include <hybrid/output/run_recorder.h>
+#include <hybrid/rest_watch.h>
 #include <hybrid/simulation.h>
 
 #include <chrono>
@@ -34,6 +35,7 @@ namespace hybrid
     output::Summary                   summary; ///< steps, iterations and timings so far
     CheckpointSchedule                schedule;
     output::EnergyWatch               energy;
+    RestWatch                         rest;
     const SteadyClock::time_point     start             = SteadyClock::now();
     double                            earlier_wall_time = 0.; ///< before the run was resumed [s]
     double                            earlier_processor_time = 0.; ///< the same, see Summary [s]

@@ -131,10 +131,11 @@ namespace hybrid::output
       else if (can_write(restart::temporary_name(file_name)))
         file = H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
       if (file < 0)
-        throw InputError(create ? "cannot create '" + file_name +
-                                    "': the directory must exist and be writable."
-                                : "cannot open '" + file_name +
-                                    "' to continue it: it must be the run.h5 of an earlier run.");
+        throw InputError(
+          create
+            ? "cannot create '" + file_name + "': the directory must exist and be writable."
+            : "cannot open '" + file_name +
+                "' to continue it: it must be the run.h5 of an earlier run, which no other program has open.");
       return file;
     }
   } // namespace

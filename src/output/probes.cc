@@ -180,6 +180,23 @@ namespace hybrid::output
 
 
 
+  void Probes::check_distance_from_base(const Vec2 &x, const std::string &name) const
+  {
+    double nearest = infinity;
+    for (const Vec2 &node : model->initial.foundation_nodes)
+      nearest = std::min(nearest, (node - x).norm());
+    const double most = 1e3 * section;
+    if (nearest <= most)
+      return;
+    std::ostringstream text;
+    text << "the point '" << name << "' at (" << x.x() << ", " << x.y()
+         << ") m belongs to the rigid base, but is " << nearest
+         << " m from its surface; allowed is " << most << " m, a thousand times the section";
+    throw InputError(text.str());
+  }
+
+
+
   int Probes::add(const Vec2 &x, const std::string &name)
   {
     Probe     probe;
@@ -191,7 +208,10 @@ namespace hybrid::output
     if (block >= 0)
       attach(probe, block, x);
     else if (height_above_base(x) <= 0.)
-      probe.point = {};
+      {
+        check_distance_from_base(x, name);
+        probe.point = {};
+      }
     else if (probe.point.outside > rounding * section)
       attach_to_nearest(probe, x, name);
     probes.push_back(probe);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/resolution.h>
 
+#include <unsupported/Eigen/FFT>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -15,16 +17,12 @@ namespace hybrid::output
 
 
 
-    /// Means of as many samples as lie within a quarter of a millisecond, or of two where there are
-    /// very many: enough up to 50 Hz.
+    /// Means of as many samples that at most 131,072 are left.
     scene::Motion averaged(const scene::Motion &motion)
     {
-      const auto &a = motion.samples();
-      if (a.size() < 2)
-        return motion;
-      const double      spacing = a.size() > 100000 ? 2e-3 : 0.25e-3; // [s]
-      const std::size_t group =
-        std::clamp(std::floor(spacing / motion.time_step()), 1., double(a.size() / 2));
+      const auto       &a     = motion.samples();
+      const std::size_t most  = std::size_t{1} << 17;
+      const std::size_t group = (a.size() + most - 1) / most;
       if (group < 2)
         return motion;
       std::vector<double> means(a.size() / group);
@@ -135,32 +133,24 @@ namespace hybrid::output
 
   double highest_frequency(const scene::Motion &motion, const double share)
   {
-    // Plain discrete Fourier sums at 400 frequencies: enough for a figure on a card.
     const scene::Motion coarse = averaged(motion);
-    const auto         &a      = coarse.samples();
+    std::vector<double> a      = coarse.samples();
     if (a.size() < 2)
       return 0.;
-    constexpr int       n   = 400;
-    const double        top = std::min(50., 0.5 / motion.time_step());
-    std::vector<double> power(n);
-    double              total = 0.;
-    for (int k = 0; k < n; ++k)
-      {
-        const std::complex<double> turn =
-          std::polar(1., -2. * M_PI * top * (k + 1) / n * coarse.time_step());
-        std::complex<double> sum = 0., factor = 1.;
-        for (const double value : a)
-          {
-            sum += value * factor;
-            factor *= turn;
-          }
-        total += power[k] = std::norm(sum);
-      }
-    double below = 0.;
-    for (int k = 0; k < n; ++k)
-      if ((below += power[k]) >= share * total)
-        return top * (k + 1) / n;
-    return top;
+    std::size_t n = 4096; // frequencies near each other
+    while (n < 2 * a.size())
+      n *= 2;
+    a.resize(n, 0.);
+    std::vector<std::complex<double>> spectrum;
+    Eigen::FFT<double>                transform;
+    transform.fwd(spectrum, a);
+    double total = 0., below = 0.;
+    for (std::size_t k = 1; k <= n / 2; ++k)
+      total += std::norm(spectrum[k]);
+    for (std::size_t k = 1; k <= n / 2 && total > 0.; ++k)
+      if ((below += std::norm(spectrum[k])) >= share * total)
+        return k / (n * coarse.time_step());
+    return 0.;
   }
 
 

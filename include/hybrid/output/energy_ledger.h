@@ -73,7 +73,8 @@ namespace hybrid::output
       return std::abs(imbalance) / in_play;
     }
 
-    /// What the scheme has taken or given, terms in absolute value, over the energy in play [-].
+    /// What the scheme has taken or given, over the energy in play [-]: time integration of blocks
+    /// and bedrock together, and replaced springs, each in absolute value.
     double scheme_fraction() const
     {
       return scheme_total / in_play;

@@ -91,6 +91,10 @@ namespace hybrid::output
     /// For a point that lies in nothing. @throws InputError if it is too far from everything.
     void attach_to_nearest(Probe &probe, const Vec2 &x, const std::string &name) const;
 
+    /// @throws InputError if a point of the rigid base is a thousand sections from its surface: a
+    /// slip of the pen.
+    void check_distance_from_base(const Vec2 &x, const std::string &name) const;
+
     void attach(Probe &probe, int block, const Vec2 &x) const;
 
     Vec2 position(const dda::DdaState &state, const Probe &probe) const;

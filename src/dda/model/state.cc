@@ -2,6 +2,9 @@
 #include <hybrid/dda/model/state.h>
 #include <hybrid/restart/archive.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace hybrid::dda
 {
   using restart::Archive;
@@ -162,5 +165,15 @@ namespace hybrid::dda
             boundary_force,
             surface_force,
             energy);
+  }
+
+
+
+  double fastest_block(const DdaState &state)
+  {
+    double squared = 0.;
+    for (const BlockState &block : state.blocks)
+      squared = std::max(squared, block.velocity.head<2>().squaredNorm());
+    return std::sqrt(squared);
   }
 } // namespace hybrid::dda

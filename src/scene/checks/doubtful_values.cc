@@ -121,7 +121,8 @@ namespace hybrid::scene
 
     const Quantity softening_slip  = {"Softening slip", "m", 0., 5., {{"mm", 1e-3}}};
     const Quantity fracture_energy = {"Fracture energy", "N/m", 0., 1e5, {}};
-    const Quantity tolerance       = {"Tolerance", "", 0., 1e-4, {}};
+    const Quantity tolerance       = {"Tolerance", "", 1e-12, 1e-4, {}}; // round-off is 1e-14
+    const Quantity iterations      = {"Maximum iterations", "", 20., infinity, {}};
 
     const Quantity displacement_ratio = {"Maximum displacement ratio", "", 0., 0.5, {}};
 
@@ -168,6 +169,7 @@ namespace hybrid::scene
               blocks.damping_ratio / blocks.damping_frequency,
               warnings);
       look_at("Blocks", tolerance, blocks.tolerance, warnings);
+      look_at("Blocks", iterations, blocks.maximum_iterations, warnings);
       look_at("Heterogeneity", weibull_modulus, scene.heterogeneity.modulus_shape, warnings);
       look_at("Heterogeneity", weibull_strength, scene.heterogeneity.strength_shape, warnings);
       look_at("Time", displacement_ratio, scene.time.maximum_displacement_ratio, warnings);

@@ -163,6 +163,23 @@ TEST(EnergyLedger, terms_of_the_scheme_do_not_hide_an_imbalance)
 
 
 
+// What passes between blocks and bedrock stands in both terms of the time integration.
+TEST(EnergyLedger, time_integration_of_blocks_and_bedrock_counts_together)
+{
+  EnergyLedger           ledger(true);
+  coupling::CoupledState state;
+  ledger.update(state);
+  state.blocks.energy.kinetic             = 100.;
+  state.blocks.energy.integration_loss    = -7.;
+  state.continuum.energy.integration_loss = 8.;
+  ledger.update(state);
+  EXPECT_DOUBLE_EQ(ledger.scheme_fraction(), 0.01);
+  EXPECT_EQ(ledger.given_by_scheme(), 0.);
+  EXPECT_EQ(ledger.scheme_terms().size(), 3u) << "all are told";
+}
+
+
+
 // The ground lifts a mass: its gain against gravity is the rock's loss of static stress, nothing is
 // in play but what moves.
 TEST(EnergyLedger, lifted_mass_and_rock_are_no_energy_in_play)

@@ -208,6 +208,7 @@ TEST(Probes, point_above_the_base_is_refused)
   EXPECT_NO_THROW(probes.add(Vec2(0.5, -1.), "in the base"));
   EXPECT_NO_THROW(probes.add(Vec2(2.5, 0.001), "on the base, rounded"));
   EXPECT_NO_THROW(probes.add(Vec2(500., -1.), "beside the base"));
+  EXPECT_THROW(probes.add(Vec2(5e4, -1.), "far away"), InputError);
   for (const Vec2 &x : {Vec2(1., 400.), Vec2(500., 3.)})
     try
       {

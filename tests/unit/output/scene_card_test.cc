@@ -28,9 +28,8 @@ namespace hybrid::output
     TEST(SceneCard, TheHighestFrequencyDoesNotDependOnTheSpacing)
     {
       // 95 % of a Ricker wavelet's energy are below 1.664 of its frequency.
-      EXPECT_NEAR(highest_frequency(wavelet(1e-2)), 8.32, 0.13);
-      EXPECT_EQ(highest_frequency(wavelet(1e-3)), highest_frequency(wavelet(1e-2)));
-      EXPECT_EQ(highest_frequency(wavelet(1e-6)), highest_frequency(wavelet(1e-2)));
+      for (const double dt : {1e-2, 1e-3, 1e-6})
+        EXPECT_NEAR(highest_frequency(wavelet(dt)), 8.32, 0.13) << dt;
       EXPECT_EQ(highest_frequency(scene::Motion()), 0.);
     }
 

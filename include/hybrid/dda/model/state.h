@@ -118,6 +118,10 @@ namespace hybrid::dda
   };
 
 
+  /// Largest speed of a block's centroid [m/s]; 0 without blocks.
+  double fastest_block(const DdaState &state);
+
+
   // All members, for the checkpoint (restart/archive.h).
   void serialize(restart::Archive &archive, SpringState &spring);
   void serialize(restart::Archive &archive, JointState &joint);

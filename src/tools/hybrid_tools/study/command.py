@@ -99,6 +99,8 @@ def make_study(words):
         axes.sort_levels(axis, str(finest[axis.name]) if axis.name in finest else None)
     scene = os.path.abspath(content["scene"])
     common = content.get("set", []) + own["set"]
+    if any(text.startswith("Output/Directory") for text in common):
+        raise UserError("-s Output/Directory: each run of a study has a directory of its own; --directory names that of the study")
     if not words.pictures and not any(text.startswith("Output/Picture interval") for text in common):
         common.append(plan.PICTURES_OFF)
     name = os.path.splitext(os.path.basename(words.what))[0] + "-study"

@@ -120,7 +120,7 @@ namespace hybrid::scene
       ASSERT_EQ(warnings.size(), 3u);
       EXPECT_NE(warnings[0].find("in radians, give 20.05"), std::string::npos);
       EXPECT_NE(warnings[1].find("in mm, give 0.1"), std::string::npos);
-      EXPECT_EQ(warnings[2], "Blocks/Tolerance = 0.9 is doubtful: expected is 0 to 0.0001");
+      EXPECT_EQ(warnings[2], "Blocks/Tolerance = 0.9 is doubtful: expected is 1e-12 to 0.0001");
     }
 
 
