@@ -52,8 +52,7 @@ namespace hybrid::dda
 
     double gap(const Contact &contact, const Geometry &geometry)
     {
-      const ContactPlaces place = places(contact, geometry);
-      return ContactFrame(contact, place.from_q(contact), place.second - place.first).gap;
+      return ContactFrame(contact, places(contact, geometry)).gap;
     }
   } // namespace
 

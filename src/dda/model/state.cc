@@ -46,7 +46,8 @@ namespace hybrid::dda
            slip,
            plastic_slip,
            state,
-           stress_free_gap] = contact;
+           stress_free_gap,
+           pressed_gap] = contact;
     archive(vertex_body,
             vertex,
             edge_body,
@@ -55,7 +56,8 @@ namespace hybrid::dda
             slip,
             plastic_slip,
             state,
-            stress_free_gap);
+            stress_free_gap,
+            pressed_gap);
   }
 
 

@@ -33,7 +33,7 @@ namespace hybrid::dda
       {
         const ContactPlaces place = places(contact, geometry);
         const Vec2          edge  = place.second - place.first;
-        const ContactFrame  frame(contact, place.from_q(contact), edge);
+        const ContactFrame  frame(contact, place);
         vertex = place.vertex;
         along  = frame.along;
         length = edge.norm();

@@ -53,7 +53,7 @@ namespace hybrid::dda
     {
       const Contact      &contact = step.before.contacts[spring.contact];
       const ContactPlaces start   = places(contact, step.before.geometry);
-      const ContactFrame  frame(contact, start.from_q(contact), start.second - start.first);
+      const ContactFrame  frame(contact, start);
       const double        sign = contact.vertex_body == foundation_body ? 1. : -1.;
       Force               force{sign * spring.length *
                     (traction.normal * frame.outward + traction.shear * frame.along),

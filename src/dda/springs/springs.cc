@@ -158,8 +158,8 @@ namespace hybrid::dda
         else
           block_pairs.push_back({s.block, s.other});
 
-        const ContactPlaces start = places(contact, geometry);
-        const ContactFrame  frame(contact, start.from_q(contact), start.second - start.first);
+        const ContactFrame frame(contact, places(contact, geometry));
+        s.along                    = frame.along;
         s.old.history.plastic_slip = contact.plastic_slip;
         s.old.gap                  = frame.gap - contact.stress_free_gap;
         s.old.slip                 = frame.slip;
@@ -346,9 +346,7 @@ namespace hybrid::dda
     moved.second              = edge_on_foundation ? foundation_moved(contact.edge + 1)
                                                    : trial.displacement[geometry.next(contact.edge)];
     const ContactPlaces start = places(contact, geometry);
-    const ContactFrame  frame(contact,
-                             start.from_q(contact) + moved.from_q(contact),
-                             (start.second - start.first) + (moved.second - moved.first));
+    const ContactFrame  frame(contact, start, spring.along, moved);
 
     response.normal        = node_on_block ? frame.outward : Vec2(-frame.outward);
     response.tangent       = node_on_block ? frame.along : Vec2(-frame.along);

@@ -166,7 +166,9 @@ namespace hybrid::dda
         contact.slip          = response.now.slip;
         contact.plastic_slip  = response.now.history.plastic_slip;
         contact.state         = response.now.state;
-        if (contact.stress_free_gap + response.now.gap >= 0.) // they have parted
+        const double gap      = contact.stress_free_gap + response.now.gap;
+        contact.pressed_gap   = response.now.gap < 0. ? gap : 0.;
+        if (gap >= 0.) // they have parted
           contact.stress_free_gap = 0.;
       }
     carry_contact_accelerations(model, state);

@@ -32,5 +32,7 @@ namespace hybrid::dda
       0.; ///< gap above which it carries nothing, <= 0 [m]: the overlap that neighbours of the mesh
           ///< had when they were first active, and a little more, or that with which it
           ///< was found (contact_load.h), less that of a released joint; 0 once they part
+    double pressed_gap = 0.; ///< gap when last accepted, if it pressed then, < 0 [m]: summed over
+                             ///< the steps, see ContactFrame; 0: the gap is that of the places
   };
 } // namespace hybrid::dda

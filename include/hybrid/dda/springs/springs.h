@@ -72,7 +72,8 @@ namespace hybrid::dda
       double          length  = 0.;               ///< [m]
       double          cohesion_length_ratio = 1.; ///< see JointKinematics [-]
       bool            coulomb = false; ///< acts as a contact alone, see JointLaw::is_coulomb()
-      SpringState     old;             ///< when the step began
+      Vec2            along   = Vec2::Zero(); ///< unit vector of a contact's edge at the start
+      SpringState     old;                    ///< when the step began
 
       /// What acts as a contact at the start or end of the step.
       Traction contact_traction(const SpringState &state) const
