@@ -44,7 +44,8 @@ namespace hybrid::dda
           energy.integration_loss += excess * p.area * stiff.dot(e);
           if (filter > 0.)
             energy.integration_loss += filter * d.dot(m * s.acceleration_change);
-          energy.integration_loss += step.kinematics.filter_loss(b, m, v);
+          if (!step.at_rest)
+            energy.integration_loss += step.kinematics.filter_loss(b, m, v);
           energy.gravity +=
             p.weight * step.model.gravity * d[1] - p.pushed_mass * step.model.horizontal * d[0];
           energy.damping_loss +=
@@ -54,6 +55,8 @@ namespace hybrid::dda
                                  nm.gamma * (s.stress + stiff + viscous));
         }
       energy.damping_loss += (1. - k01 * k01) * kinetic_before;
+      if (step.at_rest)
+        energy.integration_loss += k01 * k01 * kinetic_before;
     }
 
 

@@ -195,9 +195,37 @@ namespace hybrid::dda
                                 const double              dt,
                                 const std::vector<Vec6>  *guess)
   {
+    solved_dt = dt;
+    is_asleep = guess == nullptr && sleep.lasts(model, state, foundation, dt);
+    if (is_asleep)
+      {
+        ++search_summary.steps;
+        return solved = sleep.result();
+      }
+    const long searches = search_summary.searches + search_summary.lists;
     if (model.n_mass() > 0) // joints carry all loads of the bedrock
       search_contacts(state);
-    return iteration.solve(model, state, foundation, dt, guess);
+    searched = search_summary.searches + search_summary.lists > searches;
+    solved   = iteration.solve(model, state, foundation, dt, guess);
+    if (!iteration.is_at_rest())
+      sleep.wake();
+    return solved;
+  }
+
+
+
+  void BlockSolver::accept(DdaState &state)
+  {
+    if (is_asleep)
+      {
+        state.time += solved_dt;
+        return;
+      }
+    iteration.accept(model, state);
+    if (model.iteration.sleeps && iteration.is_at_rest() && !searched)
+      sleep.rested(model, state, solved_dt, solved);
+    else
+      sleep.wake();
   }
 
 

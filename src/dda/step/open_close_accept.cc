@@ -100,7 +100,7 @@ namespace hybrid::dda
     const int    n  = model.n_blocks();
     const double dt = trial.dt;
     state.energy    = audit_step(
-      {model, state, trial, springs, stresses, mass, damping_time, kinematics, incoming});
+      {model, state, trial, springs, stresses, mass, damping_time, kinematics, incoming, at_rest});
     if (incoming.size() > 0)
       state.boundary_force = incoming;
     const double gamma    = model.newmark.gamma;
@@ -140,6 +140,8 @@ namespace hybrid::dda
         block.acceleration =
           rotated_rates(acceleration[b] + contact_acceleration[b], move.cosine, move.sine);
         block.stress = rotated_stress(block.stress + stress, move.cosine, move.sine);
+        if (at_rest)
+          block.velocity_change = block.acceleration_change = Vec6::Zero();
       }
     for (std::size_t v = 0; v < state.geometry.vertices.size(); ++v)
       state.geometry.vertices[v] += trial.displacement[v];

@@ -106,7 +106,11 @@ namespace hybrid::dda
         tangent_conditions.resize(conditions.size());
         std::copy(conditions.begin(), conditions.end(), tangent_conditions.begin());
         before[k % 3] = previous = result.residual;
-        solve_linear(step, std::max(0.2 * model.iteration.tolerance, linear_fraction * norm));
+        // A mass that may rest is balanced block by block, so that it comes to rest.
+        const double enough = 0.2 * model.iteration.tolerance;
+        solve_linear(step,
+                     may_rest ? std::min(enough, 1e-3 * norm)
+                              : std::max(enough, linear_fraction * norm));
         take(step, 1.);
         ++result.iterations;
         result.residual = evaluate(model, state, foundation);

@@ -227,20 +227,14 @@ namespace hybrid::dda
     result.residual       = guess == nullptr ? choose_guess(model, state, foundation)
                                              : evaluate(model, state, foundation);
     result.first_residual = result.residual;
-    {
-      const Stopwatch timer(times.springs);
-      springs.connect(model, matrix);
-    }
-    stale = stale || tangent_dt != dt || tangent_pattern != matrix.pattern_version() ||
-            tangent_regularisation > 0.;
-    repairs = 0;
-
     const Step step{model, state, foundation, result};
-    Attempt    attempt = Attempt::failed;
-    if (model.iteration.changes_together)
-      attempt = settle_contacts(step);
-    if (attempt == Attempt::failed)
-      attempt = search(step);
+    may_rest        = guess == nullptr && moves_nothing(step);
+    at_rest         = may_rest && lies_in_balance(model);
+    Attempt attempt = Attempt::converged;
+    if (at_rest)
+      memory = {};
+    else
+      attempt = iterate(step);
     constexpr int few_iterations = 4;
     expects_many                 = result.iterations > few_iterations;
     result.converged             = attempt == Attempt::converged;
@@ -250,6 +244,23 @@ namespace hybrid::dda
     judge(model, result);
     result.converged = result.displacement_ratio <= model.iteration.maximum_displacement_ratio;
     return result;
+  }
+
+
+
+  OpenCloseIteration::Attempt OpenCloseIteration::iterate(const Step &step)
+  {
+    {
+      const Stopwatch timer(times.springs);
+      springs.connect(step.model, matrix);
+    }
+    stale = stale || tangent_dt != trial.dt || tangent_pattern != matrix.pattern_version() ||
+            tangent_regularisation > 0.;
+    repairs         = 0;
+    Attempt attempt = Attempt::failed;
+    if (step.model.iteration.changes_together)
+      attempt = settle_contacts(step);
+    return attempt == Attempt::failed ? search(step) : attempt;
   }
 
 
@@ -307,6 +318,12 @@ namespace hybrid::dda
       {
         const Vec6 c            = acceleration_by_contacts(b);
         contact_acceleration[b] = c;
+        if (at_rest)
+          {
+            acceleration[b] = -c;
+            trial.rate[b].setZero();
+            continue;
+          }
         acceleration[b] = kinematics.inertia(b) * (trial.increment[b] - kinematics.predicted(b)) -
                           StepKinematics::contact_weight(model.newmark) * c;
         trial.rate[b] = end_rate(b);

@@ -21,10 +21,9 @@ namespace hybrid::dda
 
 
 
-  OpenCloseIteration::LineSearch
-  OpenCloseIteration::search_line(const Model              &model,
-                                  const DdaState           &state,
-                                  const FoundationResponse &foundation)
+  LineSearch OpenCloseIteration::search_line(const Model              &model,
+                                             const DdaState           &state,
+                                             const FoundationResponse &foundation)
   {
     // Work of the residual along the update; zero at the best place. Falling work is followed to
     // its end: only a spring that grew stiffer on the way can turn its sign. No search where the

@@ -90,8 +90,8 @@ namespace hybrid::dda
                                           const DdaState           &state,
                                           const FoundationResponse &foundation)
   {
-    constexpr double near_balance = 0.03, at_rest = 1e-6;
-    if (unbalanced_without_motion(model, state) <= at_rest)
+    constexpr double near_balance = 0.03;
+    if (unbalanced_without_motion(model, state) <= nearly_at_rest)
       {
         std::fill(trial.increment.begin(), trial.increment.end(), Vec6::Zero());
         return evaluate(model, state, foundation);
@@ -107,6 +107,33 @@ namespace hybrid::dda
     guesses_acceleration = true;
     start_trial(model, state, foundation);
     return evaluate(model, state, foundation);
+  }
+
+
+
+  bool OpenCloseIteration::moves_nothing(const Step &step) const
+  {
+    const auto &[model, state, foundation, result] = step;
+    return model.iteration.stops_at_rest && foundation.prescribed && model.n_bedrock == 0 &&
+           trial.foundation == state.foundation_displacement &&
+           std::all_of(trial.increment.begin(), trial.increment.end(), [](const Vec6 &d) {
+             return d.isZero(0.);
+           });
+  }
+
+
+
+  bool OpenCloseIteration::lies_in_balance(const Model &model) const
+  {
+    if (!(residual.cwiseQuotient(scale).norm() <= model.iteration.tolerance * reference))
+      return false;
+    for (int b = 0; b < model.n_blocks(); ++b)
+      {
+        const Vec6 left = residual.segment<6>(6 * b).cwiseQuotient(scale.segment<6>(6 * b));
+        if (!(left.norm() <= nearly_at_rest * absolute[b]))
+          return false;
+      }
+    return true;
   }
 
 
@@ -129,6 +156,7 @@ namespace hybrid::dda
       solver.matrix_restored(matrix);
     is_restored          = false;
     guesses_acceleration = true;
+    may_rest = at_rest = false;
     predict(model, state, foundation, dt);
     if (guess != nullptr)
       trial.increment = *guess;

@@ -23,10 +23,11 @@ namespace hybrid::dda
    * edge where the vertex projected when last accepted: differences of places far from the
    * origin, or along a long edge, would cost the digits that the residual needs.
    *
-   * The gap and slip of a contact that presses are summed over the steps, as jumps of joints are
-   * (Springs): each step adds what its displacements make of them. The places themselves are
+   * Slip is summed over the steps, as jumps of joints are (Springs), and so is the gap of a contact
+   * that presses: each step adds what its displacements make of them. The places themselves are
    * rounded in every step, by 1e-14 m at 100 m from the origin, which a stiff contact would feel;
-   * they count again once it has parted. Where nothing moves, nothing changes, to the last bit.
+   * they count for the gap of a contact that is open. Where nothing moves, nothing changes, to the
+   * last bit.
    */
   struct ContactFrame
   {
@@ -38,12 +39,11 @@ namespace hybrid::dda
 
     /// When the step begins, with the @p start places.
     ContactFrame(const Contact &contact, const ContactPlaces &start)
+      : edge_position(contact.edge_position)
+      , slip(contact.slip)
     {
-      const double length = set_directions(contact, start.second - start.first);
-      if (contact.pressed_gap < 0.)
-        set_pressed(contact, 0., 0., 0.);
-      else
-        set_by_places(contact, start.from_q(contact), length);
+      set_directions(contact, start.second - start.first);
+      gap = gap_at_start(contact, start, outward);
     }
 
     /// After displacements @p moved from the @p start places; @p then is the unit vector along the
@@ -53,25 +53,25 @@ namespace hybrid::dda
                  const Vec2          &then,
                  const ContactPlaces &moved)
     {
-      const Vec2   by = moved.from_q(contact);
       const double length =
         set_directions(contact, (start.second - start.first) + (moved.second - moved.first));
-      if (contact.pressed_gap < 0.)
-        {
-          // The vertex was at the gap along the normal of then, square to the edge of then.
-          const Vec2   turned     = along - then;
-          const Vec2   normal     = outward_of(contact, then);
-          const double gap_turned = -0.5 * contact.pressed_gap * turned.squaredNorm();
-          set_pressed(contact,
-                      outward.dot(by) + gap_turned,
-                      along.dot(by) + contact.pressed_gap * turned.dot(normal),
-                      length);
-        }
-      else
-        set_by_places(contact, start.from_q(contact) + by, length);
+      // The vertex was at the gap along the normal of then, square to the edge of then.
+      const Vec2   by = moved.from_q(contact), turned = along - then;
+      const Vec2   normal = outward_of(contact, then);
+      const double before = gap_at_start(contact, start, normal);
+      const double slid   = along.dot(by) + before * turned.dot(normal);
+      edge_position       = contact.edge_position + slid / length;
+      gap                 = before + (outward.dot(by) - 0.5 * before * turned.squaredNorm());
+      slip                = contact.slip + slid;
     }
 
   private:
+    static double
+    gap_at_start(const Contact &contact, const ContactPlaces &start, const Vec2 &outward)
+    {
+      return contact.pressed_gap < 0. ? contact.pressed_gap : outward.dot(start.from_q(contact));
+    }
+
     /// Blocks run counter-clockwise, so their outside is on the right; the foundation's is on the
     /// left.
     static Vec2 outward_of(const Contact &contact, const Vec2 &direction)
@@ -87,24 +87,6 @@ namespace hybrid::dda
       along               = edge / length;
       outward             = outward_of(contact, along);
       return length;
-    }
-
-    /// @param from_q vertex less q [m]
-    void set_by_places(const Contact &contact, const Vec2 &from_q, const double length)
-    {
-      const double slid = along.dot(from_q);
-      edge_position     = contact.edge_position + slid / length;
-      gap               = outward.dot(from_q);
-      slip              = contact.slip + slid;
-    }
-
-    /// @param opened, slid since it was accepted [m]
-    void
-    set_pressed(const Contact &contact, const double opened, const double slid, const double length)
-    {
-      edge_position = contact.edge_position + (slid == 0. ? 0. : slid / length);
-      gap           = contact.pressed_gap + opened;
-      slip          = contact.slip + slid;
     }
   };
 

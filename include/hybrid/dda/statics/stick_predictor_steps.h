@@ -32,7 +32,7 @@ namespace hybrid::dda
     solve(DdaState &state, const FoundationResponse &foundation, double dt, double residual);
 
     /// Make the solved step the new state.
-    void accept(DdaState &state) const
+    void accept(DdaState &state)
     {
       solver.accept(state);
     }

@@ -28,6 +28,7 @@ namespace hybrid::dda
     const std::vector<double> &damping_time; ///< beta_K of each block [s]
     const StepKinematics      &kinematics;
     const Eigen::VectorXd     &incoming; ///< at artificial boundaries, end of the step [N/m]
+    bool at_rest = false; ///< the blocks stop: what they had is lost to the integration
   };
 
   /// Energy after the step.

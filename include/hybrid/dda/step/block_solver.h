@@ -5,12 +5,14 @@
 #include <hybrid/dda/failure/belt_parting.h>
 #include <hybrid/dda/springs/contact_load.h>
 #include <hybrid/dda/step/open_close_iteration.h>
+#include <hybrid/dda/step/sleep.h>
 
 namespace hybrid::dda
 {
   /**
    * Steps the blocks: contact search at the start of a step, open-close
-   * iteration, acceptance. The model must outlive the solver.
+   * iteration, acceptance. Steps of a mass that sleeps (Sleep) are not computed. The model must
+   * outlive the solver.
    */
   class BlockSolver
   {
@@ -31,10 +33,7 @@ namespace hybrid::dda
     }
 
     /// Make the solved step the new state.
-    void accept(DdaState &state) const
-    {
-      iteration.accept(model, state);
-    }
+    void accept(DdaState &state);
 
     /// What is kept from one step to the next, for the checkpoint.
     void serialize(restart::Archive &archive);
@@ -80,6 +79,11 @@ namespace hybrid::dda
     ContactDetection     detection;
     OpenCloseIteration   iteration;
     ContactLoads         loads;
+    Sleep                sleep;
+    StepResult           solved;            ///< what the last step came to
+    double               solved_dt = 0.;    ///< its size [s]
+    bool                 is_asleep = false; ///< it was not computed
+    bool                 searched  = false; ///< contacts were searched in it
     BeltParting          belt_parting;
     std::vector<Contact> contacts_before; ///< of the last step, for the loads
     std::vector<char>    is_on_belt;      ///< per block: bonded to a surface

@@ -80,6 +80,12 @@ namespace hybrid::dda
       return trial.increment;
     }
 
+    /// The solved step has left all where it was, at rest.
+    bool is_at_rest() const
+    {
+      return at_rest;
+    }
+
     /// Displacement w of the foundation nodes of the solved step [m].
     const Eigen::VectorXd &foundation_displacement() const
     {
@@ -125,7 +131,9 @@ namespace hybrid::dda
     bool             is_restored            = false; ///< the tangent is that of a checkpoint
     bool             expects_many           = false; ///< iterations, after the last step
     bool             guesses_acceleration   = true;  ///< the trial begins as if it stayed the same
-    double           reference              = 0.;    ///< norm of absolute forces [N]
+    bool             may_rest  = false; ///< the step began without motion, on a base that rests
+    bool             at_rest   = false; ///< nothing moves in it
+    double           reference = 0.;    ///< norm of absolute forces [N]
     InteriorContacts interior;
     std::vector<Condition> conditions;         ///< of springs, for the next update
     std::vector<Condition> tangent_conditions; ///< of springs, with the last update
@@ -138,6 +146,7 @@ namespace hybrid::dda
     double          path_width = 1.; ///< beside that of a path of usual width
 
     static constexpr double linear_fraction = 1e-6; ///< of a residual that its update may leave
+    static constexpr double nearly_at_rest  = 1e-6; ///< out of balance, of forces or weights [-]
 
     TrialPlace at_start, on_path;
 
@@ -161,16 +170,12 @@ namespace hybrid::dda
       stopped
     };
 
+    /// All methods, one after the other.
+    Attempt iterate(const Step &step);
+
     /// Active sets, then interior point method; failures end where the line search shall begin.
     Attempt settle_contacts(const Step &step);
     Attempt yield_patiently(const Step &step); ///< for IterationParameters::is_patient
-
-    /// How long updates with frozen conditions go on.
-    struct Patience
-    {
-      int updates;   ///< at most
-      int slow_ones; ///< that do not halve the residual, at most
-    };
 
     /// Updates with frozen conditions, from the trial and the conditions there are.
     Attempt iterate_conditions(const Step &step, const Patience &patience);
@@ -219,6 +224,8 @@ namespace hybrid::dda
                  double                    dt);
 
     void move(const DdaState &state);
+    bool moves_nothing(const Step &step) const;     ///< neither base nor trial of what may stop
+    bool lies_in_balance(const Model &model) const; ///< to the tolerance, and every block nearly
 
     /// Acceleration of a block by the contacts' forces in the trial.
     Vec6 acceleration_by_contacts(int block) const;
@@ -234,9 +241,7 @@ namespace hybrid::dda
     double
     evaluate(const Model &model, const DdaState &state, const FoundationResponse &foundation);
 
-    /// Add the water's forces to the residual.
-    void add_water(const Model &model, const DdaState &state);
-
+    void add_water(const Model &model, const DdaState &state); ///< forces, to the residual
     void add_edge_loads(const Model &model, const DdaState &state);
 
     /// What a tangent is made of.
@@ -250,13 +255,6 @@ namespace hybrid::dda
                   const DdaState           &state,
                   const FoundationResponse &foundation,
                   const Tangent            &tangent);
-
-    /// Where a line search ended.
-    struct LineSearch
-    {
-      double residual; ///< relative norm there
-      double fraction; ///< of the update that was taken
-    };
 
     /// Choose the springs and rows to be rebuilt.
     void update_stiffness(const Model &model, const Tangent &tangent);
