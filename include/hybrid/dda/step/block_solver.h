@@ -35,6 +35,12 @@ namespace hybrid::dda
     /// Make the solved step the new state.
     void accept(DdaState &state);
 
+    /// The last step was not computed, as the mass sleeps.
+    bool slept() const
+    {
+      return is_asleep;
+    }
+
     /// What is kept from one step to the next, for the checkpoint.
     void serialize(restart::Archive &archive);
 
