@@ -2,23 +2,12 @@
 #include <hybrid/dda/step/sleep.h>
 #include <hybrid/restart/archive.h>
 
+#include <string_view>
+
 namespace hybrid::dda
 {
   namespace
   {
-    /// All of the state but the time, as bytes.
-    std::string bytes(DdaState &state, const std::size_t expected)
-    {
-      const double now         = state.time;
-      state.time               = 0.;
-      restart::Archive archive = restart::Archive::writer(expected);
-      archive(state);
-      state.time = now;
-      return archive.take_content();
-    }
-
-
-
     double load_factor(const Model &model, const double time)
     {
       return model.edge_loads.edges.empty() ? 0. : model.edge_loads.factor(time);
@@ -42,13 +31,32 @@ namespace hybrid::dda
   void
   Sleep::rested(const Model &model, DdaState &state, const double dt, const StepResult &step_result)
   {
-    const double now   = load_factor(model, state.time);
-    std::string  after = bytes(state, left.size());
-    is_asleep =
-      dt == step && now == load && load_factor(model, state.time - dt) == load && after == left;
-    step  = dt;
-    load  = now;
-    found = step_result;
-    left  = std::move(after);
+    const double now     = load_factor(model, state.time);
+    const bool   is_same = keep(state);
+    is_asleep = is_same && dt == step && now == load && load_factor(model, state.time - dt) == load;
+    step      = dt;
+    load      = now;
+    found     = step_result;
+  }
+
+
+
+  bool Sleep::keep(DdaState &state)
+  {
+    const double now         = state.time;
+    state.time               = 0.;
+    std::size_t      size    = 0;
+    bool             is_same = true;
+    restart::Archive archive = restart::Archive::writer([&](const std::string_view part) {
+      is_same = is_same && left.compare(size, part.size(), part) == 0;
+      left.replace(size, part.size(), part);
+      size += part.size();
+    });
+    archive(state);
+    archive.flush();
+    state.time = now;
+    is_same    = is_same && left.size() == size;
+    left.resize(size);
+    return is_same;
   }
 } // namespace hybrid::dda

@@ -49,6 +49,9 @@ namespace hybrid::dda
     }
 
   private:
+    /// Keep the bytes of @p state, but for the time. @return whether they are those kept before
+    bool keep(DdaState &state);
+
     bool        is_asleep = false;
     double      step      = 0.; ///< size of those steps [s]
     double      load      = 0.; ///< factor on the edge loads at their end [-]

@@ -22,7 +22,7 @@ namespace
   {
     restart::Archive archive = restart::Archive::writer();
     archive(state);
-    return archive.take_content();
+    return archive.content();
   }
 
 
