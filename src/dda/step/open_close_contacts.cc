@@ -106,10 +106,11 @@ namespace hybrid::dda
         tangent_conditions.resize(conditions.size());
         std::copy(conditions.begin(), conditions.end(), tangent_conditions.begin());
         before[k % 3] = previous = result.residual;
-        solve_linear(step, std::max(0.2 * model.iteration.tolerance, linear_fraction * norm));
+        solve_linear(step, std::max(0.2 * model.iteration.tolerance, accuracy.part(k) * norm));
         take(step, 1.);
         ++result.iterations;
         result.residual = evaluate(model, state, foundation);
+        accuracy.saw(k, result.residual / norm);
         if (result.residual <= model.iteration.tolerance)
           return Attempt::converged;
         const bool circle = std::any_of(before.begin(), before.end(), [&](const double r) {

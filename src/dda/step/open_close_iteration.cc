@@ -319,7 +319,7 @@ namespace hybrid::dda
   {
     bool is_current = tangent_pattern == matrix.pattern_version();
     archive(matrix, stiffness, tangent_dt, is_current, expects_many, stale);
-    archive(memory.path_steps, memory.path_span, tangent_conditions);
+    archive(memory.path_steps, memory.path_span, tangent_conditions, accuracy.left);
     solver.serialize(archive, matrix);
     archive(times);
     if (!archive.is_reading())

@@ -11,6 +11,7 @@
 #include <hybrid/dda/step/sliding_regularisation.h>
 #include <hybrid/dda/step/step_kinematics.h>
 #include <hybrid/dda/step/step_result.h>
+#include <hybrid/dda/step/update_accuracy.h>
 
 #include <functional>
 #include <limits>
@@ -134,6 +135,7 @@ namespace hybrid::dda
     bool            stale   = false; ///< the tangent is not one of the laws, or of another step
     int             repairs = 0;     ///< tangents rebuilt in this step
     ActiveSetMemory memory;
+    UpdateAccuracy  accuracy;
     PartTimes       times;
     double          path_width = 1.; ///< beside that of a path of usual width
 
