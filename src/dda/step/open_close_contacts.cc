@@ -102,11 +102,20 @@ namespace hybrid::dda
           norm = balance(model, state, foundation);
         const bool served =
           k > 0 ? result.residual <= 1e-3 * previous : conditions == tangent_conditions;
+        const bool is_second = k == 1 && served && conditions == tangent_conditions;
+        if (is_second)
+          secant.first(update);
+        else if (k > 0)
+          secant.reset();
         repair(step, served, previous);
         tangent_conditions.resize(conditions.size());
         std::copy(conditions.begin(), conditions.end(), tangent_conditions.begin());
         before[k % 3] = previous = result.residual;
         solve_linear(step, std::max(0.2 * model.iteration.tolerance, accuracy.part(k) * norm));
+        if (k == 0)
+          secant.correct(scale, update);
+        else if (is_second)
+          secant.second(update);
         take(step, 1.);
         ++result.iterations;
         result.residual = evaluate(model, state, foundation);

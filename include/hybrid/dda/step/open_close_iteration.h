@@ -8,6 +8,7 @@
 #include <hybrid/dda/step/block_stresses.h>
 #include <hybrid/dda/step/foundation_response.h>
 #include <hybrid/dda/step/part_times.h>
+#include <hybrid/dda/step/secant_correction.h>
 #include <hybrid/dda/step/sliding_regularisation.h>
 #include <hybrid/dda/step/step_kinematics.h>
 #include <hybrid/dda/step/step_result.h>
@@ -132,12 +133,13 @@ namespace hybrid::dda
     std::vector<Condition> tangent_conditions; ///< of springs, with the last update
     std::vector<Condition> path_now;           ///< of contacts on the central path
     std::vector<Condition> path_tried;         ///< those from which active sets were tried last
-    bool            stale   = false; ///< the tangent is not one of the laws, or of another step
-    int             repairs = 0;     ///< tangents rebuilt in this step
-    ActiveSetMemory memory;
-    UpdateAccuracy  accuracy;
-    PartTimes       times;
-    double          path_width = 1.; ///< beside that of a path of usual width
+    bool             stale   = false; ///< the tangent is not one of the laws, or of another step
+    int              repairs = 0;     ///< tangents rebuilt in this step
+    ActiveSetMemory  memory;
+    UpdateAccuracy   accuracy;
+    SecantCorrection secant; ///< of the kept tangent
+    PartTimes        times;
+    double           path_width = 1.; ///< beside that of a path of usual width
 
     static constexpr double linear_fraction = 1e-6; ///< of a residual that its update may leave
 

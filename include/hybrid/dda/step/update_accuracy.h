@@ -10,9 +10,10 @@ namespace hybrid::dda
    * How far the linear system of each update in a step is solved: to a tenth of what the update of
    * the same number has left in the step before.
    *
-   * An update with frozen conditions leaves what the conditions that change with it are worth.
-   * What the linear solver does beyond that is lost. Steps are alike, so the last one tells; where
-   * it does not, the update leaves ten times less than was thought, and the next step knows.
+   * An update with frozen conditions leaves what the conditions that change with it are worth; what
+   * the linear solver does beyond that is lost. Steps are alike, so the last one tells. Where fewer
+   * conditions change than in the last step, the linear solver's tenth is what is left, and the next
+   * step is solved as much further.
    * (Inexact Newton: Eisenstat and Walker 1996, whose choices look back within one iteration.)
    */
   struct UpdateAccuracy
