@@ -40,7 +40,8 @@ namespace hybrid::dda
     factor_is_current = false;
     n_entries         = count_entries(matrix);
     const auto size   = static_cast<std::size_t>(matrix.n_blocks());
-    if (unswept_pattern != matrix.pattern_version() || is_unswept.size() != size)
+    const bool is_new = unswept_pattern != matrix.pattern_version() || is_unswept.size() != size;
+    if (is_new)
       {
         is_unswept.assign(size, 0);
         unswept.clear();
@@ -54,6 +55,8 @@ namespace hybrid::dda
           unswept.push_back(b);
         }
     sweeps_are_current = false;
+    if (is_new) // with the memory for it
+      prepare_sweeps(matrix);
   }
 
 

@@ -118,9 +118,10 @@ namespace hybrid::dda
           secant.second(update);
         take(step, 1.);
         ++result.iterations;
-        result.residual = evaluate(model, state, foundation);
-        accuracy.saw(k, result.residual / norm);
-        if (result.residual <= model.iteration.tolerance)
+        result.residual      = evaluate(model, state, foundation);
+        const bool converged = result.residual <= model.iteration.tolerance;
+        accuracy.saw(k, converged ? 0. : result.residual / norm);
+        if (converged)
           return Attempt::converged;
         const bool circle = std::any_of(before.begin(), before.end(), [&](const double r) {
           return r > 0. && r != previous && std::abs(result.residual - r) <= same * r;

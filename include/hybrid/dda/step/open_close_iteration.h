@@ -140,10 +140,7 @@ namespace hybrid::dda
     SecantCorrection secant; ///< of the kept tangent
     PartTimes        times;
     double           path_width = 1.; ///< beside that of a path of usual width
-
-    static constexpr double linear_fraction = 1e-6; ///< of a residual that its update may leave
-
-    TrialPlace at_start, on_path;
+    TrialPlace       at_start, on_path;
 
     void keep(TrialPlace &place) const;
     void go_back(const TrialPlace &place);
@@ -288,7 +285,7 @@ namespace hybrid::dda
     /// Displacement of a block in the trial over its size [-].
     double displacement_ratio(const Model &model, int block) const;
 
-    /// True if a block that nothing is near flies farther than a step may move it: no need to
+    /// True if a block that nothing is near flies farther than a step may move it: nothing to
     /// solve.
     bool flies_too_far(const Model &model, StepResult &result) const;
 

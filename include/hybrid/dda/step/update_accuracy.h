@@ -12,15 +12,16 @@ namespace hybrid::dda
    *
    * An update with frozen conditions leaves what the conditions that change with it are worth; what
    * the linear solver does beyond that is lost. Steps are alike, so the last one tells. Where fewer
-   * conditions change than in the last step, the linear solver's tenth is what is left, and the next
-   * step is solved as much further.
-   * (Inexact Newton: Eisenstat and Walker 1996, whose choices look back within one iteration.)
+   * conditions change than in the last step, the linear solver's tenth is what is left, and the
+   * next step is solved as much further. (Inexact Newton: Eisenstat and Walker 1996, whose choices
+   * look back within one iteration.)
    */
   struct UpdateAccuracy
   {
-    static constexpr int    longest  = 16;   ///< updates that are remembered
-    static constexpr double finest   = 1e-6; ///< part of the residual, also where nothing is known
-    static constexpr double coarsest = 1e-2;
+    static constexpr int    longest = 16;   ///< updates that are remembered
+    static constexpr double finest  = 1e-6; ///< part of the residual, also where nothing is known
+    /// Well below the 1e-3 that a kept tangent may leave, or it would be blamed for it.
+    static constexpr double coarsest = 3e-4;
 
     /// Part of a residual that the update of this number left in the last step.
     std::array<double, longest> left{};
@@ -31,6 +32,7 @@ namespace hybrid::dda
       return update < longest ? std::clamp(0.1 * left[update], finest, coarsest) : finest;
     }
 
+    /// @param part_left by an update of this number; 0 if it settled the step
     void saw(const int update, const double part_left)
     {
       if (update < longest)

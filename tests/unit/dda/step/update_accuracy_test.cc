@@ -30,5 +30,5 @@ TEST(UpdateAccuracy, finds_back_where_the_conditions_no_longer_change)
   int steps = 0;
   for (; accuracy.part(0) > UpdateAccuracy::finest; ++steps)
     accuracy.saw(0, accuracy.part(0));
-  EXPECT_LE(steps, 5); // from 1e-2 to 1e-6, a tenth each, and round-off
+  EXPECT_LE(steps, 5); // from 3e-4 to 1e-6, a tenth each, and round-off
 }
