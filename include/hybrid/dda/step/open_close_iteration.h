@@ -28,7 +28,7 @@ namespace hybrid::dda
    *
    *     M (a(d) - (1/(2 beta)) c) + A_0 (s + D e(d) + beta_K D e(d)/dt) = W + sum of bonds G^T f,
    *     M c = sum of contacts G^T f,
-   *     S w = g + bonds on the foundation + (1/(2 beta)) contacts on the foundation - those at rest,
+   *     S w = g + bonds + (1/(2 beta)) contacts, both on the foundation and less those at rest,
    *
    * where c acts through the whole step (see Springs: (d - d*) / (beta dt^2) = a + c / (2 beta)),
    * on blocks and foundation alike, so that the impulse of one is that of the other, with f(d, w),
