@@ -10,6 +10,14 @@ namespace hybrid::dda
   {
     /// Largest part of all products that is eliminated in a row while others are.
     constexpr double largest_part = 1. / 16.;
+
+
+
+    /// Entries that a front leaves.
+    std::size_t left_by(const FrontTree &tree, const int f)
+    {
+      return 36 * static_cast<std::size_t>(tree.later(f)) * tree.later(f);
+    }
   } // namespace
 
 
@@ -95,19 +103,16 @@ namespace hybrid::dda
     for (std::size_t s = 0; s < shared.size(); ++s)
       std::fill(list.begin() + shared[s].first, list.begin() + shared[s].last, static_cast<int>(s));
     place.assign(n, 0);
-    const auto entries = [&tree](const int f) {
-      return 36 * static_cast<std::size_t>(tree.later(f)) * tree.later(f);
-    };
     const auto stack = [&](const auto &fronts) {
       std::array<std::size_t, 2> top{0, 0}, highest{0, 0};
       for (const int f : fronts)
         {
           place[f] = top[depth[f]];
-          top[depth[f]] += entries(f);
+          top[depth[f]] += left_by(tree, f);
           highest[depth[f]] = std::max(highest[depth[f]], top[depth[f]]);
           for (int c = child_begin[f]; c < child_begin[f + 1]; ++c)
             if (list[child[c]] == list[f])
-              top[1 - depth[f]] -= entries(child[c]);
+              top[1 - depth[f]] -= left_by(tree, child[c]);
         }
       for (const int f : fronts)
         place[f] += size + (depth[f] == 0 ? 0 : highest[0]);
@@ -122,5 +127,27 @@ namespace hybrid::dda
         stack(fronts);
       }
     stack(above);
+  }
+
+
+
+  void FrontPlan::keep_all(const FrontTree &tree)
+  {
+    size = 0;
+    for (int f = 0; f < tree.n_fronts(); ++f)
+      {
+        place[f] = size;
+        size += left_by(tree, f);
+      }
+  }
+
+
+
+  std::size_t FrontPlan::left_by_all(const FrontTree &tree)
+  {
+    std::size_t sum = 0;
+    for (int f = 0; f < tree.n_fronts(); ++f)
+      sum += left_by(tree, f);
+    return sum;
   }
 } // namespace hybrid::dda

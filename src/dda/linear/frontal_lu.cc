@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <omp.h>
 
@@ -20,6 +21,11 @@ namespace hybrid::dda
     /// zero at most.
     constexpr double idle_fraction = 0.5;
 
+    /// Part of all products up to which it pays to keep what fronts hand on, and how many entries
+    /// of it are kept at most (256 MB).
+    constexpr double      small_part = 0.7;
+    constexpr std::size_t most_kept  = std::size_t{1} << 25;
+
     void set_zero(const DenseView &matrix) // columns without gaps
     {
       std::fill_n(matrix.data, static_cast<std::size_t>(matrix.rows) * matrix.columns, 0.);
@@ -32,6 +38,17 @@ namespace hybrid::dda
       for (int j = 0; j < matrix.columns / 6; ++j)
         for (int i = j + 1; i < matrix.rows / 6; ++i)
           matrix.block(j, i) = matrix.block(i, j).transpose();
+    }
+
+
+
+    /// @return true if that changed a bit.
+    bool replace(Mat6 &old, const Mat6 &now)
+    {
+      if (std::memcmp(old.data(), now.data(), sizeof(double) * 36) == 0)
+        return false;
+      old = now;
+      return true;
     }
 
 
@@ -76,6 +93,8 @@ namespace hybrid::dda
                             j < i};
       }
 
+    regular = keeps = false;
+    is_due.assign(n, 1);
     diagonal.resize(n_blocks);
     upper.resize(pairs.size());
     lower.resize(pairs.size());
@@ -90,7 +109,7 @@ namespace hybrid::dda
 
 
 
-  void FrontalLu::load(const BlockMatrix &matrix)
+  void FrontalLu::bring_order_up_to_date(const BlockMatrix &matrix)
   {
     std::size_t present = 0;
     bool        covered = size == matrix.n_blocks();
@@ -106,25 +125,74 @@ namespace hybrid::dda
     const auto too_many = [&](const std::size_t n) {
       return static_cast<double>(n) > (1. + idle_fraction) * static_cast<double>(present);
     };
-    if (!covered || too_many(pairs.size()))
-      {
-        std::vector<BlockMatrix::Pair> now = pairs_not_zero(matrix), both;
-        if (size == matrix.n_blocks())
-          std::set_union(
-            now.begin(), now.end(), pairs.begin(), pairs.end(), std::back_inserter(both));
-        analyze(both.empty() || too_many(both.size()) ? std::move(now) : std::move(both),
-                matrix.n_blocks());
-      }
+    if (covered && !too_many(pairs.size()))
+      return;
+    std::vector<BlockMatrix::Pair> now = pairs_not_zero(matrix), both;
+    if (size == matrix.n_blocks())
+      std::set_union(now.begin(), now.end(), pairs.begin(), pairs.end(), std::back_inserter(both));
+    analyze(both.empty() || too_many(both.size()) ? std::move(now) : std::move(both),
+            matrix.n_blocks());
+  }
 
-    std::copy(matrix.diagonal.begin(), matrix.diagonal.end(), diagonal.begin());
+
+
+  void FrontalLu::load(const BlockMatrix &matrix)
+  {
+    bring_order_up_to_date(matrix);
+    if (!regular || symmetric != matrix.symmetric)
+      std::fill(is_due.begin(), is_due.end(), 1);
+    else
+      std::fill(is_due.begin(), is_due.end(), 0);
+    symmetric = matrix.symmetric;
+    for (int b = 0; b < size; ++b)
+      if (replace(diagonal[b], matrix.diagonal[b]))
+        is_due[tree.front[tree.place[b]]] = 1;
+    const Mat6 zero = Mat6::Zero();
     for (std::size_t a = 0, s = 0; a < pairs.size(); ++a)
       {
         while (s < matrix.pairs.size() && matrix.pairs[s] < pairs[a])
           ++s;
-        const bool there = s < matrix.pairs.size() && matrix.pairs[s] == pairs[a];
-        upper[a]         = there ? matrix.off_diagonal[s] : Mat6::Zero();
-        lower[a]         = there ? matrix.lower[s] : Mat6::Zero();
+        const bool there     = s < matrix.pairs.size() && matrix.pairs[s] == pairs[a];
+        const bool new_upper = replace(upper[a], there ? matrix.off_diagonal[s] : zero);
+        const bool new_lower = replace(lower[a], there ? matrix.lower[s] : zero);
+        if (new_upper || new_lower)
+          is_due[tree.front[std::min(tree.place[pairs[a][0]], tree.place[pairs[a][1]])]] = 1;
       }
+  }
+
+
+
+  FrontalLu::Cost FrontalLu::cost_of_due() const
+  {
+    Cost sum;
+    for (int f = 0; f < tree.n_fronts(); ++f)
+      if (is_due[f] != 0)
+        {
+          sum.products += tree.products_of(f);
+          sum.fronts += 1.;
+        }
+    return sum;
+  }
+
+
+
+  void FrontalLu::choose_fronts()
+  {
+    for (int f = 0; f < tree.n_fronts(); ++f)
+      if (is_due[f] != 0 && tree.parent[f] >= 0)
+        is_due[tree.parent[f]] = 1;
+    cost = cost_of_due();
+    if (keeps)
+      return;
+    keeps =
+      cost.products <= small_part * tree.products && FrontPlan::left_by_all(tree) <= most_kept;
+    if (keeps)
+      {
+        plan.keep_all(tree);
+        waiting.resize(plan.size);
+      }
+    std::fill(is_due.begin(), is_due.end(), 1);
+    cost = {tree.products, static_cast<double>(tree.n_fronts())};
   }
 
 
@@ -145,7 +213,7 @@ namespace hybrid::dda
   bool FrontalLu::factorize(const BlockMatrix &matrix)
   {
     load(matrix);
-    symmetric = matrix.symmetric;
+    choose_fronts();
     return eliminate();
   }
 
@@ -265,15 +333,16 @@ namespace hybrid::dda
   {
     place_factors();
     reserve_work();
-    bool      regular  = true;
+    bool      served   = true;
     const int n_shared = static_cast<int>(plan.shared.size());
-#pragma omp parallel for schedule(dynamic) reduction(&& : regular) if (is_worth_sharing(size))
+#pragma omp parallel for schedule(dynamic) reduction(&& : served) if (is_worth_sharing(size))
     for (int s = 0; s < n_shared; ++s)
-      for (int f = plan.shared[s].first; regular && f < plan.shared[s].last; ++f)
-        regular = eliminate(f, work[omp_get_thread_num()]);
-    for (std::size_t k = 0; regular && k < plan.above.size(); ++k)
-      regular = eliminate(plan.above[k], work[0]);
-    return regular;
+      for (int f = plan.shared[s].first; served && f < plan.shared[s].last; ++f)
+        served = is_due[f] == 0 || eliminate(f, work[omp_get_thread_num()]);
+    for (std::size_t k = 0; served && k < plan.above.size(); ++k)
+      served = is_due[plan.above[k]] == 0 || eliminate(plan.above[k], work[0]);
+    regular = served;
+    return served;
   }
 
 
@@ -350,9 +419,18 @@ namespace hybrid::dda
   {
     std::vector<BlockMatrix::Pair> stored = pairs;
     int                            blocks = size;
-    archive(blocks, stored, symmetric);
+    bool                           kept   = keeps;
+    archive(blocks, stored, symmetric, kept, cost.products, cost.fronts);
     if (archive.is_reading() && blocks > 0)
-      analyze(stored, blocks);
+      {
+        analyze(stored, blocks);
+        keeps = kept;
+        if (keeps)
+          {
+            plan.keep_all(tree);
+            waiting.resize(plan.size);
+          }
+      }
     std::vector<Mat6> none;
     archive(is_used ? diagonal : none, is_used ? upper : none, is_used ? lower : none);
     if (archive.is_reading() && is_used)

@@ -280,13 +280,26 @@ namespace hybrid::dda
 
 
 
-  void InterfaceStiffness::solve(double *x) const
+  void InterfaceStiffness::solve_with(const Eigen::MatrixXd &factor, double *x) const
   {
     if (source == nullptr || size == 0)
       return;
-    const Eigen::MatrixXd &factor  = joined ? joined_factor : foundation_factor;
-    const int              leading = width + 1, one = 1;
-    int                    info = 0;
+    const int leading = width + 1, one = 1;
+    int       info = 0;
     dpbtrs_("L", &size, &width, &one, factor.data(), &leading, x, &size, &info);
+  }
+
+
+
+  void InterfaceStiffness::solve(double *x) const
+  {
+    solve_with(joined ? joined_factor : foundation_factor, x);
+  }
+
+
+
+  void InterfaceStiffness::solve_alone(double *x) const
+  {
+    solve_with(foundation_factor, x);
   }
 } // namespace hybrid::dda

@@ -22,19 +22,62 @@ namespace hybrid::dda
 
 
 
+  namespace
+  {
+    double count_entries(const BlockMatrix &matrix)
+    {
+      double n = matrix.n_blocks();
+      for (std::size_t s = 0; s < matrix.pairs.size(); ++s)
+        n += matrix.is_zero(s) ? 0. : 2.;
+      return n;
+    }
+  } // namespace
+
+
+
   void LinearSolver::matrix_changed(const BlockMatrix &matrix, const std::vector<int> &blocks)
   {
     factor_is_current = false;
+    n_entries         = count_entries(matrix);
+    const auto size   = static_cast<std::size_t>(matrix.n_blocks());
+    const bool is_new = unswept_pattern != matrix.pattern_version() || is_unswept.size() != size;
+    if (is_new)
+      {
+        is_unswept.assign(size, 0);
+        unswept.clear();
+        unswept.reserve(size);
+        unswept_pattern = matrix.pattern_version();
+      }
+    for (const int b : blocks)
+      if (is_unswept[b] == 0)
+        {
+          is_unswept[b] = 1;
+          unswept.push_back(b);
+        }
+    sweeps_are_current = false;
+    if (is_new) // with the memory for it
+      prepare_sweeps(matrix);
+  }
+
+
+
+  void LinearSolver::prepare_sweeps(const BlockMatrix &matrix)
+  {
+    if (sweeps_are_current)
+      return;
     foundation.matrix_changed(matrix);
-    ssor.set(matrix, foundation, blocks);
+    ssor.set(matrix, foundation, unswept);
+    for (const int b : unswept)
+      is_unswept[b] = 0;
+    unswept.clear();
+    sweeps_are_current = true;
   }
 
 
 
   void LinearSolver::matrix_restored(const BlockMatrix &matrix)
   {
-    foundation.matrix_changed(matrix);
-    ssor.set(matrix, foundation, {});
+    n_entries = count_entries(matrix);
   }
 
 
@@ -64,7 +107,7 @@ namespace hybrid::dda
     factor.solve(residual, z);
     z.tail(z.size() - nodes) = residual.tail(z.size() - nodes);
     matrix.add_blocks_to_nodes(z, z, -1.);
-    foundation.solve(z.data() + nodes);
+    foundation.solve_alone(z.data() + nodes);
   }
 
 
@@ -244,9 +287,12 @@ namespace hybrid::dda
 
 
 
-  LinearSolver::Result
-  LinearSolver::solve_by_sweeps(const Eigen::VectorXd &b, const Target &target, Eigen::VectorXd &x)
+  LinearSolver::Result LinearSolver::solve_by_sweeps(const BlockMatrix     &matrix,
+                                                     const Eigen::VectorXd &b,
+                                                     const Target          &target,
+                                                     Eigen::VectorXd       &x)
   {
+    prepare_sweeps(matrix);
     Preconditioned system{*this, target};
     unknown.setZero();
     r = b;
@@ -283,7 +329,7 @@ namespace hybrid::dda
   PreconditionerChoice::Costs LinearSolver::costs(const BlockMatrix &matrix) const
   {
     const SparseFactor::Counts counts      = factor.counts(matrix.n_blocks());
-    const double               n           = ssor.n_entries();
+    const double               n           = n_entries;
     const bool                 one_product = is_symmetric && !foundation.exists();
     const double               products = one_product ? 1. : 2.; // with the matrix, in an iteration
     return {(is_symmetric ? 1. : 2.) * n * time_of_sweep,
@@ -323,7 +369,7 @@ namespace hybrid::dda
     if (!factor_is_current)
       {
         choice.give_up_factor();
-        return solve_by_sweeps(b, target, x);
+        return solve_by_sweeps(matrix, b, target, x);
       }
     result = solve_with_factor(matrix, b, target, x);
     result.iterations += spent;
@@ -354,7 +400,7 @@ namespace hybrid::dda
     if (!choice.uses_factor())
       {
         const PreconditionerChoice::Costs price = costs(matrix);
-        result = solve_by_sweeps(b, {scale, tolerance, choice.sweep_limit(price)}, x);
+        result = solve_by_sweeps(matrix, b, {scale, tolerance, choice.sweep_limit(price)}, x);
         choice.swept(result.iterations, result.converged, price);
         if (result.converged)
           return result;

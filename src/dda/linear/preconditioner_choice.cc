@@ -37,7 +37,7 @@ namespace hybrid::dda
 
   int PreconditionerChoice::old_factor_limit(const Costs &costs)
   {
-    if (excess >= costs.factor)
+    if (excess >= costs.factor || costs.factor <= costs.with_factor)
       {
         excess = 0.;
         return 0;

@@ -13,7 +13,7 @@ namespace hybrid::dda
   {
     /// Products of 6x6 blocks per block up to which BlockLu serves: beyond, dense fronts are
     /// faster.
-    constexpr long few_products = 100;
+    constexpr long few_products = 40;
 
     /// One 6x6 block of a block column.
     struct Entry
@@ -241,6 +241,8 @@ namespace hybrid::dda
       kind = Kind::lu;
     else
       return false;
+    if (kind != Kind::frontal)
+      frontal.forget();
     size = 6 * matrix.n_blocks();
     return true;
   }
@@ -249,16 +251,16 @@ namespace hybrid::dda
 
   SparseFactor::Counts SparseFactor::counts(const int n_blocks) const
   {
-    const double     n    = n_blocks;
-    const FrontTree &tree = frontal.fronts();
+    const double           n    = n_blocks;
+    const FrontTree       &tree = frontal.fronts();
+    const FrontalLu::Cost &last = frontal.last_cost();
     if (size > 0 && kind == Kind::block_lu)
       return {block_lu.n_entries(), block_lu_products, 0.2 * n};
     if (tree.n_blocks() != n_blocks)
       return {2. * n * std::log2(n + 1.), 6. * n * std::sqrt(n), 0.6 * n};
-    const double exchanges = size > 0 && kind == Kind::lu ? 3. : 1.; // UMFPACK's rows
-    return {exchanges * tree.entries,
-            exchanges * tree.products,
-            static_cast<double>(tree.n_fronts())};
+    if (size > 0 && kind == Kind::lu) // UMFPACK exchanges rows
+      return {3. * tree.entries, 3. * tree.products, static_cast<double>(tree.n_fronts())};
+    return {tree.entries, last.products, last.fronts};
   }
 
 

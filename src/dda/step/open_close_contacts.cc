@@ -102,6 +102,11 @@ namespace hybrid::dda
           norm = balance(model, state, foundation);
         const bool served =
           k > 0 ? result.residual <= 1e-3 * previous : conditions == tangent_conditions;
+        const bool is_second = k == 1 && served && conditions == tangent_conditions;
+        if (is_second)
+          secant.first(update);
+        else if (k > 0)
+          secant.reset();
         repair(step, served, previous);
         tangent_conditions.resize(conditions.size());
         std::copy(conditions.begin(), conditions.end(), tangent_conditions.begin());
@@ -110,11 +115,17 @@ namespace hybrid::dda
         const double enough = 0.2 * model.iteration.tolerance;
         solve_linear(step,
                      may_rest ? std::min(enough, 1e-3 * norm)
-                              : std::max(enough, linear_fraction * norm));
+                              : std::max(enough, accuracy.part(k) * norm));
+        if (k == 0)
+          secant.correct(scale, update);
+        else if (is_second)
+          secant.second(update);
         take(step, 1.);
         ++result.iterations;
-        result.residual = evaluate(model, state, foundation);
-        if (result.residual <= model.iteration.tolerance)
+        result.residual      = evaluate(model, state, foundation);
+        const bool converged = result.residual <= model.iteration.tolerance;
+        accuracy.saw(k, converged ? 0. : result.residual / norm);
+        if (converged)
           return Attempt::converged;
         const bool circle = std::any_of(before.begin(), before.end(), [&](const double r) {
           return r > 0. && r != previous && std::abs(result.residual - r) <= same * r;

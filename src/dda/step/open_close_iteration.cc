@@ -207,6 +207,7 @@ namespace hybrid::dda
                   Eigen::Matrix2d::Zero());
       }
     solver.matrix_changed(matrix, rows);
+    secant.reset();
     tangent_dt             = dt;
     tangent_regularisation = sliding_regularisation.value();
     tangent_pattern        = matrix.pattern_version();
@@ -336,7 +337,7 @@ namespace hybrid::dda
   {
     bool is_current = tangent_pattern == matrix.pattern_version();
     archive(matrix, stiffness, tangent_dt, is_current, expects_many, stale);
-    archive(memory.path_steps, memory.path_span, tangent_conditions);
+    archive(memory.path_steps, memory.path_span, tangent_conditions, accuracy.left, secant);
     solver.serialize(archive, matrix);
     archive(times);
     if (!archive.is_reading())

@@ -42,7 +42,7 @@ namespace hybrid::dda
     double norm = balance(model, state, foundation);
     assemble(model, state, foundation, {true, true});
     stale = true;
-    solve_linear(step, linear_fraction * norm);
+    solve_linear(step, UpdateAccuracy::finest * norm);
     ++result.iterations;
     const double affine = interior.follow(springs, stiffness, update);
     if (begins && affine < too_narrow)
@@ -52,7 +52,7 @@ namespace hybrid::dda
                  affine > too_narrow);
     interior.set_responses(trial, springs);
     norm = balance(model, state, foundation);
-    solve_linear(step, linear_fraction * norm);
+    solve_linear(step, UpdateAccuracy::finest * norm);
     const double part = std::min(1., nearly_all * interior.follow(springs, stiffness, update));
     take(step, part);
     interior.move(part);

@@ -17,7 +17,7 @@ namespace hybrid::dda
    *
    * What waits is stacked, that of fronts of even and of odd depth apart: so a front finds what its
    * children left at the end of one stack and leaves its own at the end of the other, and nothing
-   * is copied.
+   * is copied. Or all of it is kept, for fronts above that are eliminated again.
    */
   struct FrontPlan
   {
@@ -30,6 +30,12 @@ namespace hybrid::dda
     FrontPlan() = default;
 
     explicit FrontPlan(const FrontTree &tree);
+
+    /// Give what each front leaves a place of its own.
+    void keep_all(const FrontTree &tree);
+
+    /// Entries that all fronts leave.
+    static std::size_t left_by_all(const FrontTree &tree);
 
     std::vector<Subtrees>    shared;         ///< independent of each other
     std::vector<int>         above;          ///< the other fronts, ascending

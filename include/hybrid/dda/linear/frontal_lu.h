@@ -27,6 +27,10 @@ namespace hybrid::dda
    * inertia (DenseDivisor). Rows are exchanged within D only: inertia and elasticity make it
    * regular. Where that does not suffice entries grow, and there are no factors.
    *
+   * Where few entries have changed since the last factors, the fronts that hold them and those
+   * above these are eliminated again, all others stay: the bits are those of new factors. That
+   * takes the memory of what every front hands on, so it begins once it would have served.
+   *
    * Threads share subtrees of fronts (FrontPlan), with the same bits for any number of them.
    */
   class FrontalLu
@@ -34,6 +38,19 @@ namespace hybrid::dda
   public:
     /// @return false if a block of the diagonal becomes singular or large.
     bool factorize(const BlockMatrix &matrix);
+
+    /// What an elimination takes.
+    struct Cost
+    {
+      double products = 0.; ///< of 6x6 blocks
+      double fronts   = 0.;
+    };
+
+    /// Of the last call of factorize().
+    const Cost &last_cost() const
+    {
+      return cost;
+    }
 
     /// x = K^-1 b for the first 6 n_blocks entries.
     void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x);
@@ -50,8 +67,14 @@ namespace hybrid::dda
       return analyses;
     }
 
+    /// The next factors are made of all fronts.
+    void forget()
+    {
+      regular = false;
+    }
+
     /// What was factored, and factored again when read, for the checkpoint. @param is_used false:
-    /// the pairs alone, on which later orders depend.
+    /// the pairs alone, on which later orders depend, and the last cost.
     void serialize(restart::Archive &archive, bool is_used);
 
   private:
@@ -91,7 +114,11 @@ namespace hybrid::dda
     std::vector<int>               entry_begin; ///< CSR over fronts
     std::vector<Entry>             entries;
     std::vector<Mat6>              diagonal, upper, lower; ///< what is factored, as in BlockMatrix
-    std::vector<std::size_t>       factor_begin;           ///< of each front in factors
+    std::vector<char>              is_due;          ///< fronts to be eliminated: entries changed
+    bool                           keeps   = false; ///< what all fronts hand on
+    bool                           regular = false; ///< there are factors
+    Cost                           cost;
+    std::vector<std::size_t>       factor_begin; ///< of each front in factors
     std::vector<double> factors; ///< per front D^-1 or the factors of D, C D^-1 and, unless
                                  ///< symmetric, B; by columns
     std::vector<int>    pivots;  ///< of each front's DenseDivisor, at its first place
@@ -101,14 +128,24 @@ namespace hybrid::dda
     Eigen::VectorXd     ordered; ///< work: solution in the order of places
     Eigen::VectorXd     handed;  ///< work: of each front's later blocks
 
-    /// Bring order and fronts up to date, and copy the matrix.
+    /// Bring order and fronts up to date, copy the matrix and mark fronts whose entries change.
     void load(const BlockMatrix &matrix);
+
+    /// Make sure that the fronts serve: that they are those of all pairs that touch, and not of
+    /// many others.
+    void bring_order_up_to_date(const BlockMatrix &matrix);
+
+    /// Mark the fronts above those that are due, or all where the others are not kept.
+    void choose_fronts();
+
+    Cost cost_of_due() const;
 
     void analyze(std::vector<BlockMatrix::Pair> pairs_now, int n_blocks);
 
     /// Lay out the factors.
     void place_factors();
 
+    /// The fronts that are due.
     bool eliminate();
 
     /// Work space for each thread that there may be.

@@ -11,8 +11,8 @@
 namespace hybrid::dda
 {
   /**
-   * The foundation's own stiffness S in the tangent, as a band, and a factor that preconditions
-   * the foundation nodes: of S + P, where P is the symmetric part of what joints and
+   * The foundation's own stiffness S in the tangent, as a band, and factors that precondition
+   * the foundation nodes: of S, and of S + P, where P is the symmetric part of what joints and
    * contacts add (BlockMatrix's K_nn) if that matters beside S, else zero.
    */
   class InterfaceStiffness
@@ -46,6 +46,9 @@ namespace hybrid::dda
     /// x = (S + P)^-1 x for n entries; without a foundation x stays.
     void solve(double *x) const;
 
+    /// x = S^-1 x, likewise.
+    void solve_alone(double *x) const;
+
   private:
     const Eigen::MatrixXd *source = nullptr;
     std::array<double, 4>
@@ -60,5 +63,7 @@ namespace hybrid::dda
     std::vector<Eigen::Matrix2d> own, next; ///< P between a node and itself or the next
 
     bool factorize(Eigen::MatrixXd &matrix) const;
+
+    void solve_with(const Eigen::MatrixXd &factor, double *x) const;
   };
 } // namespace hybrid::dda

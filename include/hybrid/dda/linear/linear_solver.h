@@ -20,8 +20,10 @@ namespace hybrid::dda
    *
    * Preconditioner: a symmetric Gauss-Seidel sweep, or a sparse factor, of the matrix or of an
    * earlier one, whichever costs less (PreconditionerChoice, by counts: results are
-   * deterministic). Preconditioner of the foundation: InterfaceStiffness, before the blocks with
-   * sweeps, after them with a factor.
+   * deterministic). Preconditioner of the foundation (InterfaceStiffness): S with joints and
+   * contacts before the blocks with sweeps, S alone after them with a factor. The blocks' motion is
+   * in the factor's solution, so what is left for the nodes is S and the mass that it carries: soft
+   * beside the joints between them.
    */
   class LinearSolver
   {
@@ -93,12 +95,20 @@ namespace hybrid::dda
     SparseFactor         factor;
     PreconditionerChoice choice;
     bool                 factor_is_current = false;
-    bool                 is_symmetric      = true; ///< the matrix to be solved
+    std::vector<int>     unswept;    ///< blocks whose rows the sweeps do not know yet
+    std::vector<char>    is_unswept; ///< by block
+    int                  unswept_pattern    = -1;
+    bool                 sweeps_are_current = false;
+    double               n_entries          = 0.;   ///< 6x6 blocks of the matrix that are not zero
+    bool                 is_symmetric       = true; ///< the matrix to be solved
     Eigen::VectorXd      unknown, r, dual_r, p, dual_p, q, t, dual_t, shadow, z; ///< work
 
     void precondition(const BlockMatrix &matrix, const Eigen::VectorXd &residual);
 
     PreconditionerChoice::Costs costs(const BlockMatrix &matrix) const;
+
+    /// Let the sweeps know what has changed.
+    void prepare_sweeps(const BlockMatrix &matrix);
 
     struct Preconditioned; ///< swept system, as conjugate_gradients() and bicgstab() see it
     struct Factored;       ///< system with the factor, likewise
@@ -112,7 +122,10 @@ namespace hybrid::dda
     /// With the factor of a symmetric matrix and a foundation that is prescribed.
     Result conjugate_gradients(Factored &system, const Target &target);
 
-    Result solve_by_sweeps(const Eigen::VectorXd &b, const Target &target, Eigen::VectorXd &x);
+    Result solve_by_sweeps(const BlockMatrix     &matrix,
+                           const Eigen::VectorXd &b,
+                           const Target          &target,
+                           Eigen::VectorXd       &x);
 
     Result solve_with_factor(const BlockMatrix     &matrix,
                              const Eigen::VectorXd &b,

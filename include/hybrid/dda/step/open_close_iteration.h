@@ -8,9 +8,11 @@
 #include <hybrid/dda/step/block_stresses.h>
 #include <hybrid/dda/step/foundation_response.h>
 #include <hybrid/dda/step/part_times.h>
+#include <hybrid/dda/step/secant_correction.h>
 #include <hybrid/dda/step/sliding_regularisation.h>
 #include <hybrid/dda/step/step_kinematics.h>
 #include <hybrid/dda/step/step_result.h>
+#include <hybrid/dda/step/update_accuracy.h>
 
 #include <functional>
 #include <limits>
@@ -26,8 +28,7 @@ namespace hybrid::dda
    *
    *     M (a(d) - (1/(2 beta)) c) + A_0 (s + D e(d) + beta_K D e(d)/dt) = W + sum of bonds G^T f,
    *     M c = sum of contacts G^T f,
-   *     S w = g + bonds on the foundation + (1/(2 beta)) contacts on the foundation, less those at
-   * rest,
+   *     S w = g + bonds + (1/(2 beta)) contacts, both on the foundation and less those at rest,
    *
    * where c acts through the whole step (see Springs: (d - d*) / (beta dt^2) = a + c / (2 beta)),
    * on blocks and foundation alike, so that the impulse of one is that of the other, with f(d, w),
@@ -139,14 +140,15 @@ namespace hybrid::dda
     std::vector<Condition> tangent_conditions; ///< of springs, with the last update
     std::vector<Condition> path_now;           ///< of contacts on the central path
     std::vector<Condition> path_tried;         ///< those from which active sets were tried last
-    bool            stale   = false; ///< the tangent is not one of the laws, or of another step
-    int             repairs = 0;     ///< tangents rebuilt in this step
-    ActiveSetMemory memory;
-    PartTimes       times;
-    double          path_width = 1.; ///< beside that of a path of usual width
+    bool             stale   = false; ///< the tangent is not one of the laws, or of another step
+    int              repairs = 0;     ///< tangents rebuilt in this step
+    ActiveSetMemory  memory;
+    UpdateAccuracy   accuracy;
+    SecantCorrection secant; ///< of the kept tangent
+    PartTimes        times;
+    double           path_width = 1.; ///< beside that of a path of usual width
 
-    static constexpr double linear_fraction = 1e-6; ///< of a residual that its update may leave
-    static constexpr double nearly_at_rest  = 1e-6; ///< out of balance, of forces or weights [-]
+    static constexpr double nearly_at_rest = 1e-6; ///< out of balance, of forces or weights [-]
 
     TrialPlace at_start, on_path;
 
@@ -282,7 +284,7 @@ namespace hybrid::dda
     /// Displacement of a block in the trial over its size [-].
     double displacement_ratio(const Model &model, int block) const;
 
-    /// True if a block that nothing is near flies farther than a step may move it: no need to
+    /// True if a block that nothing is near flies farther than a step may move it: nothing to
     /// solve.
     bool flies_too_far(const Model &model, StepResult &result) const;
 

@@ -102,3 +102,21 @@ TEST(FrontPlan, what_waits_is_not_overwritten)
   for (const int f : plan.above)
     eliminate(f);
 }
+
+
+
+TEST(FrontPlan, all_that_is_kept_has_a_place_of_its_own)
+{
+  const FrontTree tree = square(30);
+  FrontPlan       plan(tree);
+  const auto      stacked = plan.size;
+  plan.keep_all(tree);
+  EXPECT_GT(plan.size, stacked);
+  EXPECT_EQ(plan.size, FrontPlan::left_by_all(tree));
+  std::size_t next = 0;
+  for (int f = 0; f < tree.n_fronts(); ++f)
+    {
+      EXPECT_EQ(plan.place[f], next);
+      next += 36 * static_cast<std::size_t>(tree.later(f)) * tree.later(f);
+    }
+}

@@ -104,6 +104,61 @@ TEST(FrontalLu, the_order_is_forgotten_when_most_pairs_have_parted)
 
 
 
+TEST(FrontalLu, few_changes_take_few_fronts_and_leave_the_bits_of_new_factors)
+{
+  for (const bool symmetric : {true, false})
+    {
+      BlockMatrix m = symmetric ? random_block_matrix(1500, 0, {1, 38})
+                                : unsymmetric_block_matrix(1500, 0, 0.1, {1, 38});
+      FrontalLu   factor;
+      ASSERT_TRUE(factor.factorize(m));
+      const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(m.size(), -1., 2.);
+      for (int change = 0; change < 4; ++change)
+        {
+          for (const int block : {700 + change, 720 - change})
+            m.diagonal[block] *= 1.1 + 0.1 * change;
+          ASSERT_TRUE(factor.factorize(m));
+          // The first one finds that it pays to keep what fronts hand on.
+          if (change > 0)
+            {
+              EXPECT_LT(factor.last_cost().products, 0.7 * factor.fronts().products);
+              EXPECT_LT(factor.last_cost().fronts, 0.1 * factor.fronts().n_fronts());
+            }
+          FrontalLu all;
+          ASSERT_TRUE(all.factorize(m));
+          EXPECT_EQ(all.last_cost().products, all.fronts().products);
+          Eigen::VectorXd x(m.size()), expected(m.size());
+          factor.solve(b, x);
+          all.solve(b, expected);
+          EXPECT_EQ((x - expected).cwiseAbs().maxCoeff(), 0.);
+        }
+    }
+}
+
+
+
+TEST(FrontalLu, factors_that_failed_are_made_of_all_fronts_again)
+{
+  BlockMatrix m = unsymmetric_block_matrix(1500, 0, 0.1, {1, 38});
+  FrontalLu   factor;
+  ASSERT_TRUE(factor.factorize(m));
+  const Mat6 before = m.diagonal[700];
+  for (int change = 0; change < 2; ++change)
+    {
+      m.diagonal[700] *= 1.1;
+      ASSERT_TRUE(factor.factorize(m));
+    }
+  EXPECT_LT(factor.last_cost().products, factor.fronts().products);
+  m.diagonal[700].setConstant(std::nan(""));
+  EXPECT_FALSE(factor.factorize(m));
+  m.diagonal[700] = before;
+  ASSERT_TRUE(factor.factorize(m));
+  EXPECT_EQ(factor.last_cost().products, factor.fronts().products);
+  EXPECT_LT(error(factor, m), 1e-12);
+}
+
+
+
 TEST(FrontalLu, an_indefinite_matrix_is_solved_too)
 {
   BlockMatrix m = random_block_matrix(40, 0, distances);
