@@ -19,7 +19,7 @@ namespace hybrid::dda
     for (std::size_t s = 0; s < springs.springs.size(); ++s)
       {
         const Springs::Spring &spring = springs.springs[s];
-        if (!spring.coulomb || spring.length <= 0.)
+        if (!spring.coulomb || spring.settled || spring.length <= 0.)
           continue;
         const JointHistory &history = spring.old.history;
         double              ratio   = 0.;
@@ -61,6 +61,16 @@ namespace hybrid::dda
           p.k_s = 0.; // frictionless
         points.push_back(p);
       }
+  }
+
+
+
+  void InteriorContacts::leave_settled(const Springs &springs)
+  {
+    points.erase(std::remove_if(points.begin(),
+                                points.end(),
+                                [&](const Point &p) { return springs.springs[p.spring].settled; }),
+                 points.end());
   }
 
 

@@ -18,7 +18,8 @@ namespace hybrid::dda
 
   void OpenCloseIteration::go_back(const TrialPlace &place)
   {
-    trial.increment.assign(place.increment.begin(), place.increment.end());
+    for (const int b : islands.at_work())
+      trial.increment[b] = place.increment[b];
     trial.foundation = place.foundation;
   }
 
@@ -112,6 +113,7 @@ namespace hybrid::dda
         result.residual = evaluate(model, state, foundation);
         if (result.residual <= model.iteration.tolerance)
           return Attempt::converged;
+        settle_islands(step);
         const bool circle = std::any_of(before.begin(), before.end(), [&](const double r) {
           return r > 0. && r != previous && std::abs(result.residual - r) <= same * r;
         });
@@ -123,6 +125,17 @@ namespace hybrid::dda
         renew_conditions();
       }
     return Attempt::failed;
+  }
+
+
+
+  void OpenCloseIteration::settle_islands(const Step &step)
+  {
+    constexpr double part = 0.5; ///< of the tolerance, which the others have the rest of
+    if (!step.foundation.prescribed || step.model.n_bedrock > 0)
+      return;
+    if (islands.settle({residual, scale, absolute}, part * step.model.iteration.tolerance, springs))
+      interior.leave_settled(springs);
   }
 
 

@@ -13,7 +13,7 @@ namespace hybrid::dda
     double           compliance = 0., force = 0.;
     int              n = 0, n_loaded = 0;
     for (const Springs::Spring &spring : springs.springs)
-      if (spring.coulomb && spring.length > 0.)
+      if (spring.coulomb && !spring.settled && spring.length > 0.)
         {
           const double pressed = spring.length * std::max(0., spring.old.normal);
           compliance += 1. / (spring.length * spring.law->normal_stiffness());
@@ -89,6 +89,7 @@ namespace hybrid::dda
           return Attempt::failed;
         if (result.residual <= model.iteration.tolerance)
           return Attempt::converged;
+        settle_islands(step);
         const int changed = interior.conditions(path_now);
         if (changed <= few_changes * interior.size() && result.residual <= near_balance &&
             path_now != path_tried)

@@ -21,10 +21,9 @@ namespace hybrid::dda
 
 
 
-  OpenCloseIteration::LineSearch
-  OpenCloseIteration::search_line(const Model              &model,
-                                  const DdaState           &state,
-                                  const FoundationResponse &foundation)
+  LineSearch OpenCloseIteration::search_line(const Model              &model,
+                                             const DdaState           &state,
+                                             const FoundationResponse &foundation)
   {
     // Work of the residual along the update; zero at the best place. Falling work is followed to
     // its end: only a spring that grew stiffer on the way can turn its sign. No search where the
@@ -73,6 +72,7 @@ namespace hybrid::dda
     const auto &[model, state, foundation, result] = step;
     const int first                                = result.iterations;
     tangent_conditions.clear(); // it is one of the laws from now on
+    islands.wake(springs);
     double window_start = std::numeric_limits<double>::infinity();
     // The first linear system is solved to the end where that may be all.
     double previous = expects_many ? result.residual : std::numeric_limits<double>::infinity();

@@ -36,6 +36,15 @@ namespace hybrid::dda
     /// @param force to move a product by as much force as parting [N/m]
     void begin(const Model &model, const Springs &springs, double dt, double energy, double force);
 
+    /// No contact is on the path.
+    void clear()
+    {
+      points.clear();
+    }
+
+    /// Springs that are settled leave the path.
+    void leave_settled(const Springs &springs);
+
     /// Number of contacts on the path.
     std::size_t size() const
     {

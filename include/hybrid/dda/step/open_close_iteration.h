@@ -8,6 +8,7 @@
 #include <hybrid/dda/step/block_stresses.h>
 #include <hybrid/dda/step/foundation_response.h>
 #include <hybrid/dda/step/part_times.h>
+#include <hybrid/dda/step/settled_islands.h>
 #include <hybrid/dda/step/sliding_regularisation.h>
 #include <hybrid/dda/step/step_kinematics.h>
 #include <hybrid/dda/step/step_result.h>
@@ -127,6 +128,7 @@ namespace hybrid::dda
     bool             guesses_acceleration   = true;  ///< the trial begins as if it stayed the same
     double           reference              = 0.;    ///< norm of absolute forces [N]
     InteriorContacts interior;
+    SettledIslands   islands;
     std::vector<Condition> conditions;         ///< of springs, for the next update
     std::vector<Condition> tangent_conditions; ///< of springs, with the last update
     std::vector<Condition> path_now;           ///< of contacts on the central path
@@ -165,13 +167,6 @@ namespace hybrid::dda
     Attempt settle_contacts(const Step &step);
     Attempt yield_patiently(const Step &step); ///< for IterationParameters::is_patient
 
-    /// How long updates with frozen conditions go on.
-    struct Patience
-    {
-      int updates;   ///< at most
-      int slow_ones; ///< that do not halve the residual, at most
-    };
-
     /// Updates with frozen conditions, from the trial and the conditions there are.
     Attempt iterate_conditions(const Step &step, const Patience &patience);
 
@@ -202,6 +197,9 @@ namespace hybrid::dda
 
     /// True if iterations are left and nobody stops the step.
     bool may_go_on(const Step &step);
+
+    /// Leave islands that are balanced where they are.
+    void settle_islands(const Step &step);
 
     /// Residual of the springs' present responses. @return its relative norm
     double balance(const Model &model, const DdaState &state, const FoundationResponse &foundation);
@@ -250,13 +248,6 @@ namespace hybrid::dda
                   const DdaState           &state,
                   const FoundationResponse &foundation,
                   const Tangent            &tangent);
-
-    /// Where a line search ended.
-    struct LineSearch
-    {
-      double residual; ///< relative norm there
-      double fraction; ///< of the update that was taken
-    };
 
     /// Choose the springs and rows to be rebuilt.
     void update_stiffness(const Model &model, const Tangent &tangent);

@@ -34,6 +34,22 @@ namespace hybrid::dda
   };
 
 
+  /// How long updates with frozen conditions go on.
+  struct Patience
+  {
+    int updates;   ///< at most
+    int slow_ones; ///< that do not halve the residual, at most
+  };
+
+
+  /// Where a line search ended.
+  struct LineSearch
+  {
+    double residual; ///< relative norm there
+    double fraction; ///< of the update that was taken
+  };
+
+
   /// Where a trial was.
   struct TrialPlace
   {
