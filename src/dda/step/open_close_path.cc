@@ -47,17 +47,45 @@ namespace hybrid::dda
     const double affine = interior.follow(springs, stiffness, update);
     if (begins && affine < too_narrow)
       return 0.;
-    const double left = interior.mean_product_after(affine) / mean;
-    interior.aim(std::min(1., std::max(least_centring, left * left * left)) * mean,
-                 affine > too_narrow);
+    const double left   = interior.mean_product_after(affine) / mean;
+    const double target = std::min(1., std::max(least_centring, left * left * left)) * mean;
+    interior.aim(target, affine > too_narrow);
     interior.set_responses(trial, springs);
     norm = balance(model, state, foundation);
     solve_linear(step, linear_fraction * norm);
-    const double part = std::min(1., nearly_all * interior.follow(springs, stiffness, update));
+    const double longest = centre_path(step, interior.follow(springs, stiffness, update), target);
+    const double part    = std::min(1., nearly_all * longest);
     take(step, part);
     interior.move(part);
     result.residual = evaluate(model, state, foundation);
     return part;
+  }
+
+
+
+  double OpenCloseIteration::centre_path(const Step &step, double longest, const double target)
+  {
+    constexpr int    most_corrections = 2;
+    constexpr double long_enough = 0.9, farther = 0.3, least_gain = 0.03;
+    for (int k = 0; k < most_corrections && longest < long_enough; ++k)
+      {
+        interior.keep_direction();
+        kept_update = update;
+        interior.centre(std::min(1., longest + farther), target);
+        interior.set_responses(trial, springs);
+        solve_linear(step, linear_fraction * balance(step.model, step.state, step.foundation));
+        const double before = longest;
+        longest             = interior.follow(springs, stiffness, update);
+        if (longest < before)
+          {
+            interior.take_kept_direction();
+            update.swap(kept_update);
+            longest = before;
+          }
+        if (longest < before + least_gain)
+          break;
+      }
+    return longest;
   }
 
 

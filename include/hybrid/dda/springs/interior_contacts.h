@@ -64,6 +64,15 @@ namespace hybrid::dda
     /// second order where @p corrects (Mehrotra 1992).
     void aim(double target, bool corrects);
 
+    /// Aim besides at products that are neither far above nor far below @p target [J/m] where this
+    /// part of the direction ends: those that would be are moved to the nearest that is not
+    /// (centrality correctors, Gondzio 1996).
+    void centre(double fraction, double target);
+
+    /// Remember the direction, or take that which was remembered.
+    void keep_direction();
+    void take_kept_direction();
+
     /// Forces and stiffness in the trial that @p springs have evaluated last.
     void set_responses(const Trial &trial, Springs &springs);
 
@@ -98,7 +107,7 @@ namespace hybrid::dda
       double    length;       ///< [m]
       double    mu, k_n, k_s; ///< friction [-], stiffness [Pa/m]
       double    origin;       ///< slip at which the shear spring bears nothing [m]
-      Variables at, direction;
+      Variables at, direction, kept;
       Products  target;
       double    parting_left, slip_left;             ///< of both compatibility conditions [m]
       double    k_nn, k_tt, k_tn;                    ///< as eliminated [Pa/m]
