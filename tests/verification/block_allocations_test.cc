@@ -107,8 +107,8 @@ TEST(Allocations, OfBlocksThatSlide)
 // Stiff columns that lean on each other and slide: the interior point method in nearly each step.
 TEST(Allocations, OfBlocksOnTheCentralPath)
 {
-  const double slope = 20. * M_PI / 180.;
-  FixedBaseRun run(square_blocks(10, 5, 1., slope),
+  const double   slope = 20. * M_PI / 180.;
+  FixedBaseRun   run(square_blocks(10, 5, 1., slope),
                    block_parameters(15., 50e9),
                    straight_foundation(slope, 20., 40.));
   const Requests found = count(run);

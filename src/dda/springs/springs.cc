@@ -223,7 +223,8 @@ namespace hybrid::dda
 #pragma omp parallel for schedule(static) reduction(|| : any) if (is_worth_sharing(springs.size()))
     for (std::size_t s = 0; s < springs.size(); ++s)
       {
-        if (springs[s].settled || conditions[s] == Condition::law || conditions[s] == condition(s) ||
+        if (springs[s].settled || conditions[s] == Condition::law ||
+            conditions[s] == condition(s) ||
             (!springs[s].coulomb && conditions[s] != Condition::sticks))
           continue;
         any = true;

@@ -72,7 +72,7 @@ namespace hybrid::dda
       double          length  = 0.;               ///< [m]
       double          cohesion_length_ratio = 1.; ///< see JointKinematics [-]
       bool            coulomb = false; ///< acts as a contact alone, see JointLaw::is_coulomb()
-      bool   settled = false; ///< its blocks are, in this step: the response stays
+      bool            settled = false; ///< its blocks are, in this step: the response stays
       SpringState     old;             ///< when the step began
 
       /// What acts as a contact at the start or end of the step.
