@@ -104,6 +104,21 @@ TEST(Allocations, OfBlocksThatSlide)
 }
 
 
+// Stiff columns that lean on each other and slide: the interior point method in nearly each step.
+TEST(Allocations, OfBlocksOnTheCentralPath)
+{
+  const double   slope = 20. * M_PI / 180.;
+  FixedBaseRun   run(square_blocks(10, 5, 1., slope),
+                   block_parameters(15., 50e9),
+                   straight_foundation(slope, 20., 40.));
+  const Requests found = count(run);
+  report(found, run);
+  EXPECT_EQ(found.cuts, 0);
+  EXPECT_GT(run.iterations, 5 * run.steps);
+  EXPECT_LE(found.most, 0);
+}
+
+
 // A bonded mass that vibrates and does not break.
 TEST(Allocations, OfBondedBlocks)
 {

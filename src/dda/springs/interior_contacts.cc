@@ -13,13 +13,14 @@ namespace hybrid::dda
                                const double   energy,
                                const double   force)
   {
-    constexpr double within_strength = 0.9;  ///< part of it that the shear begins with at most
-    constexpr double least_force     = 1e-2; ///< of a contact that presses, over the mean
+    constexpr double within_strength = 0.9; ///< part of it that the shear begins with at most
+    constexpr double least_force     = 0.1; ///< of a contact that presses, over the mean
     points.clear();
+    points.reserve(springs.springs.size());
     for (std::size_t s = 0; s < springs.springs.size(); ++s)
       {
         const Springs::Spring &spring = springs.springs[s];
-        if (!spring.coulomb || spring.length <= 0.)
+        if (!spring.coulomb || spring.settled || spring.length <= 0.)
           continue;
         const JointHistory &history = spring.old.history;
         double              ratio   = 0.;
@@ -61,6 +62,16 @@ namespace hybrid::dda
           p.k_s = 0.; // frictionless
         points.push_back(p);
       }
+  }
+
+
+
+  void InteriorContacts::leave_settled(const Springs &springs)
+  {
+    points.erase(std::remove_if(points.begin(),
+                                points.end(),
+                                [&](const Point &p) { return springs.springs[p.spring].settled; }),
+                 points.end());
   }
 
 
@@ -120,6 +131,43 @@ namespace hybrid::dda
         p.target.forward   = less(d.forward * (p.mu * d.normal - d.shear));
         p.target.backward  = less(d.backward * (p.mu * d.normal + d.shear));
       }
+  }
+
+
+
+  void InteriorContacts::centre(const double fraction, const double target)
+  {
+    constexpr double least = 0.1, most = 10.; ///< product over that aimed at
+    for (Point &p : points)
+      {
+        const double   aimed = target / p.length;
+        const Products there = p.products_after(fraction);
+        const auto     move  = [&](const double product) {
+          const double goal = std::max(least * aimed, std::min(most * aimed, product));
+          return std::max(goal - product, -most * aimed);
+        };
+        p.target.parting += move(there.parting);
+        if (!p.slides)
+          continue;
+        p.target.forward += move(there.forward);
+        p.target.backward += move(there.backward);
+      }
+  }
+
+
+
+  void InteriorContacts::keep_direction()
+  {
+    for (Point &p : points)
+      p.kept = p.direction;
+  }
+
+
+
+  void InteriorContacts::take_kept_direction()
+  {
+    for (Point &p : points)
+      p.direction = p.kept;
   }
 
 

@@ -97,12 +97,19 @@ namespace hybrid::dda
 
 
 
+  bool SpringStiffness::same_bodies(const Kept &old, const Springs::Spring &spring)
+  {
+    return old.block == spring.block && old.other == spring.other && old.joint == spring.joint &&
+           old.end == spring.end;
+  }
+
+
+
   bool SpringStiffness::same(const Kept              &old,
                              const Springs::Spring   &spring,
                              const Springs::Response &response)
   {
-    if (old.block != spring.block || old.other != spring.other || old.joint != spring.joint ||
-        old.end != spring.end)
+    if (!same_bodies(old, spring))
       return false;
     // The gradient's first entries are the normal. A contact's place moves along an edge as well.
     return old.stiffness.none() ||
@@ -117,7 +124,10 @@ namespace hybrid::dda
     const int n       = static_cast<int>(springs.springs.size());
     const int n_old   = static_cast<int>(kept.size());
     const int n_block = springs.n_blocks();
-    is_marked.assign(n_block, choice.all ? 1 : 0);
+    is_marked.assign(n_block, choice.all && choice.blocks == nullptr ? 1 : 0);
+    if (choice.all && choice.blocks != nullptr)
+      for (const int b : *choice.blocks)
+        is_marked[b] = 1;
     const auto mark = [&](const int block, const int other) {
       for (const int body : {block, other})
         if (body != foundation_body && body < n_block)
@@ -131,6 +141,8 @@ namespace hybrid::dda
       {
         const Springs::Spring   &spring   = springs.springs[s];
         const Springs::Response &response = springs.responses[s];
+        if (spring.settled && s < n_old && same_bodies(kept[s], spring))
+          continue;
         if (!choice.all && s < n_old && same(kept[s], spring, response) &&
             kept[s].stiffness == coefficients(spring, response, choice))
           continue;

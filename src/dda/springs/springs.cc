@@ -223,7 +223,8 @@ namespace hybrid::dda
 #pragma omp parallel for schedule(static) reduction(|| : any) if (is_worth_sharing(springs.size()))
     for (std::size_t s = 0; s < springs.size(); ++s)
       {
-        if (conditions[s] == Condition::law || conditions[s] == condition(s) ||
+        if (springs[s].settled || conditions[s] == Condition::law ||
+            conditions[s] == condition(s) ||
             (!springs[s].coulomb && conditions[s] != Condition::sticks))
           continue;
         any = true;
@@ -258,6 +259,8 @@ namespace hybrid::dda
 #pragma omp parallel for schedule(static) if (is_worth_sharing(springs.size()))
     for (std::size_t s = 0; s < springs.size(); ++s)
       {
+        if (springs[s].settled)
+          continue;
         if (springs[s].joint >= 0)
           evaluate_joint(model, state, trial, s);
         else
@@ -427,15 +430,17 @@ namespace hybrid::dda
 
 
 
-  void Springs::add_forces(Eigen::VectorXd &bonds,
-                           Eigen::VectorXd &contacts,
-                           Eigen::VectorXd &absolute) const
+  void Springs::add_forces(Eigen::VectorXd        &bonds,
+                           Eigen::VectorXd        &contacts,
+                           Eigen::VectorXd        &absolute,
+                           const std::vector<int> *blocks) const
   {
-    const int n = n_blocks();
+    const int n = blocks != nullptr ? static_cast<int>(blocks->size()) : n_blocks();
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
-    for (int b = 0; b < n; ++b)
+    for (int k = 0; k < n; ++k)
       {
-        Vec6 bond = Vec6::Zero(), contact = Vec6::Zero();
+        const int b    = blocks != nullptr ? (*blocks)[k] : k;
+        Vec6      bond = Vec6::Zero(), contact = Vec6::Zero();
         for (const int entry : of_block(b))
           {
             const int       s        = entry / 2;

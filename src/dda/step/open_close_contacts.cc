@@ -18,13 +18,14 @@ namespace hybrid::dda
 
   void OpenCloseIteration::go_back(const TrialPlace &place)
   {
-    trial.increment.assign(place.increment.begin(), place.increment.end());
+    for (const int b : islands.at_work())
+      trial.increment[b] = place.increment[b];
     trial.foundation = place.foundation;
   }
 
 
 
-  OpenCloseIteration::Attempt OpenCloseIteration::settle_contacts(const Step &step)
+  Attempt OpenCloseIteration::settle_contacts(const Step &step)
   {
     constexpr Patience patience{10, 3};
     constexpr int      longest_span                = 16;
@@ -65,7 +66,7 @@ namespace hybrid::dda
 
 
 
-  OpenCloseIteration::Attempt OpenCloseIteration::yield_patiently(const Step &step)
+  Attempt OpenCloseIteration::yield_patiently(const Step &step)
   {
     // Many joints begin to slide, one after the other, and only then the residual falls. The line
     // search goes on where this ends, if that is closer to balance.
@@ -84,8 +85,7 @@ namespace hybrid::dda
 
 
 
-  OpenCloseIteration::Attempt OpenCloseIteration::iterate_conditions(const Step     &step,
-                                                                     const Patience &patience)
+  Attempt OpenCloseIteration::iterate_conditions(const Step &step, const Patience &patience)
   {
     constexpr double leads_away = 100., same = 1e-6;
     const auto &[model, state, foundation, result] = step;
@@ -127,6 +127,7 @@ namespace hybrid::dda
         accuracy.saw(k, converged ? 0. : result.residual / norm);
         if (converged)
           return Attempt::converged;
+        settle_islands(step);
         const bool circle = std::any_of(before.begin(), before.end(), [&](const double r) {
           return r > 0. && r != previous && std::abs(result.residual - r) <= same * r;
         });
@@ -138,6 +139,17 @@ namespace hybrid::dda
         renew_conditions();
       }
     return Attempt::failed;
+  }
+
+
+
+  void OpenCloseIteration::settle_islands(const Step &step)
+  {
+    constexpr double part = 0.5; ///< of the tolerance, which the others have the rest of
+    if (!step.foundation.prescribed || step.model.n_bedrock > 0)
+      return;
+    if (islands.settle({residual, scale, absolute}, part * step.model.iteration.tolerance, springs))
+      interior.leave_settled(springs);
   }
 
 

@@ -14,10 +14,11 @@ namespace hybrid::dda
 {
   void OpenCloseIteration::move(const DdaState &state)
   {
-    const int n = static_cast<int>(trial.increment.size());
-#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
-    for (int b = 0; b < n; ++b)
+    const std::vector<int> &blocks = islands.at_work();
+#pragma omp parallel for schedule(static) if (is_worth_sharing(blocks.size()))
+    for (std::size_t k = 0; k < blocks.size(); ++k)
       {
+        const int b     = blocks[k];
         trial.motion[b] = BlockMotion(state.blocks[b].centroid, trial.increment[b]);
         for (int v = state.geometry.offset[b]; v < state.geometry.offset[b + 1]; ++v)
           trial.displacement[v] = trial.motion[b].displacement(state.geometry.vertices[v]);
@@ -56,16 +57,27 @@ namespace hybrid::dda
   {
     const int    n = model.n_blocks(), m = model.n_foundation_nodes();
     const double dt = trial.dt, weight = StepKinematics::contact_weight(model.newmark);
-    residual.setZero(6 * n + 2 * m);
-    contact_force.setZero(6 * n + 2 * m);
-    absolute.setZero(n);
+    // What is settled keeps its part of the forces and of the residual.
+    const std::vector<int> &blocks = islands.at_work();
+    residual.resize(6 * n + 2 * m);
+    contact_force.resize(6 * n + 2 * m);
+    absolute.resize(n);
+    for (const int b : blocks)
+      {
+        residual.segment<6>(6 * b).setZero();
+        contact_force.segment<6>(6 * b).setZero();
+        absolute[b] = 0.;
+      }
+    residual.tail(2 * m).setZero();
+    contact_force.tail(2 * m).setZero();
     {
       const Stopwatch timer(times.springs);
-      springs.add_forces(residual, contact_force, absolute);
+      springs.add_forces(residual, contact_force, absolute, &blocks);
     }
-#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
-    for (int b = 0; b < n; ++b)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(blocks.size()))
+    for (std::size_t k = 0; k < blocks.size(); ++k)
       {
+        const int              b = blocks[k];
         const BlockProperties &p = model.blocks[b];
         const Vec6             inertial_force =
           mass[b] * (kinematics.inertia(b) * (trial.increment[b] - kinematics.predicted(b)));
@@ -122,8 +134,10 @@ namespace hybrid::dda
   void OpenCloseIteration::add_water(const Model &model, const DdaState &state)
   {
     const Geometry &g = state.geometry;
-    for (int b = 0; b < model.n_mass(); ++b)
+    for (const int b : islands.at_work())
       {
+        if (model.is_bedrock(b))
+          continue;
         const int first = g.offset[b];
         residual.segment<6>(6 * b) +=
           water_load(model.water,
@@ -141,6 +155,8 @@ namespace hybrid::dda
     const double factor = model.edge_loads.factor(state.time + trial.dt);
     for (const EdgeLoads::Edge &edge : model.edge_loads.edges)
       {
+        if (islands.is_settled(edge.block))
+          continue;
         const Vec6 force =
           factor *
           edge_force(edge, state.geometry, trial.displacement.data(), trial.motion[edge.block]);
@@ -156,7 +172,8 @@ namespace hybrid::dda
     SpringStiffness::Choice choice{tangent.follow_softening,
                                    StepKinematics::contact_weight(model.newmark),
                                    sliding_regularisation.value(),
-                                   tangent.all || model.n_bedrock > 0 || model.blocks_yield};
+                                   tangent.all || model.n_bedrock > 0 || model.blocks_yield,
+                                   &islands.at_work()};
     stiffness.update(springs, trial, choice);
     if (!stiffness.changed_blocks().empty() || choice.all)
       return;
@@ -249,7 +266,7 @@ namespace hybrid::dda
 
 
 
-  OpenCloseIteration::Attempt OpenCloseIteration::iterate(const Step &step)
+  Attempt OpenCloseIteration::iterate(const Step &step)
   {
     {
       const Stopwatch timer(times.springs);
@@ -304,7 +321,7 @@ namespace hybrid::dda
 
   void OpenCloseIteration::take(const Step &step, const double fraction)
   {
-    for (int b = 0; b < step.model.n_blocks(); ++b)
+    for (const int b : islands.at_work())
       trial.increment[b] += fraction * update.segment<6>(6 * b);
     if (!step.foundation.prescribed)
       trial.foundation += fraction * update.tail(trial.foundation.size());

@@ -13,7 +13,7 @@ namespace hybrid::dda
     double           compliance = 0., force = 0.;
     int              n = 0, n_loaded = 0;
     for (const Springs::Spring &spring : springs.springs)
-      if (spring.coulomb && spring.length > 0.)
+      if (spring.coulomb && !spring.settled && spring.length > 0.)
         {
           const double pressed = spring.length * std::max(0., spring.old.normal);
           compliance += 1. / (spring.length * spring.law->normal_stiffness());
@@ -47,13 +47,14 @@ namespace hybrid::dda
     const double affine = interior.follow(springs, stiffness, update);
     if (begins && affine < too_narrow)
       return 0.;
-    const double left = interior.mean_product_after(affine) / mean;
-    interior.aim(std::min(1., std::max(least_centring, left * left * left)) * mean,
-                 affine > too_narrow);
+    const double left   = interior.mean_product_after(affine) / mean;
+    const double target = std::min(1., std::max(least_centring, left * left * left)) * mean;
+    interior.aim(target, affine > too_narrow);
     interior.set_responses(trial, springs);
     norm = balance(model, state, foundation);
     solve_linear(step, UpdateAccuracy::finest * norm);
-    const double part = std::min(1., nearly_all * interior.follow(springs, stiffness, update));
+    const double longest = centre_path(step, interior.follow(springs, stiffness, update), target);
+    const double part    = std::min(1., nearly_all * longest);
     take(step, part);
     interior.move(part);
     result.residual = evaluate(model, state, foundation);
@@ -62,7 +63,35 @@ namespace hybrid::dda
 
 
 
-  OpenCloseIteration::Attempt OpenCloseIteration::follow_path(const Step &step)
+  double OpenCloseIteration::centre_path(const Step &step, double longest, const double target)
+  {
+    constexpr int    most_corrections = 2;
+    constexpr double long_enough = 0.9, farther = 0.3, least_gain = 0.03;
+    for (int k = 0; k < most_corrections && longest < long_enough; ++k)
+      {
+        interior.keep_direction();
+        kept_update = update;
+        interior.centre(std::min(1., longest + farther), target);
+        interior.set_responses(trial, springs);
+        solve_linear(step,
+                     UpdateAccuracy::finest * balance(step.model, step.state, step.foundation));
+        const double before = longest;
+        longest             = interior.follow(springs, stiffness, update);
+        if (longest < before)
+          {
+            interior.take_kept_direction();
+            update.swap(kept_update);
+            longest = before;
+          }
+        if (longest < before + least_gain)
+          break;
+      }
+    return longest;
+  }
+
+
+
+  Attempt OpenCloseIteration::follow_path(const Step &step)
   {
     constexpr double   few_changes = 0.01, near_balance = 1e-2, wider = 100.;
     constexpr int      most_widenings = 4;
@@ -89,6 +118,7 @@ namespace hybrid::dda
           return Attempt::failed;
         if (result.residual <= model.iteration.tolerance)
           return Attempt::converged;
+        settle_islands(step);
         const int changed = interior.conditions(path_now);
         if (changed <= few_changes * interior.size() && result.residual <= near_balance &&
             path_now != path_tried)

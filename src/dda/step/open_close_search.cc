@@ -65,13 +65,14 @@ namespace hybrid::dda
 
 
 
-  OpenCloseIteration::Attempt OpenCloseIteration::search(const Step &step)
+  Attempt OpenCloseIteration::search(const Step &step)
   {
     constexpr int    stall_window                  = 10;
     constexpr double stalled_fraction              = 0.3;
     const auto &[model, state, foundation, result] = step;
     const int first                                = result.iterations;
     tangent_conditions.clear(); // it is one of the laws from now on
+    islands.wake(springs);
     double window_start = std::numeric_limits<double>::infinity();
     // The first linear system is solved to the end where that may be all.
     double previous = expects_many ? result.residual : std::numeric_limits<double>::infinity();

@@ -149,6 +149,8 @@ namespace hybrid::dda
       springs.collect(model, state);
     }
     stresses.begin(model);
+    islands.begin(model.n_blocks());
+    interior.clear();
     incoming = foundation.boundary_force;
     solver.set_slices(model.slice);
     solver.set_foundation_stiffness(foundation.prescribed ? nullptr : foundation.stiffness);

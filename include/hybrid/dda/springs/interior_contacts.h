@@ -36,6 +36,15 @@ namespace hybrid::dda
     /// @param force to move a product by as much force as parting [N/m]
     void begin(const Model &model, const Springs &springs, double dt, double energy, double force);
 
+    /// No contact is on the path.
+    void clear()
+    {
+      points.clear();
+    }
+
+    /// Springs that are settled leave the path.
+    void leave_settled(const Springs &springs);
+
     /// Number of contacts on the path.
     std::size_t size() const
     {
@@ -54,6 +63,15 @@ namespace hybrid::dda
     /// Aim at these products: @p target [J/m], less what the direction there is would add by its
     /// second order where @p corrects (Mehrotra 1992).
     void aim(double target, bool corrects);
+
+    /// Aim besides at products that are neither far above nor far below @p target [J/m] where this
+    /// part of the direction ends: those that would be are moved to the nearest that is not
+    /// (centrality correctors, Gondzio 1996).
+    void centre(double fraction, double target);
+
+    /// Remember the direction, or take that which was remembered.
+    void keep_direction();
+    void take_kept_direction();
 
     /// Forces and stiffness in the trial that @p springs have evaluated last.
     void set_responses(const Trial &trial, Springs &springs);
@@ -89,7 +107,7 @@ namespace hybrid::dda
       double    length;       ///< [m]
       double    mu, k_n, k_s; ///< friction [-], stiffness [Pa/m]
       double    origin;       ///< slip at which the shear spring bears nothing [m]
-      Variables at, direction;
+      Variables at, direction, kept;
       Products  target;
       double    parting_left, slip_left;             ///< of both compatibility conditions [m]
       double    k_nn, k_tt, k_tn;                    ///< as eliminated [Pa/m]

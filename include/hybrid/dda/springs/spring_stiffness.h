@@ -29,15 +29,17 @@ namespace hybrid::dda
       double contact_weight = 1.;
       /// Of the shear stiffness of contacts that slide, see SlidingRegularisation [-].
       double sliding_regularisation = 0.;
-      /// Every spring is rebuilt, whether it has changed or not.
+      /// Every spring is rebuilt, whether it has changed or not, but those that are settled.
       bool all = true;
+      /// Blocks whose rows are rebuilt with all springs, if not all blocks.
+      const std::vector<int> *blocks = nullptr;
     };
 
     /// Bring the stiffness up to date with a trial that @p springs have evaluated.
     void update(const Springs &springs, const Trial &trial, const Choice &choice);
 
-    /// Blocks with a spring that has changed in the last update, ascending; all blocks if all
-    /// springs were rebuilt.
+    /// Blocks with a spring that has changed in the last update, ascending; if all springs were
+    /// rebuilt, Choice::blocks.
     const std::vector<int> &changed_blocks() const
     {
       return changed;
@@ -94,6 +96,9 @@ namespace hybrid::dda
 
     static Coefficients
     coefficients(const Springs::Spring &, const Springs::Response &, const Choice &);
+
+    /// The kept spring is between the same bodies.
+    static bool same_bodies(const Kept &, const Springs::Spring &);
 
     /// The kept spring would be assembled as it was.
     static bool same(const Kept &, const Springs::Spring &, const Springs::Response &);

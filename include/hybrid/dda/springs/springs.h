@@ -73,6 +73,7 @@ namespace hybrid::dda
       double          cohesion_length_ratio = 1.; ///< see JointKinematics [-]
       bool            coulomb = false; ///< acts as a contact alone, see JointLaw::is_coulomb()
       Vec2            along   = Vec2::Zero(); ///< unit vector of a contact's edge at the start
+      bool            settled = false;        ///< its blocks are, in this step: the response stays
       SpringState     old;                    ///< when the step began
 
       /// What acts as a contact at the start or end of the step.
@@ -137,9 +138,11 @@ namespace hybrid::dda
     void set_forces(const Trial &trial, std::size_t s);
 
     /// Add forces on blocks and foundation nodes, of bonds and of contacts apart, and their
-    /// absolute values to @p absolute.
-    void
-    add_forces(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts, Eigen::VectorXd &absolute) const;
+    /// absolute values to @p absolute. @param blocks that are asked for, if not all
+    void add_forces(Eigen::VectorXd        &bonds,
+                    Eigen::VectorXd        &contacts,
+                    Eigen::VectorXd        &absolute,
+                    const std::vector<int> *blocks = nullptr) const;
 
     /// Generalised forces that a traction of one spring makes in the trial evaluated last.
     Forces forces_of(const Trial &trial, std::size_t number, const Traction &traction) const;

@@ -9,6 +9,7 @@
 #include <hybrid/dda/step/foundation_response.h>
 #include <hybrid/dda/step/part_times.h>
 #include <hybrid/dda/step/secant_correction.h>
+#include <hybrid/dda/step/settled_islands.h>
 #include <hybrid/dda/step/sliding_regularisation.h>
 #include <hybrid/dda/step/step_kinematics.h>
 #include <hybrid/dda/step/step_result.h>
@@ -119,7 +120,8 @@ namespace hybrid::dda
     std::vector<double>   damping_time; ///< beta_K of each block in this step [s]
     std::vector<Vec6> acceleration; ///< of all but contacts, end of the solved step, not yet turned
     std::vector<Vec6> contact_acceleration; ///< of contacts, likewise
-    Eigen::VectorXd   residual, absolute, scale, update, force_increment, contact_increment;
+    Eigen::VectorXd   residual, absolute, scale, update, kept_update, force_increment,
+      contact_increment;
     // The foundation's balance is taken from where the trial starts: at S w the round-off of a
     // stiff foundation that moves as a whole would hide the forces of soft blocks.
     Eigen::VectorXd  foundation_start; ///< load less S times the displacement at the start [N/m]
@@ -136,6 +138,7 @@ namespace hybrid::dda
     bool             at_rest   = false; ///< nothing moves in it
     double           reference = 0.;    ///< norm of absolute forces [N]
     InteriorContacts interior;
+    SettledIslands   islands;
     std::vector<Condition> conditions;         ///< of springs, for the next update
     std::vector<Condition> tangent_conditions; ///< of springs, with the last update
     std::vector<Condition> path_now;           ///< of contacts on the central path
@@ -164,14 +167,6 @@ namespace hybrid::dda
       StepResult               &result;
     };
 
-    /// What an attempt to solve the step came to.
-    enum class Attempt
-    {
-      converged,
-      failed,
-      stopped
-    };
-
     /// All methods, one after the other.
     Attempt iterate(const Step &step);
 
@@ -195,6 +190,11 @@ namespace hybrid::dda
     /// @return part of the update that was taken; 0 if the path is too narrow where it begins
     double go_along_path(const Step &step, bool begins);
 
+    /// Centrality correctors: solve again with the same factors where only a part, @p longest, of
+    /// the direction can be taken. @param target mean product aimed at
+    /// @return part of the new direction that can
+    double centre_path(const Step &step, double longest, double target);
+
     /// Newton's method with a line search by the laws alone.
     Attempt search(const Step &step);
 
@@ -209,6 +209,9 @@ namespace hybrid::dda
 
     /// True if iterations are left and nobody stops the step.
     bool may_go_on(const Step &step);
+
+    /// Leave islands that are balanced where they are.
+    void settle_islands(const Step &step);
 
     /// Residual of the springs' present responses. @return its relative norm
     double balance(const Model &model, const DdaState &state, const FoundationResponse &foundation);
@@ -245,13 +248,6 @@ namespace hybrid::dda
 
     void add_water(const Model &model, const DdaState &state); ///< forces, to the residual
     void add_edge_loads(const Model &model, const DdaState &state);
-
-    /// What a tangent is made of.
-    struct Tangent
-    {
-      bool follow_softening; ///< of joints, see SpringStiffness
-      bool all;              ///< rows, not only those of springs that have changed
-    };
 
     void assemble(const Model              &model,
                   const DdaState           &state,

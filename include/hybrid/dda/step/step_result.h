@@ -34,6 +34,23 @@ namespace hybrid::dda
   };
 
 
+  /// What an attempt to solve the step came to.
+  enum class Attempt
+  {
+    converged,
+    failed,
+    stopped
+  };
+
+
+  /// What a tangent is made of.
+  struct Tangent
+  {
+    bool follow_softening; ///< of joints, see SpringStiffness
+    bool all;              ///< rows, not only those of springs that have changed
+  };
+
+
   /// How long updates with frozen conditions go on.
   struct Patience
   {

@@ -104,6 +104,30 @@ TEST(InteriorContacts, end_at_the_law)
 
 
 
+// Products that would be far below the aim where the direction ends hold it up less.
+TEST(InteriorContacts, centring_lengthens_the_direction)
+{
+  Held                  held(1e-5, -1e-6);
+  const Eigen::VectorXd none     = Eigen::VectorXd::Zero(20);
+  const double          target   = 1e-2 * held.path.mean_product();
+  const auto            directed = [&]() {
+    held.path.set_responses(held.scene.trial, held.springs());
+    held.stiffness.update(held.springs(), held.scene.trial, {});
+    return held.path.follow(held.springs(), held.stiffness, none);
+  };
+  held.path.aim(target, false);
+  const double before = directed(), product = held.path.mean_product_after(0.5 * before);
+  ASSERT_LT(before, 0.9);
+  held.path.keep_direction();
+  held.path.centre(std::min(1., before + 0.3), target);
+  EXPECT_GT(directed(), before + 0.01);
+  EXPECT_NE(held.path.mean_product_after(0.5 * before), product);
+  held.path.take_kept_direction();
+  EXPECT_EQ(held.path.mean_product_after(0.5 * before), product);
+}
+
+
+
 // The stiffness is the derivative of what the eliminated variables add to the forces.
 TEST(InteriorContacts, direction_follows_the_motion)
 {
