@@ -58,9 +58,14 @@ namespace hybrid::restart
       return;
     if (direction == Direction::write)
       {
-        bytes.append(static_cast<const char *>(memory), n);
-        if (sink && bytes.size() >= portion)
-          flush();
+        const std::string_view content(static_cast<const char *>(memory), n);
+        if (sink && bytes.size() + n >= portion)
+          {
+            flush();
+            sink(content);
+          }
+        else
+          bytes += content;
         return;
       }
     if (n > bytes.size() - position)

@@ -145,7 +145,7 @@ namespace hybrid::dda
 
   void OpenCloseIteration::settle_islands(const Step &step)
   {
-    constexpr double part = 0.5; ///< of the tolerance, which the others have the rest of
+    constexpr double part = 0.05; ///< of the tolerance: what flies keeps what it is left with
     if (!step.foundation.prescribed || step.model.n_bedrock > 0)
       return;
     if (islands.settle({residual, scale, absolute}, part * step.model.iteration.tolerance, springs))
