@@ -86,5 +86,6 @@ namespace hybrid::dda
     contact.plastic_slip    = sign * from.contact->plastic_slip;
     contact.state           = from.contact->state;
     contact.stress_free_gap = from.contact->stress_free_gap;
+    contact.closeness       = from.contact->closeness;
   }
 } // namespace hybrid::dda

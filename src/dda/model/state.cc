@@ -47,7 +47,8 @@ namespace hybrid::dda
            plastic_slip,
            state,
            stress_free_gap,
-           pressed_gap] = contact;
+           pressed_gap,
+           closeness] = contact;
     archive(vertex_body,
             vertex,
             edge_body,
@@ -57,7 +58,8 @@ namespace hybrid::dda
             plastic_slip,
             state,
             stress_free_gap,
-            pressed_gap);
+            pressed_gap,
+            closeness);
   }
 
 

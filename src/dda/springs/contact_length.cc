@@ -367,12 +367,13 @@ namespace hybrid::dda
     ContactLength result;
     result.overlap = a.length + b.length;
     result.bonded  = a.bonded + b.bonded;
+    result.corner  = corner;
     result.spring  = corner;
     if (is_surface(geometry, contact.vertex_body) != is_surface(geometry, contact.edge_body))
       {
-        const double close = std::max(a.closeness, b.closeness);
-        result.spring =
-          close * result.overlap + (1. - close) * sharpness(geometry, body, vertex) * corner;
+        result.closeness = std::max(a.closeness, b.closeness);
+        result.corner    = sharpness(geometry, body, vertex) * corner;
+        result.spring    = result.at(result.closeness);
       }
     return result;
   }

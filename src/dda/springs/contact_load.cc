@@ -87,6 +87,34 @@ namespace hybrid::dda
 
 
 
+  void ContactLoads::turn(const Geometry       &geometry,
+                          const CornerLength   &corner,
+                          std::vector<Contact> &contacts)
+  {
+    for (Contact &contact : contacts)
+      {
+        if (!is_on_surface(contact, geometry))
+          continue;
+        const double gap = Place(contact, geometry).gap;
+        if (gap >= contact.stress_free_gap)
+          {
+            contact.closeness = -1.; // with no load there is none to keep
+            continue;
+          }
+        const ContactLength length =
+          contact_length(geometry, contacts, contact, corner(contact), nullptr);
+        const double then = contact.closeness;
+        contact.closeness = length.closeness;
+        if (then < 0. || then == length.closeness || length.spring <= 0.)
+          continue;
+        const double kept       = std::sqrt(length.at(then) / length.spring);
+        contact.stress_free_gap = std::min(0., gap + kept * (contact.stress_free_gap - gap));
+        contact.plastic_slip    = contact.slip - kept * (contact.slip - contact.plastic_slip);
+      }
+  }
+
+
+
   ContactLoads::Bodies ContactLoads::bodies_of(const Contact &contact, const Geometry &geometry)
   {
     const auto body = [&](const int b) { return is_surface(geometry, b) ? foundation_body : b; };

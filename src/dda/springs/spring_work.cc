@@ -68,22 +68,36 @@ namespace hybrid::dda
 
 
 
+    Force force_at_start(const SpringStep        &step,
+                         const Springs::Spring   &spring,
+                         const Springs::Traction &traction)
+    {
+      return spring.joint >= 0 ? joint_force_at_start(step, spring, traction)
+                               : contact_force_at_start(step, spring, traction);
+    }
+
+
+
+    /// Of the force, as on the other body.
+    double work_on_body_at_start(const SpringStep &step, const int body, const Force &force)
+    {
+      return BlockMotion(step.before.blocks[body].centroid, Vec6::Zero())
+        .gradient(force.place, force.force)
+        .dot(step.trial.increment[body]);
+    }
+
+
+
     double work_at_start(const SpringStep        &step,
                          const Springs::Spring   &spring,
                          const Springs::Traction &traction)
     {
       if (traction.normal == 0. && traction.shear == 0.)
         return 0.;
-      const Force force   = spring.joint >= 0 ? joint_force_at_start(step, spring, traction)
-                                              : contact_force_at_start(step, spring, traction);
-      const auto  on_body = [&](const int b) {
-        return BlockMotion(step.before.blocks[b].centroid, Vec6::Zero())
-          .gradient(force.place, force.force)
-          .dot(step.trial.increment[b]);
-      };
-      double work = -on_body(spring.block);
+      const Force force = force_at_start(step, spring, traction);
+      double      work  = -work_on_body_at_start(step, spring.block, force);
       if (spring.other != foundation_body)
-        return work + on_body(spring.other);
+        return work + work_on_body_at_start(step, spring.other, force);
       for (int k = 0; k < 2; ++k)
         work += force.weight[k] * force.force.dot(foundation_moved(step, spring.node[k]));
       return work;
@@ -121,5 +135,36 @@ namespace hybrid::dda
     const double local = spring.length * ((end.normal - start.normal) * (now.gap - old.gap) +
                                           (end.shear - start.shear) * (now.slip - old.slip));
     return work_at_end(step, number, end) - work_at_start(step, spring, start) - local;
+  }
+
+
+
+  double arc_work(const SpringStep &step, const std::size_t number)
+  {
+    const Springs::Spring   &spring   = step.springs.springs[number];
+    const Springs::Response &response = step.springs.responses[number];
+    double                   work     = 0.;
+    if (spring.old.normal != 0. || spring.old.shear != 0.)
+      {
+        const Force force  = force_at_start(step, spring, {spring.old.normal, spring.old.shear});
+        const auto  on_arc = [&](const int b) {
+          return work_on_body_at_start(step, b, force) -
+                 force.force.dot(step.trial.motion[b].displacement(force.place));
+        };
+        work -= on_arc(spring.block);
+        if (spring.other != foundation_body)
+          work += on_arc(spring.other);
+      }
+    if (response.now.normal != 0. || response.now.shear != 0.)
+      {
+        const auto on_arc = [&](const int b, const Vec6 &force) {
+          return force.dot(step.trial.increment[b]) -
+                 force.head<2>().dot(step.trial.motion[b].displacement_to(response.place));
+        };
+        work += on_arc(spring.block, response.force.on_block);
+        if (spring.other != foundation_body)
+          work += on_arc(spring.other, response.force.on_other);
+      }
+    return 0.5 * work;
   }
 } // namespace hybrid::dda

@@ -156,8 +156,9 @@ namespace hybrid::dda
     /// Joints and contacts, each spring by its own kinematics.
     void audit_springs(const StepAudit &step, BlockEnergy &energy)
     {
-      double before  = 0.;
-      energy.springs = 0.;
+      const SpringStep moved{step.model, step.before, step.trial, step.springs};
+      double           before = 0.;
+      energy.springs          = 0.;
       for (std::size_t i = 0; i < step.springs.springs.size(); ++i)
         {
           const Springs::Spring &spring = step.springs.springs[i];
@@ -188,10 +189,11 @@ namespace hybrid::dda
           energy.damping_loss += spring.length * (elastic - work - friction);
           energy.integration_loss +=
             spring.length * (-elastic - (stored - stored_before) - fracture) -
-            rotation_work({step.model, step.before, step.trial, step.springs},
+            rotation_work(moved,
                           i,
                           traction.beyond_mean(old, traction.before),
-                          traction.beyond_mean(now, traction.after));
+                          traction.beyond_mean(now, traction.after)) -
+            arc_work(moved, i);
         }
       energy.spring_replacement_loss += step.before.energy.springs - before;
     }

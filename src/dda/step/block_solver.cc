@@ -242,6 +242,7 @@ namespace hybrid::dda
       return model.contacts.law(model.initial, contact, model.n_mass()).length;
     };
     loads.carry(contacts_before, state.geometry, corner, state.contacts);
+    ContactLoads::turn(state.geometry, corner, state.contacts);
     if (joints_changed)
       hand_over_released_joints(model, state);
     belt_parting.update(model, state);

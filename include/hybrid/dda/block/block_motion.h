@@ -51,6 +51,14 @@ namespace hybrid::dda
       return {u + gxx * r.x() + gxy * r.y(), v + gyx * r.x() + gyy * r.y()};
     }
 
+    /// Displacement over the step of the material point that is now at @p x [m].
+    Vec2 displacement_to(const Vec2 &x) const
+    {
+      const Vec2   r  = x - centroid;
+      const double tx = cosine * r.x() + sine * r.y(), ty = cosine * r.y() - sine * r.x();
+      return displacement(old_centroid + Vec2(ixx * tx + ixy * ty, ixy * tx + iyy * ty));
+    }
+
     /// a . (dx'/dd) for a point now at @p x: the generalised gradient along the direction @p a.
     Vec6 gradient(const Vec2 &x, const Vec2 &a) const
     {

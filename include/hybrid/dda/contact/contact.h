@@ -34,5 +34,6 @@ namespace hybrid::dda
           ///< was found (contact_load.h), less that of a released joint; 0 once they part
     double pressed_gap = 0.; ///< gap when last accepted, if it pressed then, < 0 [m]: summed over
                              ///< the steps, see ContactFrame; 0: the gap is that of the places
+    double closeness = -1.;  ///< with which its load was last set (ContactLength) [-]; < 0: not yet
   };
 } // namespace hybrid::dda

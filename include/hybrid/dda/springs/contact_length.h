@@ -15,6 +15,15 @@ namespace hybrid::dda
     double overlap = 0.; ///< of edges that lie on each other
     double bonded  = 0.; ///< the part of it that a belt bonds still
     double spring  = 0.; ///< on it act the springs, whose stiffness is per area
+    double corner  = 0.; ///< that of the springs where edges do not lie on each other
+    double closeness =
+      0.; ///< 1 for edges that lie along each other, 0 from 3 degrees between them on [-]
+
+    /// That of the springs at any closeness [m]; of two blocks of the mass always the corner's.
+    double at(const double close) const
+    {
+      return close * overlap + (1. - close) * corner;
+    }
   };
 
 

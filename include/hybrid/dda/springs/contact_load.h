@@ -14,8 +14,8 @@ namespace hybrid::dda
   /**
    * Loads with which contacts begin that are in overlap when they are found.
    *
-   * No energy enters or leaves when one contact takes the place of another, or where a corner has
-   * come in beside all edges and is seen one step later:
+   * No energy enters or leaves when one contact takes the place of another, where a contact's
+   * edges turn, or where a corner has come in beside all edges and is seen one step later:
    *
    * - A new contact with a surface is a piece of an overlap that was there (contact_length.h) if a
    *   contact pressed beside it. It begins with the overlap and the elastic slip of the nearest
@@ -41,6 +41,13 @@ namespace hybrid::dda
                const Geometry             &geometry,
                const CornerLength         &corner,
                std::vector<Contact>       &now);
+
+    /// As edges turn against each other their springs get longer or shorter (contact_length.h).
+    /// A spring that presses keeps its energy: overlap and elastic slip go with the inverse root
+    /// of the length that turning alone has changed. Where that would make a contact act before
+    /// bodies touch, the energy of the rest is lost.
+    static void
+    turn(const Geometry &geometry, const CornerLength &corner, std::vector<Contact> &contacts);
 
   private:
     /// The lists of a search.

@@ -29,4 +29,17 @@ namespace hybrid::dda
                        std::size_t              number,
                        const Springs::Traction &start,
                        const Springs::Traction &end);
+
+
+
+  /**
+   * What the mean of a spring's forces at both ends of a step does on the bodies' increments beyond
+   * what it does on the places where it acts [J/m].
+   *
+   * A place at the distance R from the axis of a body that turns by r goes along an arc; the
+   * increment goes along the tangent at its start or at its end. These are off by R r^2/2 to
+   * opposite sides. So of a force that grows by dF towards the axis R r^2 dF/4 is left, and of a
+   * force F along the arc -R r^3 F/12.
+   */
+  double arc_work(const SpringStep &step, std::size_t number);
 } // namespace hybrid::dda

@@ -106,7 +106,7 @@ namespace hybrid::dda
 
     TEST(State, ContactIsStoredWhole)
     {
-      Contact       contact{1, 2, 3, 4, 5., 6., 7., ContactState::locked, -8.};
+      Contact       contact{1, 2, 3, 4, 5., 6., 7., ContactState::locked, -8., -9., 0.9};
       const Contact copy = copied(contact);
       EXPECT_EQ(copy.vertex_body, 1);
       EXPECT_EQ(copy.vertex, 2);
@@ -117,6 +117,8 @@ namespace hybrid::dda
       EXPECT_EQ(copy.plastic_slip, 7.);
       EXPECT_EQ(copy.state, ContactState::locked);
       EXPECT_EQ(copy.stress_free_gap, -8.);
+      EXPECT_EQ(copy.pressed_gap, -9.);
+      EXPECT_EQ(copy.closeness, 0.9);
     }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact_scenes.h"
 
+#include <hybrid/dda/springs/contact_length.h>
 #include <hybrid/dda/springs/contact_load.h>
 
 #include <gtest/gtest.h>
@@ -139,4 +140,55 @@ TEST(ContactLoad, corner_that_passes_a_bend_presses_as_it_did)
   ContactLoads().carry(before, g, corner, now);
   EXPECT_NEAR(now[1].stress_free_gap + 0.1 * std::cos(std::atan(0.1)), 0.03 / 5., 2e-4);
   EXPECT_NEAR(now[1].slip - now[1].plastic_slip, 0.002 / 5., 2e-5);
+}
+
+
+
+TEST(ContactLoad, a_contact_keeps_its_energy_as_its_edges_turn)
+{
+  // the same square, turned about its lower left corner by 1, 2 and 1 degrees
+  const auto turned = [](const double degrees) {
+    Geometry        g = square_in_the_ground();
+    const double    a = degrees * 3.14159265358979323846 / 180.;
+    Eigen::Matrix2d rotation;
+    rotation << std::cos(a), -std::sin(a), std::sin(a), std::cos(a);
+    const Vec2 pivot = g.vertices[0];
+    for (Vec2 &v : g.vertices)
+      v = pivot + rotation * (v - pivot);
+    return g;
+  };
+  const auto length = [](const Geometry &g, const std::vector<Contact> &contacts) {
+    return contact_length(g, contacts, contacts[0], 2., nullptr).spring;
+  };
+  std::vector<Contact> contacts{{0, 0, foundation_body, 0, 0.5, 0.02, 0.015}};
+  contacts[0].stress_free_gap             = -0.06; // presses by 0.04 m
+  const ContactLoads::CornerLength corner = [](const Contact &) { return 2.; };
+  ContactLoads::turn(turned(1.), corner, contacts);
+  EXPECT_EQ(contacts[0].stress_free_gap, -0.06) << "the first time there is nothing to keep";
+
+  const double  start = length(turned(1.), contacts);
+  const Contact first = contacts[0];
+  ContactLoads::turn(turned(2.), corner, contacts);
+  const double end = length(turned(2.), contacts);
+  EXPECT_GT(end, 1.5 * start) << "the corner's springs are longer";
+  const double depth = contacts[0].stress_free_gap + 0.1, slip = 0.02 - contacts[0].plastic_slip;
+  EXPECT_NEAR(end * depth * depth, start * 0.04 * 0.04, 1e-12);
+  EXPECT_NEAR(end * slip * slip, start * 0.005 * 0.005, 1e-12);
+
+  ContactLoads::turn(turned(1.), corner, contacts);
+  EXPECT_NEAR(contacts[0].stress_free_gap, first.stress_free_gap, 1e-12) << "and back";
+  EXPECT_NEAR(contacts[0].plastic_slip, first.plastic_slip, 1e-12);
+}
+
+
+
+TEST(ContactLoad, a_contact_whose_edges_turn_does_not_act_before_they_touch)
+{
+  std::vector<Contact> contacts{{0, 0, foundation_body, 0, 0.5}};
+  contacts[0].closeness =
+    0.; // a long corner, whose springs are short where edges lie on each other
+  ContactLoads::turn(
+    square_in_the_ground(), [](const Contact &) { return 100.; }, contacts);
+  EXPECT_EQ(contacts[0].stress_free_gap, 0.);
+  EXPECT_EQ(contacts[0].closeness, 1.);
 }
