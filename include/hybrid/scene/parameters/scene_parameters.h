@@ -35,7 +35,7 @@ namespace hybrid::scene
     std::string scheme           = "automatic"; ///< automatic, or one of Newmark::preset()
     Newmark     newmark;                        ///< what the scheme stands for in this scene
     double      maximum_displacement_ratio =
-      0.05; ///< largest block displacement per step over block size [-]
+      0.05;                 ///< largest block displacement per step over block size [-]
     double rest_speed = 0.; ///< the run ends when no block is faster [m/s]; 0: it does not
     double dynamic_coefficient =
       1.; ///< k01 of the paper: factor on the velocity at the start of each step, (0, 1]
