@@ -17,10 +17,10 @@ BADONG = ROOT / "parameters/majiagou/badong.prm"
 
 # What dominates: blocks and condensed bedrock; slip of bedding planes; blocks alone; histories.
 SCENES = {
-    "badong": (BADONG, ["Time/End time=0.005"]),
-    "slipping planes": (BADONG, ["Mesh/Numbers=Resolution/h = 8", "Time/End time=0.005",
+    "badong": (BADONG, ["Time/End time=0.02"]),
+    "slipping planes": (BADONG, ["Mesh/Numbers=Resolution/h = 8", "Time/End time=0.02",
                                  "Bedding planes/Strength=Mohr-Coulomb", "Bedding planes/Friction angle=30"]),
-    "triangles": (BADONG, ["Mesh/Numbers=Resolution/h = 6", "Time/End time=0.003", "Model/Bedrock=triangles"]),
+    "triangles": (BADONG, ["Mesh/Numbers=Resolution/h = 6", "Time/End time=0.012", "Model/Bedrock=triangles"]),
     "long run": (ROOT / "parameters/verification/coupled_column.prm",
                  ["Model/Blocks=none", "Monitors/Points=base: 5, 0; " + "; ".join(f"p{k}: 5, {0.1 * k}" for k in range(99)),
                   "Time/Time step=0.0001", "Time/End time=1.2"]),
