@@ -11,6 +11,8 @@
 #include <hybrid/scene/mesh/edge_chain.h>
 #include <hybrid/scene_model.h>
 
+#include <algorithm>
+
 namespace hybrid
 {
   namespace
@@ -101,6 +103,18 @@ namespace hybrid
     if (blocks != nullptr)
       state.blocks = dda::initial_state(*blocks);
     return state;
+  }
+
+
+
+  double SceneModel::end_of_loads() const
+  {
+    double end = scene.motion.start + motion.outcrop().duration();
+    if (!scene.edge_loads.tractions.empty())
+      end = std::max(end, scene.edge_loads.start + scene.edge_loads.rise_time);
+    if (!scene.point_loads.loads.empty()) // the wavelet is even about its peak
+      end = std::max(end, scene.point_loads.start + 3. / scene.point_loads.frequency);
+    return end;
   }
 
 

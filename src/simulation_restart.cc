@@ -28,7 +28,7 @@ namespace hybrid
     , energy(simulation.model.scene.output.energy_warning,
              simulation.model.scene.output.energy_limit)
     , rest(solver != nullptr ? simulation.model.scene.time.rest_speed : 0.,
-           simulation.model.scene.motion.start + simulation.model.motion.outcrop().duration())
+           simulation.model.end_of_loads())
   {}
 
 

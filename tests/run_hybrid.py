@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A run of the program, as the scenes of verification/ and stability/ need it."""
+"""A run of the program, as the scenes of verification/ and stability/ need it, and what is asked of it."""
 
 import os
 import shutil
 import subprocess
+import sys
 
 
 def run_hybrid(binary, scene, directory, overrides=()):
@@ -18,3 +19,10 @@ def run_hybrid(binary, scene, directory, overrides=()):
     environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
     done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
     return done.returncode, done.stdout, done.stderr, " ".join(command)
+
+
+def require(fulfilled, sentence, output):
+    """Print what is asked; end the test with it and the end of @p output if it is not met."""
+    print(("ok    " if fulfilled else "FAIL  ") + sentence)
+    if not fulfilled:
+        sys.exit("error: not met: %s\n%s" % (sentence, output[-1500:]))

@@ -25,6 +25,9 @@ namespace hybrid
     /// At rest, unstressed.
     coupling::CoupledState initial_state() const;
 
+    /// When the motion has ended, edge loads have risen and point loads have passed [s].
+    double end_of_loads() const;
+
     const scene::SceneParameters          scene;
     scene::SectionMesh                    mesh;
     const scene::InputMotion              input; ///< as given

@@ -22,7 +22,7 @@ def main():
         sys.exit(__doc__)
     binary, root, work = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
     sys.path.insert(0, str(root / "tests"))
-    from run_hybrid import run_hybrid
+    from run_hybrid import require, run_hybrid
 
     scene, never = root / "parameters/verification/coupled_column.prm", "Output/Energy limit=0"
     code, output, _, _ = run_hybrid(binary, scene, work / "whole", [never, "Output/Energy warning=1e-9"])
@@ -36,12 +36,6 @@ def main():
     with h5py.File(work / "whole/run.h5") as whole, h5py.File(work / "stopped/run.h5") as parts:
         for name in ("time", "monitors/top/displacement"):
             require(np.array_equal(whole[name][()], parts[name][()]), "the same bits of " + name, "")
-
-
-def require(fulfilled, sentence, output):
-    print(("ok    " if fulfilled else "FAIL  ") + sentence)
-    if not fulfilled:
-        sys.exit("error: not met: %s\n%s" % (sentence, output[-1500:]))
 
 
 if __name__ == "__main__":

@@ -56,7 +56,7 @@ def main():
         sys.exit(__doc__)
     binary, root, work = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
     sys.path.insert(0, str(root / "tests"))
-    from run_hybrid import run_hybrid
+    from run_hybrid import require, run_hybrid
 
     for corners, radius, residual in ((360, 1.0, 1e-6), (24, 0.1, 1e-6)):
         folder = work / str(corners)
@@ -81,12 +81,6 @@ def write_scene(folder, corners, radius):
     (folder / "wheel.csv").write_text("block,x,y\n" + "".join("1,%.17g,%.17g\n" % place for place in places))
     (folder / "ground.csv").write_text("x,y\n-200,0\n200,0\n")
     (folder / "roll.prm").write_text(SCENE.format(turn=-3 / radius, radius=radius, folder=folder.resolve()))
-
-
-def require(fulfilled, sentence, output):
-    print(("ok    " if fulfilled else "FAIL  ") + sentence)
-    if not fulfilled:
-        sys.exit("error: not met: %s\n%s" % (sentence, output[-1500:]))
 
 
 if __name__ == "__main__":

@@ -17,12 +17,13 @@ namespace hybrid::scene
                    "s",
                    ParameterRange::above(0.),
                    "Size dt of a step. Steps that do not converge are halved.");
-    section.number_or("Rest speed",
-                      {"none", time.rest_speed},
-                      "m/s",
-                      ParameterRange::above(0.),
-                      "The run ends before End time when, after the motion, no block was faster "
-                      "than this for a second.");
+    section.number_or(
+      "Rest speed",
+      {"none", time.rest_speed},
+      "m/s",
+      ParameterRange::above(0.),
+      "The run ends before End time when, after the motion and the rise of loads, no "
+      "block was faster than this for a second.");
     section.integer("Maximum halvings",
                     time.maximum_halvings,
                     {0, 20},

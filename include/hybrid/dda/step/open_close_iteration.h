@@ -7,6 +7,7 @@
 #include <hybrid/dda/springs/springs.h>
 #include <hybrid/dda/step/block_stresses.h>
 #include <hybrid/dda/step/foundation_response.h>
+#include <hybrid/dda/step/open_close_parts.h>
 #include <hybrid/dda/step/part_times.h>
 #include <hybrid/dda/step/secant_correction.h>
 #include <hybrid/dda/step/settled_islands.h>
