@@ -8,13 +8,13 @@ import sys
 import h5py
 import numpy as np
 import pytest
-from conftest import TOOLS
+from conftest import ROOT, TOOLS
 
 import tool
 from hybrid_run import Run
 from hybrid_run.geometry import chains
 from hybrid_tools import style
-from hybrid_tools.plot import boreholes, energy_balance, overview
+from hybrid_tools.plot import boreholes, energy_balance, failure_process, overview
 
 FIGURES = ["overview", "input_motion", "monitors_S", "monitors_D", "monitors_base", "boreholes", "section", "slip", "energy", "steps"]
 
@@ -52,6 +52,21 @@ def test_blocks_that_all_left_the_section_are_drawn_where_they_are(hybrid, synth
     run = synthetic_run("away")
     assert tool.main("plot", [str(run)]) == 0
     assert "section.png" in pictures(run)
+
+
+def test_the_failure_is_drawn_at_times_that_part_it(hybrid, tmp_path):
+    words = ["-s", f"Output/Directory={tmp_path}", "-s", "Output/Picture interval=0.02"]
+    result = hybrid(ROOT / "parameters/hard/all_joints_fail.prm", *words)
+    assert result.returncode == 0, result.stderr
+    run = Run(tmp_path)
+    times = run.pictures("blocks").times
+    failures = failure_process.motion_failures(run)
+    chosen = failure_process.frames(run, failures, times)
+    share = failure_process.progress(run, failures, times)
+    assert chosen[-1] == len(times) - 1 and share[-1] == pytest.approx(1)
+    assert (share[chosen[:-1]] >= np.arange(6 - len(chosen) + 1, 6) / 6 - 1e-12).all() and len(chosen) >= 4
+    assert tool.main("plot", ["--figures", "failure_process", str(tmp_path)]) == 0
+    assert pictures(tmp_path) == ["failure_process.png"]
 
 
 def test_missing_modules_are_a_sentence(synthetic_run):

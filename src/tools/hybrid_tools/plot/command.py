@@ -16,7 +16,7 @@ from hybrid_tools.arguments import Arguments
 from . import catalogue
 
 # Modules of this folder with draw(run, directory), in the order of drawing.
-FIGURES = ("input_motion", "monitor_histories", "boreholes", "section_view", "slip", "heterogeneity",
+FIGURES = ("input_motion", "monitor_histories", "boreholes", "section_view", "failure_process", "slip", "heterogeneity",
            "energy_balance", "step_costs", "overview")
 
 
