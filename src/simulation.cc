@@ -73,12 +73,16 @@ namespace hybrid
 
 
 
-  void Simulation::Run::summarize_timings()
+  void Simulation::Run::end_steps()
   {
     summary.timings["continuum"] = step.timings().continuum;
     summary.timings["blocks"]    = step.timings().blocks;
-    if (solver != nullptr)
-      add_parts(solver->part_times(), "", summary.timings);
+    if (solver == nullptr)
+      return;
+    add_parts(solver->part_times(), "", summary.timings);
+    const dda::BlockSolver::SearchSummary &search = solver->search();
+    summary.contact_search                        = {search.steps, search.searches, search.lists};
+    solver.reset();
   }
 
 
@@ -210,6 +214,7 @@ namespace hybrid
   RunStatus Simulation::finish(Run &run, RunStatus status)
   {
     output::Summary &summary = run.summary;
+    run.end_steps();
     run.recorder.finish(state, summary);
     status                 = judge_energy(run, status);
     summary.title          = model.scene.title;
@@ -225,14 +230,8 @@ namespace hybrid
                 model.scene, model.motion.outcrop(), model.blocks.get(), model.continuum.get()),
               summary);
     summary.wasted.cuts = run.clock.cuts();
-    run.summarize_timings();
     if (model.continuum != nullptr)
       summary.timings["continuum_factors"] = model.continuum->factor_time();
-    if (run.solver != nullptr)
-      {
-        const dda::BlockSolver::SearchSummary &search = run.solver->search();
-        summary.contact_search = {search.steps, search.searches, search.lists};
-      }
     run.count_processor_time_of_steps();
     summary.wall_time      = run.wall_time();
     summary.processor_time = run.processor_time();

@@ -56,8 +56,9 @@ namespace hybrid
       count_processor_time(summary.steps > 1 ? "steps" : "first_step");
     }
 
-    /// Wall time of the parts of the steps so far goes to the summary.
-    void summarize_timings();
+    /// No step follows: what they came to goes to the summary, and the solver's memory is free for
+    /// the last output.
+    void end_steps();
 
     double counted_processor_time = 0.; ///< [s]
   };

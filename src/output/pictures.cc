@@ -43,6 +43,7 @@ namespace hybrid::output
       }
     if (continuum != nullptr)
       add_continuum(state);
+    writer = VtuWriter(); // rarely used: its memory is others' in between
   }
 
 

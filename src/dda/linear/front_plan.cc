@@ -22,7 +22,7 @@ namespace hybrid::dda
 
 
 
-  FrontPlan::FrontPlan(const FrontTree &tree)
+  FrontPlan::FrontPlan(const FrontTree &tree, const bool is_shared)
   {
     for (int f = 0; f < tree.n_fronts(); ++f)
       {
@@ -31,7 +31,11 @@ namespace hybrid::dda
           std::max(largest_panel, static_cast<std::size_t>(tree.own(f)) * tree.later(f));
       }
     list_children(tree);
-    find_subtrees(tree);
+    if (is_shared)
+      find_subtrees(tree);
+    else
+      for (int f = 0; f < tree.n_fronts(); ++f)
+        above.push_back(f);
     find_places(tree);
   }
 

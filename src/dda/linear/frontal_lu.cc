@@ -70,7 +70,7 @@ namespace hybrid::dda
     pairs = std::move(now);
     size  = n_blocks;
     tree  = FrontTree(n_blocks, pairs);
-    plan  = FrontPlan(tree);
+    plan  = FrontPlan(tree, omp_get_max_threads() > 1 && is_worth_sharing(size));
     ++analyses;
 
     const int n = tree.n_fronts();
@@ -89,15 +89,13 @@ namespace hybrid::dda
         const int f = front_of(pairs[s]), i = tree.place[pairs[s][0]], j = tree.place[pairs[s][1]];
         entries[at[f]++] = {static_cast<int>(s),
                             tree.position(f, std::min(i, j)),
-                            tree.position(f, std::max(i, j)),
-                            j < i};
+                            tree.position(f, std::max(i, j))};
       }
 
     regular = keeps = false;
     is_due.assign(n, 1);
     diagonal.resize(n_blocks);
-    upper.resize(pairs.size());
-    lower.resize(pairs.size());
+    below_diagonal.resize(pairs.size());
     waiting.resize(plan.size);
     pivots.resize(6 * static_cast<std::size_t>(n_blocks));
     rest.resize(6 * n_blocks);
@@ -144,6 +142,8 @@ namespace hybrid::dda
     else
       std::fill(is_due.begin(), is_due.end(), 0);
     symmetric = matrix.symmetric;
+    if (!symmetric)
+      right_of_diagonal.resize(pairs.size());
     for (int b = 0; b < size; ++b)
       if (replace(diagonal[b], matrix.diagonal[b]))
         is_due[tree.front[tree.place[b]]] = 1;
@@ -152,11 +152,15 @@ namespace hybrid::dda
       {
         while (s < matrix.pairs.size() && matrix.pairs[s] < pairs[a])
           ++s;
-        const bool there     = s < matrix.pairs.size() && matrix.pairs[s] == pairs[a];
-        const bool new_upper = replace(upper[a], there ? matrix.off_diagonal[s] : zero);
-        const bool new_lower = replace(lower[a], there ? matrix.lower[s] : zero);
-        if (new_upper || new_lower)
-          is_due[tree.front[std::min(tree.place[pairs[a][0]], tree.place[pairs[a][1]])]] = 1;
+        const bool  there = s < matrix.pairs.size() && matrix.pairs[s] == pairs[a];
+        const int   i = tree.place[pairs[a][0]], j = tree.place[pairs[a][1]];
+        const auto &of_first = i < j ? matrix.lower : matrix.off_diagonal,
+                   &to_first = i < j ? matrix.off_diagonal : matrix.lower;
+        bool is_new          = replace(below_diagonal[a], there ? of_first[s] : zero);
+        if (!symmetric)
+          is_new = replace(right_of_diagonal[a], there ? to_first[s] : zero) || is_new;
+        if (is_new)
+          is_due[tree.front[std::min(i, j)]] = 1;
       }
   }
 
@@ -221,7 +225,8 @@ namespace hybrid::dda
 
   void FrontalLu::reserve_work()
   {
-    work.resize(std::max<std::size_t>(work.size(), omp_get_max_threads()));
+    work.resize(
+      std::max<std::size_t>(work.size(), plan.shared.empty() ? 1 : omp_get_max_threads()));
     for (Work &of_thread : work)
       {
         of_thread.below.resize(36 * plan.largest_panel);
@@ -266,14 +271,12 @@ namespace hybrid::dda
     for (int e = entry_begin[f]; e < entry_begin[f + 1]; ++e)
       {
         const Entry &entry = entries[e];
-        const Mat6  &right = entry.turned ? lower[entry.pair] : upper[entry.pair];
-        const Mat6  &below = entry.turned ? upper[entry.pair] : lower[entry.pair];
         const bool   inner = entry.second < own;
         (inner ? front.own : front.below).block(entry.second - (inner ? 0 : own), entry.first) =
-          below;
+          below_diagonal[entry.pair];
         if (!symmetric)
           (inner ? front.own : front.right).block(entry.first, entry.second - (inner ? 0 : own)) =
-            right;
+            right_of_diagonal[entry.pair];
       }
   }
 
@@ -432,7 +435,8 @@ namespace hybrid::dda
           }
       }
     std::vector<Mat6> none;
-    archive(is_used ? diagonal : none, is_used ? upper : none, is_used ? lower : none);
+    archive(is_used ? diagonal : none, is_used ? below_diagonal : none);
+    archive(is_used && !symmetric ? right_of_diagonal : none);
     if (archive.is_reading() && is_used)
       eliminate();
   }

@@ -55,7 +55,7 @@ namespace hybrid::dda
           unswept.push_back(b);
         }
     sweeps_are_current = false;
-    if (is_new) // with the memory for it
+    if (is_new && !choice.uses_factor()) // with the memory for it
       prepare_sweeps(matrix);
   }
 
@@ -71,6 +71,18 @@ namespace hybrid::dda
       is_unswept[b] = 0;
     unswept.clear();
     sweeps_are_current = true;
+  }
+
+
+
+  void LinearSolver::release_sweeps()
+  {
+    if (!ssor.is_set())
+      return;
+    ssor.release();
+    sweeps_are_current = false;
+    for (Eigen::VectorXd *work : {&dual_r, &dual_p, &shadow, &t, &dual_t})
+      work->resize(0);
   }
 
 
@@ -187,6 +199,7 @@ namespace hybrid::dda
   LinearSolver::Result LinearSolver::conjugate_gradients(Preconditioned &system, const int limit)
   {
     Result result;
+    dual_r.resize(r.size());
     system.dual(r, dual_r);
     p          = r;
     dual_p     = dual_r;
@@ -218,6 +231,8 @@ namespace hybrid::dda
   LinearSolver::Result LinearSolver::bicgstab(System &system, const int limit)
   {
     Result result;
+    for (Eigen::VectorXd *work : {&dual_r, &t, &dual_t})
+      work->resize(r.size());
     system.weigh(r, dual_r);
     shadow     = dual_r;
     double rho = r.dot(shadow);
@@ -344,6 +359,7 @@ namespace hybrid::dda
                                                         const Target          &target,
                                                         Eigen::VectorXd       &x)
   {
+    release_sweeps();
     const PreconditionerChoice::Costs price = costs(matrix);
     Result                            result;
     const bool                        ready = factor.ready(matrix.n_blocks());
@@ -388,8 +404,7 @@ namespace hybrid::dda
                                            Eigen::VectorXd       &x)
   {
     const Eigen::Index size = matrix.size();
-    for (Eigen::VectorXd *work :
-         {&x, &unknown, &r, &dual_r, &shadow, &p, &dual_p, &q, &t, &dual_t, &z})
+    for (Eigen::VectorXd *work : {&x, &unknown, &r, &p, &q, &z})
       work->resize(size);
     x.setZero();
     is_symmetric = matrix.symmetric;

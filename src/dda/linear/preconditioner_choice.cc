@@ -85,7 +85,7 @@ namespace hybrid::dda
     factor_cost += iterations * costs.with_factor + n_made * costs.factor;
     if (n_made > 0)
       excess = 0.;
-    if (++solutions < judged_every)
+    if (++solutions < judged_every || n_made == 0)
       return;
     if (factor_cost > solutions * sweep_cost)
       {

@@ -36,6 +36,15 @@ namespace hybrid::dda
 
 
 
+  void SsorSystem::release()
+  {
+    SsorSystem none;
+    std::swap(none.slice, slice);
+    *this = std::move(none);
+  }
+
+
+
   void SsorSystem::set_row(const int block)
   {
     const int p                  = order.place[block];

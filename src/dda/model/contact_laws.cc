@@ -48,6 +48,7 @@ namespace hybrid::dda
         for (const Surface &surface : surfaces)
           {
             laws.of.emplace_back();
+            laws.of.back().reserve(model.n_blocks());
             for (int b = 0; b < model.n_blocks(); ++b)
               laws.of.back().push_back(law_of(b, surface));
           }

@@ -185,6 +185,8 @@ namespace hybrid::dda
     void Builder::add_blocks()
     {
       const Geometry &g = model.initial;
+      model.blocks.reserve(g.n_blocks());
+      materials.reserve(g.n_blocks());
       for (int b = 0; b < g.n_blocks(); ++b)
         {
           const PolygonMoments moments =
@@ -244,6 +246,7 @@ namespace hybrid::dda
       joints.add_belt_joints();
       if (model.n_bedrock > 0)
         joints.add_foundation_joints();
+      model.joints.shrink_to_fit();
     }
 
 

@@ -58,6 +58,8 @@ namespace hybrid::dda
   void Springs::collect(const Model &model, const DdaState &state)
   {
     springs.clear();
+    if (springs.capacity() == 0)
+      springs.reserve(2 * model.joints.size() + state.contacts.size());
     block_pairs.clear();
     node_pairs.clear();
     collect_joints(model, state);

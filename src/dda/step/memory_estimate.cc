@@ -5,6 +5,7 @@
 #include <hybrid/dda/step/memory_estimate.h>
 
 #include <algorithm>
+#include <omp.h>
 
 namespace hybrid::dda
 {
@@ -42,7 +43,7 @@ namespace hybrid::dda
     const double in_matrix = (2. * n + 2. * coupled) * per_mat6;
     // What is factored.
     const double    in_copy = (n + coupled) * per_mat6;
-    const FrontPlan plan(tree);
+    const FrontPlan plan(tree, omp_get_max_threads() > 1);
     const double    work = static_cast<double>(plan.largest_panel) +
                         1.5 * static_cast<double>(plan.largest_own) * plan.largest_own;
     const double in_factor = (tree.entries + work) * per_mat6 +

@@ -12,8 +12,8 @@ namespace hybrid::dda
    * Which fronts a thread eliminates in a row, and where what they leave waits for their parents.
    *
    * Subtrees of at most a sixteenth of all products are eliminated at once, then the fronts above
-   * them in turn. The plan depends on the fronts alone, and so do the bits: not on the number of
-   * threads.
+   * them in turn. A single thread takes all fronts in turn, each as soon as its children are
+   * there: then the least waits, a third of it. The bits depend on the fronts alone.
    *
    * What waits is stacked, that of fronts of even and of odd depth apart: so a front finds what its
    * children left at the end of one stack and leaves its own at the end of the other, and nothing
@@ -29,7 +29,8 @@ namespace hybrid::dda
 
     FrontPlan() = default;
 
-    explicit FrontPlan(const FrontTree &tree);
+    /// @param is_shared several threads eliminate
+    FrontPlan(const FrontTree &tree, bool is_shared);
 
     /// Give what each front leaves a place of its own.
     void keep_all(const FrontTree &tree);

@@ -81,10 +81,9 @@ namespace hybrid::dda
     /// Where a pair of blocks goes.
     struct Entry
     {
-      int  pair;   ///< in pairs
-      int  first;  ///< position of the one that is eliminated first
-      int  second; ///< of the other
-      bool turned; ///< the first is the second of the pair
+      int pair;   ///< in pairs
+      int first;  ///< position of the one that is eliminated first
+      int second; ///< of the other
     };
 
     /// Where the parts of a front are in memory.
@@ -113,20 +112,22 @@ namespace hybrid::dda
     FrontPlan                      plan;
     std::vector<int>               entry_begin; ///< CSR over fronts
     std::vector<Entry>             entries;
-    std::vector<Mat6>              diagonal, upper, lower; ///< what is factored, as in BlockMatrix
-    std::vector<char>              is_due;          ///< fronts to be eliminated: entries changed
-    bool                           keeps   = false; ///< what all fronts hand on
-    bool                           regular = false; ///< there are factors
-    Cost                           cost;
-    std::vector<std::size_t>       factor_begin; ///< of each front in factors
-    std::vector<double> factors; ///< per front D^-1 or the factors of D, C D^-1 and, unless
-                                 ///< symmetric, B; by columns
-    std::vector<int>    pivots;  ///< of each front's DenseDivisor, at its first place
-    std::vector<double> waiting; ///< E of fronts, see FrontPlan
-    std::vector<Work>   work;    ///< of each thread
-    Eigen::VectorXd     rest;    ///< work: right-hand side in the order of places
-    Eigen::VectorXd     ordered; ///< work: solution in the order of places
-    Eigen::VectorXd     handed;  ///< work: of each front's later blocks
+    // What is factored: the diagonal, and of each pair the rows of the block that is eliminated
+    // last; of an unsymmetric matrix those of the other, too.
+    std::vector<Mat6>        diagonal, below_diagonal, right_of_diagonal;
+    std::vector<char>        is_due;          ///< fronts to be eliminated: entries changed
+    bool                     keeps   = false; ///< what all fronts hand on
+    bool                     regular = false; ///< there are factors
+    Cost                     cost;
+    std::vector<std::size_t> factor_begin; ///< of each front in factors
+    std::vector<double>      factors; ///< per front D^-1 or the factors of D, C D^-1 and, unless
+                                      ///< symmetric, B; by columns
+    std::vector<int>    pivots;       ///< of each front's DenseDivisor, at its first place
+    std::vector<double> waiting;      ///< E of fronts, see FrontPlan
+    std::vector<Work>   work;         ///< of each thread
+    Eigen::VectorXd     rest;         ///< work: right-hand side in the order of places
+    Eigen::VectorXd     ordered;      ///< work: solution in the order of places
+    Eigen::VectorXd     handed;       ///< work: of each front's later blocks
 
     /// Bring order and fronts up to date, copy the matrix and mark fronts whose entries change.
     void load(const BlockMatrix &matrix);

@@ -101,7 +101,8 @@ namespace hybrid::dda
     bool                 sweeps_are_current = false;
     double               n_entries          = 0.;   ///< 6x6 blocks of the matrix that are not zero
     bool                 is_symmetric       = true; ///< the matrix to be solved
-    Eigen::VectorXd      unknown, r, dual_r, p, dual_p, q, t, dual_t, shadow, z; ///< work
+    Eigen::VectorXd      unknown, r, p, q, z;       ///< work
+    Eigen::VectorXd      dual_r, dual_p, t, dual_t, shadow; ///< likewise, of those that need them
 
     void precondition(const BlockMatrix &matrix, const Eigen::VectorXd &residual);
 
@@ -109,6 +110,9 @@ namespace hybrid::dda
 
     /// Let the sweeps know what has changed.
     void prepare_sweeps(const BlockMatrix &matrix);
+
+    /// Give back the memory of the sweeps: a factor serves.
+    void release_sweeps();
 
     struct Preconditioned; ///< swept system, as conjugate_gradients() and bicgstab() see it
     struct Factored;       ///< system with the factor, likewise

@@ -39,6 +39,15 @@ namespace hybrid::dda
              const InterfaceStiffness &foundation_band,
              const std::vector<int>   &blocks);
 
+    /// A matrix has been set.
+    bool is_set() const
+    {
+      return version >= 0;
+    }
+
+    /// Give the memory back: the next set() copies all rows.
+    void release();
+
     /// @f$ y = \hat A x @f$.
     void multiply(const Eigen::VectorXd &x, Eigen::VectorXd &y);
 

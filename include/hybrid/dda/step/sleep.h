@@ -46,6 +46,7 @@ namespace hybrid::dda
     {
       is_asleep = false;
       left.clear();
+      left.shrink_to_fit();
     }
 
   private:
