@@ -16,8 +16,18 @@ namespace hybrid::output
   {
     constexpr double megabyte = 1048576.;
 
-    /// Largest resident memory so far [B].
+    /// Resident memory now [B].
     double resident_memory()
+    {
+      std::ifstream file("/proc/self/statm");
+      double        all = 0., resident = 0.; // pages
+      return file >> all >> resident ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) : 0.;
+    }
+
+
+
+    /// Largest resident memory so far [B].
+    double peak_memory()
     {
       rusage usage;
       return getrusage(RUSAGE_SELF, &usage) == 0 ? 1024. * static_cast<double>(usage.ru_maxrss)
@@ -50,10 +60,16 @@ namespace hybrid::output
                                  const continuum::Continuum   *continuum)
   {
     MemoryEstimate estimate;
-    estimate.built     = resident_memory();
-    estimate.continuum = continuum != nullptr ? continuum->estimated_memory() : 0.;
-    estimate.blocks    = blocks != nullptr ? dda::estimated_memory(*blocks) : 0.;
-    const double rows  = scene.time.end_time / LineRecorder::interval(scene);
+    estimate.built       = resident_memory();
+    estimate.continuum   = continuum != nullptr ? continuum->estimated_memory() : 0.;
+    estimate.preparation = peak_memory();
+    if (blocks != nullptr)
+      {
+        const dda::SolverMemory solver = dda::estimated_memory(*blocks);
+        estimate.blocks                = solver.bonded;
+        estimate.sliding               = solver.sliding;
+      }
+    const double rows = scene.time.end_time / LineRecorder::interval(scene);
     // as the others, in run.h5 and once more while it is flushed
     const double lines = 2. * sizeof(float) * rows * LineRecorder::numbers_per_row(scene, mesh);
     estimate.histories = sizeof(double) * history_numbers(scene) + lines;
@@ -81,7 +97,7 @@ namespace hybrid::output
 
   std::string describe(const MemoryEstimate &estimate)
   {
-    char text[200];
+    char text[250];
     std::snprintf(text,
                   sizeof(text),
                   "Memory     about %.0f MB: program and model %.0f, bedrock %.0f, blocks %.0f, "
@@ -91,21 +107,30 @@ namespace hybrid::output
                   estimate.continuum / megabyte,
                   estimate.blocks / megabyte,
                   estimate.histories / megabyte);
-    return text;
+    std::string line = text;
+    if (estimate.sliding > 0.)
+      {
+        std::snprintf(text,
+                      sizeof(text),
+                      "; once joints slide %.0f more",
+                      estimate.sliding / megabyte);
+        line += text;
+      }
+    return line;
   }
 
 
 
   std::string memory_warning(const MemoryEstimate &estimate, const double available)
   {
-    if (estimate.total() <= available)
+    if (estimate.total() + estimate.sliding <= available)
       return "";
     char text[200];
     std::snprintf(text,
                   sizeof(text),
                   "the run needs about %.0f MB of memory, this machine has %.0f MB; a coarser mesh "
                   "needs less",
-                  estimate.total() / megabyte,
+                  (estimate.total() + estimate.sliding) / megabyte,
                   available / megabyte);
     return text;
   }

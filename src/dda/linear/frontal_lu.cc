@@ -201,6 +201,14 @@ namespace hybrid::dda
 
 
 
+  std::size_t FrontalLu::most_waiting(const FrontTree &tree, const FrontPlan &plan)
+  {
+    const std::size_t all = FrontPlan::left_by_all(tree);
+    return all <= most_kept ? all : plan.size;
+  }
+
+
+
   void FrontalLu::place_factors()
   {
     factor_begin.assign(1, 0);

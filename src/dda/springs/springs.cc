@@ -58,6 +58,7 @@ namespace hybrid::dda
   void Springs::collect(const Model &model, const DdaState &state)
   {
     springs.clear();
+    contact_parts.clear();
     if (springs.capacity() == 0)
       springs.reserve(2 * model.joints.size() + state.contacts.size());
     block_pairs.clear();
@@ -114,6 +115,11 @@ namespace hybrid::dda
             s.contact_fraction = joint.law.contact_fraction(s.old.history);
             s.coulomb          = s.contact_fraction == 1. &&
                         joint.law.is_coulomb(s.old.history, s.cohesion_length_ratio);
+            if (s.contact_fraction > 0. && s.contact_fraction < 1.)
+              {
+                s.part = static_cast<int>(contact_parts.size());
+                contact_parts.emplace_back();
+              }
             if (joint.other == foundation_body)
               {
                 s.node[0] = s.node[1] = joint.points[end].other_vertex;
@@ -395,8 +401,8 @@ namespace hybrid::dda
     if (response.now.normal == 0. && response.now.shear == 0.)
       return;
     response.force = forces_of(trial, s, {response.now.normal, response.now.shear});
-    if (spring.contact_fraction > 0. && spring.contact_fraction < 1.)
-      response.contact = forces_of(trial, s, spring.contact_traction(response.now));
+    if (spring.part >= 0)
+      contact_parts[spring.part] = forces_of(trial, s, spring.contact_traction(response.now));
   }
 
 
@@ -452,14 +458,14 @@ namespace hybrid::dda
             const auto on_this = [entry](const Forces &force) -> const Vec6 & {
               return entry % 2 == 0 ? force.on_block : force.on_other;
             };
-            const Vec6  &force    = on_this(response.force);
-            const double fraction = springs[s].contact_fraction;
-            if (fraction == 0. || fraction == 1.)
-              (fraction == 1. ? contact : bond) += force;
+            const Vec6 &force = on_this(response.force);
+            const int   part  = springs[s].part;
+            if (part < 0)
+              (springs[s].contact_fraction == 1. ? contact : bond) += force;
             else
               {
-                contact += on_this(response.contact);
-                bond += force - on_this(response.contact);
+                contact += on_this(contact_parts[part]);
+                bond += force - on_this(contact_parts[part]);
               }
             absolute[b] += force.head<2>().norm();
           }
@@ -478,15 +484,16 @@ namespace hybrid::dda
         const Response &response = responses[s];
         if (response.now.normal == 0. && response.now.shear == 0.)
           continue;
-        const double fraction = springs[s].contact_fraction;
-        if (fraction == 0. || fraction == 1.)
+        const int part = springs[s].part;
+        if (part < 0)
           {
-            add_force_on_foundation(s, response.force, fraction == 1. ? contacts : bonds);
+            const bool is_contact = springs[s].contact_fraction == 1.;
+            add_force_on_foundation(s, response.force, is_contact ? contacts : bonds);
             continue;
           }
-        add_force_on_foundation(s, response.contact, contacts);
+        add_force_on_foundation(s, contact_parts[part], contacts);
         Forces bond = response.force;
-        bond.on_block -= response.contact.on_block;
+        bond.on_block -= contact_parts[part].on_block;
         add_force_on_foundation(s, bond, bonds);
       }
   }

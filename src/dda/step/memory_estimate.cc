@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/linear/front_plan.h>
-#include <hybrid/dda/model/state.h>
+#include <hybrid/dda/block/block_motion.h>
+#include <hybrid/dda/linear/frontal_lu.h>
+#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/springs/spring_stiffness.h>
 #include <hybrid/dda/step/memory_estimate.h>
 
@@ -22,32 +23,68 @@ namespace hybrid::dda
       pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
       return pairs;
     }
+
+
+
+    /// Of a sparse factor with what it is made of [B].
+    struct FactorMemory
+    {
+      double symmetric, unsymmetric;
+    };
+
+
+
+    FactorMemory memory_of_factor(const FrontTree &tree, const double pairs)
+    {
+      const FrontPlan plan(tree, omp_get_max_threads() > 1 && is_worth_sharing(tree.n_blocks()));
+      const double    n = tree.n_blocks(), per_mat6 = sizeof(Mat6);
+      double          own = 0., later = 0.; // entries of the factor
+      for (int f = 0; f < tree.n_fronts(); ++f)
+        {
+          own += static_cast<double>(tree.own(f)) * tree.own(f);
+          later += static_cast<double>(tree.own(f)) * tree.later(f);
+        }
+      const double n_later = static_cast<double>(tree.later_places.size());
+      const double waits =
+        static_cast<double>(FrontalLu::most_waiting(tree, plan)) * sizeof(double);
+      const double panel = static_cast<double>(plan.largest_panel) * per_mat6;
+      const double inverse =
+        1.5 * static_cast<double>(plan.largest_own) * plan.largest_own * per_mat6;
+      const double work  = (plan.shared.empty() ? 1. : omp_get_max_threads()) * (panel + inverse);
+      const double lists = n_later * (2. * sizeof(int) + sizeof(Vec6)) +
+                           n * (2. * sizeof(Vec6) + 10. * sizeof(int)) + 5. * pairs * sizeof(int);
+      const double symmetric = (own + later + n + pairs) * per_mat6 + waits + work + lists;
+      return {symmetric, symmetric + (later + pairs) * per_mat6};
+    }
   } // namespace
 
 
 
-  double estimated_memory(const Model &model)
+  SolverMemory estimated_memory(const Model &model)
   {
     const auto      pairs   = block_pairs(model);
     const double    n       = model.n_blocks();
-    const double    coupled = 2. * static_cast<double>(pairs.size());
+    const double    touch   = static_cast<double>(pairs.size());
     const double    springs = 2. * static_cast<double>(model.joints.size());
+    const double    corners = static_cast<double>(model.initial.vertices.size());
     const FrontTree tree(model.n_blocks(), pairs);
-    const double    per_mat6 = sizeof(Mat6);
+    const double    per_mat6 = sizeof(Mat6), per_vec6 = sizeof(Vec6), per_int = sizeof(int);
 
+    // Response and stiffness; pair, lists of blocks and conditions.
     const double in_springs = springs * (sizeof(Springs::Spring) + sizeof(Springs::Response) +
-                                         SpringStiffness::bytes_per_spring());
-    const double in_state =
-      n * sizeof(BlockState) + static_cast<double>(model.joints.size()) * sizeof(JointState);
-    // The inverse diagonal and the copy that is swept, too.
-    const double in_matrix = (2. * n + 2. * coupled) * per_mat6;
-    // What is factored.
-    const double    in_copy = (n + coupled) * per_mat6;
-    const FrontPlan plan(tree, omp_get_max_threads() > 1);
-    const double    work = static_cast<double>(plan.largest_panel) +
-                        1.5 * static_cast<double>(plan.largest_own) * plan.largest_own;
-    const double in_factor = (tree.entries + work) * per_mat6 +
-                             static_cast<double>(plan.size) * sizeof(double) + n * 6. * sizeof(int);
-    return in_springs + in_state + in_matrix + in_copy + in_factor;
+                                         SpringStiffness::bytes_per_spring() +
+                                         sizeof(BlockMatrix::Pair) + 2. * per_int + 3.);
+    const double in_matrix  = (n + 2. * touch) * per_mat6 + 6. * touch * per_int + 3. * n * per_int;
+    // Masses, motions, and vectors of the step, of its updates and of the linear solver.
+    constexpr double vectors = 20.;
+    const double     in_vectors =
+      n * (per_mat6 + sizeof(BlockMotion) + vectors * per_vec6) + corners * sizeof(Vec2);
+    // Grid and boxes with an entry in each of about six cells, near blocks, bonded pairs.
+    constexpr double search    = 350.;
+    const double     in_search = n * search;
+
+    const FactorMemory factor = memory_of_factor(tree, touch);
+    return {in_springs + in_matrix + in_vectors + in_search + factor.symmetric,
+            factor.unsymmetric - factor.symmetric};
   }
 } // namespace hybrid::dda

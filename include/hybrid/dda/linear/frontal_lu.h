@@ -61,6 +61,9 @@ namespace hybrid::dda
       return tree;
     }
 
+    /// Entries of what waits during a factorisation, or is kept after it.
+    static std::size_t most_waiting(const FrontTree &tree, const FrontPlan &plan);
+
     /// The analysis as often as it was made.
     int n_analyses() const
     {

@@ -74,6 +74,7 @@ namespace hybrid::dda
       bool            coulomb = false; ///< acts as a contact alone, see JointLaw::is_coulomb()
       Vec2            along   = Vec2::Zero(); ///< unit vector of a contact's edge at the start
       bool            settled = false;        ///< its blocks are, in this step: the response stays
+      int             part    = -1;           ///< of a joint that acts as both: in contact_parts
       SpringState     old;                    ///< when the step began
 
       /// What acts as a contact at the start or end of the step.
@@ -105,8 +106,7 @@ namespace hybrid::dda
       SpringState now;                      ///< if the step is accepted
       double      shear_strength = 0.;      ///< that its shear may reach [Pa]
       Forces      force;                    ///< without sense if there is no traction
-      Forces contact; ///< of a joint's part that is a contact; without sense if it is all or none
-      double k_nn = 0., shear_by_slip = 0., k_tn = 0.; ///< tangents [Pa/m]
+      double      k_nn = 0., shear_by_slip = 0., k_tn = 0.; ///< tangents [Pa/m]
     };
 
     /// Collect the springs of the step that starts from @p state.
@@ -194,6 +194,8 @@ namespace hybrid::dda
 
     std::vector<Spring>   springs;
     std::vector<Response> responses;
+    std::vector<Forces>   contact_parts; ///< of joints that act as both, in the trial: what their
+                                         ///< parts that are contacts bear; likewise without sense
 
   private:
     void collect_joints(const Model &model, const DdaState &state);

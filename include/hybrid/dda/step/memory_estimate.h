@@ -5,7 +5,15 @@
 
 namespace hybrid::dda
 {
-  /// What solving the steps of a model takes beside the model itself [B]: springs, matrix, and a
-  /// sparse LU factor whose fill comes from a symbolic analysis of the joints' graph.
-  double estimated_memory(const Model &model);
+  /// What solving the steps of a model takes beside the model and its state [B].
+  struct SolverMemory
+  {
+    double bonded = 0.; ///< springs, matrix, a sparse factor of it while that is symmetric
+    double sliding =
+      0.; ///< more once joints or contacts slide with friction or soften: then it is not
+  };
+
+  /// Counted from the sizes of what is stored. The factor's fill comes from a symbolic analysis of
+  /// the joints' graph; contacts that form later are not in it.
+  SolverMemory estimated_memory(const Model &model);
 } // namespace hybrid::dda

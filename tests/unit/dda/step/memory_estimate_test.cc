@@ -36,7 +36,7 @@ TEST(MemoryEstimate, a_single_block_takes_little)
 {
   Model one;
   one.blocks.resize(1);
-  const double bytes = estimated_memory(one);
+  const double bytes = estimated_memory(one).bonded;
   EXPECT_GT(bytes, 3. * sizeof(Mat6));
   EXPECT_LT(bytes, 1e4);
 }
@@ -47,7 +47,8 @@ TEST(MemoryEstimate, a_single_block_takes_little)
 // n^1.5.
 TEST(MemoryEstimate, fill_grows_a_little_faster_than_the_blocks)
 {
-  const double small = estimated_memory(square(20)), large = estimated_memory(square(80));
+  const double small = estimated_memory(square(20)).bonded,
+               large = estimated_memory(square(80)).bonded;
   EXPECT_GT(large, 16. * small);
   EXPECT_LT(large, 40. * small);
 }
