@@ -12,7 +12,6 @@
 #include <hybrid/scene_model.h>
 
 #include <algorithm>
-#include <malloc.h>
 
 namespace hybrid
 {
@@ -60,7 +59,6 @@ namespace hybrid
     if (scene.has_blocks())
       make_blocks();
     check_points();
-    malloc_trim(0); // gmsh's many small pieces, which the heap would keep
   }
 
 

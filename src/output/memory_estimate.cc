@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -60,6 +61,7 @@ namespace hybrid::output
                                  const continuum::Continuum   *continuum)
   {
     MemoryEstimate estimate;
+    malloc_trim(0); // what reading and meshing have left
     estimate.built       = resident_memory();
     estimate.continuum   = continuum != nullptr ? continuum->estimated_memory() : 0.;
     estimate.preparation = peak_memory();

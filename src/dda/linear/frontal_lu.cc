@@ -188,8 +188,7 @@ namespace hybrid::dda
     cost = cost_of_due();
     if (keeps)
       return;
-    keeps =
-      cost.products <= small_part * tree.products && FrontPlan::left_by_all(tree) <= most_kept;
+    keeps = cost.products <= small_part * tree.products && kept_entries(tree) > 0;
     if (keeps)
       {
         plan.keep_all(tree);
@@ -201,10 +200,10 @@ namespace hybrid::dda
 
 
 
-  std::size_t FrontalLu::most_waiting(const FrontTree &tree, const FrontPlan &plan)
+  std::size_t FrontalLu::kept_entries(const FrontTree &tree)
   {
     const std::size_t all = FrontPlan::left_by_all(tree);
-    return all <= most_kept ? all : plan.size;
+    return all <= most_kept ? all : 0;
   }
 
 

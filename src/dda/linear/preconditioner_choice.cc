@@ -13,7 +13,7 @@ namespace hybrid::dda
     constexpr int many_sweeps  = 2000;
     constexpr int few_failures = 2; ///< of old factors in a row, after which they are passed over
     constexpr int retry_every  = 8; ///< matrices, to see if an old factor serves again
-    constexpr int judged_every = 8; ///< solutions with factors
+    constexpr int judged_every = 8; ///< solutions with factors, at least
     constexpr double most_patience = 64.; ///< prices of a factor
     constexpr double forgotten     = 0.9; ///< of what sweeps have cost, at each judgement
 

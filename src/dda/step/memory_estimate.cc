@@ -26,15 +26,8 @@ namespace hybrid::dda
 
 
 
-    /// Of a sparse factor with what it is made of [B].
-    struct FactorMemory
-    {
-      double symmetric, unsymmetric;
-    };
-
-
-
-    FactorMemory memory_of_factor(const FrontTree &tree, const double pairs)
+    /// Of a sparse factor with what it is made of.
+    SolverMemory memory_of_factor(const FrontTree &tree, const double pairs)
     {
       const FrontPlan plan(tree, omp_get_max_threads() > 1 && is_worth_sharing(tree.n_blocks()));
       const double    n = tree.n_blocks(), per_mat6 = sizeof(Mat6);
@@ -44,17 +37,17 @@ namespace hybrid::dda
           own += static_cast<double>(tree.own(f)) * tree.own(f);
           later += static_cast<double>(tree.own(f)) * tree.later(f);
         }
-      const double n_later = static_cast<double>(tree.later_places.size());
-      const double waits =
-        static_cast<double>(FrontalLu::most_waiting(tree, plan)) * sizeof(double);
       const double panel = static_cast<double>(plan.largest_panel) * per_mat6;
       const double inverse =
         1.5 * static_cast<double>(plan.largest_own) * plan.largest_own * per_mat6;
-      const double work  = (plan.shared.empty() ? 1. : omp_get_max_threads()) * (panel + inverse);
-      const double lists = n_later * (2. * sizeof(int) + sizeof(Vec6)) +
+      const double work    = (plan.shared.empty() ? 1. : omp_get_max_threads()) * (panel + inverse);
+      const double n_later = static_cast<double>(tree.later_places.size());
+      const double lists   = n_later * (2. * sizeof(int) + sizeof(Vec6)) +
                            n * (2. * sizeof(Vec6) + 10. * sizeof(int)) + 5. * pairs * sizeof(int);
-      const double symmetric = (own + later + n + pairs) * per_mat6 + waits + work + lists;
-      return {symmetric, symmetric + (later + pairs) * per_mat6};
+      const double waits = static_cast<double>(plan.size) * sizeof(double);
+      const double kept  = static_cast<double>(FrontalLu::kept_entries(tree)) * sizeof(double);
+      return {(own + later + n + pairs) * per_mat6 + waits + work + lists,
+              (later + pairs) * per_mat6 + std::max(0., kept - waits)};
     }
   } // namespace
 
@@ -83,8 +76,8 @@ namespace hybrid::dda
     constexpr double search    = 350.;
     const double     in_search = n * search;
 
-    const FactorMemory factor = memory_of_factor(tree, touch);
-    return {in_springs + in_matrix + in_vectors + in_search + factor.symmetric,
-            factor.unsymmetric - factor.symmetric};
+    SolverMemory memory = memory_of_factor(tree, touch);
+    memory.bonded += in_springs + in_matrix + in_vectors + in_search;
+    return memory;
   }
 } // namespace hybrid::dda

@@ -35,6 +35,14 @@ namespace hybrid::output
       EXPECT_NE(text.find("needs about 150 MB"), std::string::npos) << text;
       EXPECT_NE(text.find("has 149 MB"), std::string::npos) << text;
       EXPECT_NE(describe(estimate).find("about 150 MB"), std::string::npos);
+      EXPECT_EQ(describe(estimate).find("slide"), std::string::npos);
+      estimate.sliding = 20. * 1048576.;
+      EXPECT_NE(describe(estimate).find("about 150 MB"), std::string::npos);
+      EXPECT_NE(describe(estimate).find("once joints slide 20 more"), std::string::npos);
+      EXPECT_NE(memory_warning(estimate, 169. * 1048576.).find("needs about 170 MB"),
+                std::string::npos);
+      estimate.preparation = 300. * 1048576.;
+      EXPECT_NE(describe(estimate).find("about 300 MB"), std::string::npos);
       EXPECT_GT(available_memory(), 1e7);
     }
   } // namespace

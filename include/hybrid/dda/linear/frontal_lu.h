@@ -61,8 +61,8 @@ namespace hybrid::dda
       return tree;
     }
 
-    /// Entries of what waits during a factorisation, or is kept after it.
-    static std::size_t most_waiting(const FrontTree &tree, const FrontPlan &plan);
+    /// Entries that fronts hand on and that are kept where few change; 0: too many.
+    static std::size_t kept_entries(const FrontTree &tree);
 
     /// The analysis as often as it was made.
     int n_analyses() const

@@ -11,7 +11,8 @@ namespace hybrid::dda
    * Costs are counted operations, not measured times, so that the same input gives the same bits.
    * A factor is bought once what was paid beyond its use amounts to its price (the ski rental
    * problem; Karlin, Manasse, Rudolph and Sleator 1988): the sum is at most twice the best that
-   * could have been done. What pays less than was thought is given up, and has to wait longer the
+   * could have been done. A factor is judged when another one has been made, by all the solutions
+   * that it has served: what pays less than was thought is given up, and has to wait longer the
    * next time.
    */
   class PreconditionerChoice

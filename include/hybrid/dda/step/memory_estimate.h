@@ -8,9 +8,9 @@ namespace hybrid::dda
   /// What solving the steps of a model takes beside the model and its state [B].
   struct SolverMemory
   {
-    double bonded = 0.; ///< springs, matrix, a sparse factor of it while that is symmetric
-    double sliding =
-      0.; ///< more once joints or contacts slide with friction or soften: then it is not
+    double bonded  = 0.; ///< springs, matrix, a sparse factor of it while that is symmetric
+    double sliding = 0.; ///< more once joints or contacts slide with friction or soften: then it is
+                         ///< not, and parts of it that stay the same are kept
   };
 
   /// Counted from the sizes of what is stored. The factor's fill comes from a symbolic analysis of

@@ -93,6 +93,27 @@ TEST(PreconditionerChoice, a_factor_that_does_not_pay_is_given_up)
 
 
 
+// What it has cost is spread over all that it serves, not over the first few solutions.
+TEST(PreconditionerChoice, a_factor_is_not_judged_before_another_one_is_needed)
+{
+  PreconditionerChoice choice;
+  while (!choice.uses_factor())
+    choice.swept(12, true, costs); // eight of them cost less than a factor
+  choice.solved(1, 1, costs);
+  for (int k = 0; k < 40; ++k)
+    {
+      ASSERT_GT(choice.old_factor_limit(costs), 0);
+      choice.used_old_factor(2, true, costs);
+      choice.solved(2, 0, costs);
+      ASSERT_TRUE(choice.uses_factor());
+    }
+  for (int k = 0; k < 8; ++k)
+    choice.solved(1, 1, costs);
+  EXPECT_FALSE(choice.uses_factor());
+}
+
+
+
 TEST(PreconditionerChoice, a_factor_that_pays_is_kept_while_what_sweeps_cost_is_remembered)
 {
   PreconditionerChoice choice;

@@ -162,6 +162,28 @@ TEST(SsorSystem, any_number_of_threads_gives_the_same_bits)
 
 
 
+TEST(SsorSystem, what_gave_its_memory_back_has_the_same_bits_when_set_again)
+{
+  const BlockMatrix  m = unsymmetric_block_matrix(n_blocks, 0, 0.05);
+  InterfaceStiffness foundation;
+  foundation.set(nullptr);
+  SsorSystem swept;
+  swept.set_slices(two_slices());
+  EXPECT_FALSE(swept.is_set());
+  const Eigen::VectorXd x = Eigen::VectorXd::Random(m.size());
+  Eigen::VectorXd       before(m.size()), after(m.size());
+  swept.set(m, foundation, {});
+  EXPECT_TRUE(swept.is_set());
+  swept.multiply(x, before);
+  swept.release();
+  EXPECT_FALSE(swept.is_set());
+  swept.set(m, foundation, {});
+  swept.multiply(x, after);
+  EXPECT_EQ(before, after);
+}
+
+
+
 TEST(SsorSystem, pairs_that_part_and_touch_again)
 {
   const BlockMatrix  touching = unsymmetric_block_matrix(n_blocks, 0, 0.05);

@@ -52,3 +52,13 @@ TEST(MemoryEstimate, fill_grows_a_little_faster_than_the_blocks)
   EXPECT_GT(large, 16. * small);
   EXPECT_LT(large, 40. * small);
 }
+
+
+
+// The factor of what is no longer symmetric has twice the entries off the diagonal.
+TEST(MemoryEstimate, sliding_takes_more)
+{
+  const SolverMemory memory = estimated_memory(square(80));
+  EXPECT_GT(memory.sliding, 0.1 * memory.bonded);
+  EXPECT_LT(memory.sliding, 2. * memory.bonded);
+}
