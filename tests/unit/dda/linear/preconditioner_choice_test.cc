@@ -107,6 +107,8 @@ TEST(PreconditionerChoice, a_factor_is_not_judged_before_another_one_is_needed)
       choice.solved(2, 0, costs);
       ASSERT_TRUE(choice.uses_factor());
     }
+  choice.solved(1, 1, costs);
+  EXPECT_TRUE(choice.uses_factor()); // the first one has paid
   for (int k = 0; k < 8; ++k)
     choice.solved(1, 1, costs);
   EXPECT_FALSE(choice.uses_factor());
