@@ -55,7 +55,7 @@ namespace hybrid::dda
           unswept.push_back(b);
         }
     sweeps_are_current = false;
-    if (is_new && !choice.uses_factor()) // with the memory for it
+    if (is_new && keeps_sweeps(matrix)) // with the memory for it
       prepare_sweeps(matrix);
   }
 
@@ -359,7 +359,8 @@ namespace hybrid::dda
                                                         const Target          &target,
                                                         Eigen::VectorXd       &x)
   {
-    release_sweeps();
+    if (!keeps_sweeps(matrix))
+      release_sweeps();
     const PreconditionerChoice::Costs price = costs(matrix);
     Result                            result;
     const bool                        ready = factor.ready(matrix.n_blocks());
@@ -406,6 +407,9 @@ namespace hybrid::dda
     const Eigen::Index size = matrix.size();
     for (Eigen::VectorXd *work : {&x, &unknown, &r, &p, &q, &z})
       work->resize(size);
+    if (keeps_sweeps(matrix))
+      for (Eigen::VectorXd *work : {&dual_r, &dual_p, &t, &dual_t, &shadow})
+        work->resize(size);
     x.setZero();
     is_symmetric = matrix.symmetric;
     Result result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block/block_motion.h>
 #include <hybrid/dda/linear/frontal_lu.h>
+#include <hybrid/dda/linear/linear_solver.h>
 #include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/springs/spring_stiffness.h>
 #include <hybrid/dda/step/memory_estimate.h>
@@ -76,8 +77,12 @@ namespace hybrid::dda
     constexpr double search    = 350.;
     const double     in_search = n * search;
 
+    // The copy that sweeps read, with the inverse of the diagonal; else given back.
+    const double in_sweeps =
+      model.n_blocks() < LinearSolver::many_blocks ? (n + 2. * touch) * per_mat6 : 0.;
+
     SolverMemory memory = memory_of_factor(tree, touch);
-    memory.bonded += in_springs + in_matrix + in_vectors + in_search;
+    memory.bonded += in_springs + in_matrix + in_vectors + in_search + in_sweeps;
     return memory;
   }
 } // namespace hybrid::dda

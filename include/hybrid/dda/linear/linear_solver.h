@@ -28,6 +28,9 @@ namespace hybrid::dda
   class LinearSolver
   {
   public:
+    /// From which the memory of sweeps is given back while factors serve (20 MB or more).
+    static constexpr int many_blocks = 16000;
+
     struct Result
     {
       bool   converged   = false;
@@ -110,6 +113,12 @@ namespace hybrid::dda
 
     /// Let the sweeps know what has changed.
     void prepare_sweeps(const BlockMatrix &matrix);
+
+    /// Sweeps keep their memory though a factor serves: small masses ask for none in a step.
+    bool keeps_sweeps(const BlockMatrix &matrix) const
+    {
+      return matrix.n_blocks() < many_blocks || !choice.uses_factor();
+    }
 
     /// Give back the memory of the sweeps: a factor serves.
     void release_sweeps();
