@@ -53,6 +53,18 @@ namespace hybrid::dda
 
 
 
+    /// Bring numbers of the next front into the cache while this one is solved: processors do so by
+    /// themselves within a front, but fronts are small.
+    void fetch(const double *begin, const double *end)
+    {
+      constexpr std::ptrdiff_t line = 8, most = 1024;
+      const double *const      last = std::min(end, begin + std::min(most, end - begin));
+      for (const double *at = begin; at < last; at += line)
+        __builtin_prefetch(at);
+    }
+
+
+
     std::vector<BlockMatrix::Pair> pairs_not_zero(const BlockMatrix &matrix)
     {
       std::vector<BlockMatrix::Pair> list;
@@ -244,13 +256,27 @@ namespace hybrid::dda
 
 
 
+  double *FrontalLu::kept_of(const int f)
+  {
+    const std::size_t p = tree.own(f);
+    return factors.data() + factor_begin[f] + 36 * p * p;
+  }
+
+
+
+  std::ptrdiff_t FrontalLu::entries_of_panel(const int f) const
+  {
+    return 36 * static_cast<std::ptrdiff_t>(tree.own(f)) * tree.later(f);
+  }
+
+
+
   FrontalLu::Front FrontalLu::front_of(const int f, Work &of_thread)
   {
     const int p = 6 * tree.own(f), u = 6 * tree.later(f);
-    double   *inverse = factors.data() + factor_begin[f];
-    double   *kept    = inverse + static_cast<std::size_t>(p) * p;
-    double   *right   = symmetric ? nullptr : kept + static_cast<std::size_t>(p) * u;
-    return {{inverse, p, p, p},
+    double   *kept  = kept_of(f);
+    double   *right = symmetric ? nullptr : kept + entries_of_panel(f);
+    return {{factors.data() + factor_begin[f], p, p, p},
             {right, p, u, p},
             {of_thread.below.data(), u, p, u},
             {kept, u, p, u},
@@ -384,8 +410,10 @@ namespace hybrid::dda
   void FrontalLu::solve_forward(const int f)
   {
     const int p = tree.own(f), u = tree.later(f);
-    double   *own  = rest.data() + 6 * tree.begin[f];
-    double   *hand = handed.data() + 6 * static_cast<std::ptrdiff_t>(tree.later_begin[f]);
+    if (f + 1 < tree.n_fronts())
+      fetch(kept_of(f + 1), kept_of(f + 1) + entries_of_panel(f + 1));
+    double *own  = rest.data() + 6 * tree.begin[f];
+    double *hand = handed.data() + 6 * static_cast<std::ptrdiff_t>(tree.later_begin[f]);
     std::fill_n(hand, 6 * u, 0.);
     for (int c = plan.child_begin[f]; c < plan.child_begin[f + 1]; ++c)
       {
@@ -398,18 +426,23 @@ namespace hybrid::dda
               Eigen::Map<const Vec6>(left + 6 * k);
           }
       }
-    double *kept = factors.data() + factor_begin[f] + static_cast<std::size_t>(36) * p * p;
-    subtract_product({kept, 6 * u, 6 * p, 6 * u}, own, hand);
+    subtract_product({kept_of(f), 6 * u, 6 * p, 6 * u}, own, hand);
   }
 
 
 
   void FrontalLu::solve_backward(const int f)
   {
-    const int  p = 6 * tree.own(f), u = 6 * tree.later(f);
+    const int p = 6 * tree.own(f), u = 6 * tree.later(f);
+    if (f > 0)
+      {
+        const double *next = factors.data() + factor_begin[f - 1], *panel = kept_of(f - 1);
+        fetch(next, panel);
+        fetch(panel + (symmetric ? 0 : entries_of_panel(f - 1)), factors.data() + factor_begin[f]);
+      }
     double    *own    = factors.data() + factor_begin[f];
-    double    *kept   = own + static_cast<std::size_t>(p) * p;
-    double    *right  = kept + static_cast<std::size_t>(p) * u;
+    double    *kept   = kept_of(f);
+    double    *right  = kept + entries_of_panel(f);
     double    *here   = rest.data() + 6 * tree.begin[f];
     double    *result = ordered.data() + 6 * tree.begin[f];
     double    *later  = handed.data() + 6 * static_cast<std::ptrdiff_t>(tree.later_begin[f]);

@@ -155,6 +155,12 @@ namespace hybrid::dda
     /// Work space for each thread that there may be.
     void reserve_work();
 
+    /// C D^-1 of a front among the factors; B, if it is there, follows.
+    double *kept_of(int f);
+
+    /// Of C D^-1, or of B.
+    std::ptrdiff_t entries_of_panel(int f) const;
+
     Front front_of(int f, Work &of_thread);
 
     /// Division by the own blocks, from their first entry among the factors on.
