@@ -91,8 +91,7 @@ namespace hybrid::output
       return {{"estimated", true},
               {"until_s", error.until},
               {"time_step", error_part(error.step)},
-              {"half_the_step", error_part(error.half_step)},
-              {"half_the_step_costs_at_most_s", error.cost}};
+              {"half_the_step", error_part(error.half_step)}};
     }
 
 
