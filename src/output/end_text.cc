@@ -197,6 +197,17 @@ namespace hybrid::output
 
 
 
+    /// What a finer mesh of the bedrock would change.
+    std::string mesh_text(const Summary &summary)
+    {
+      const Summary::ProbableError &error = summary.probable_error;
+      if (summary.monitors.empty() || !error.reason.empty() || std::isnan(error.mesh.part[1]))
+        return "";
+      return indent + "of the bedrock's mesh: " + peaks_text(error.mesh);
+    }
+
+
+
     /// What half the step costs.
     std::string cost_text(const Summary::ProbableError &error)
     {
@@ -226,10 +237,10 @@ namespace hybrid::output
           found += indent + slip_text(summary) + shear_text(summary.base_shear);
       }
     const std::string &place = scene.output.directory;
-    found += error_text(summary);
-    return {reached + " in " + duration_text(summary.wall_time) + found +
-              (summary.monitors.empty() ? "" : cost_text(summary.probable_error)) + "\nResults   " +
-              place + "   next: hybrid plot " + place,
-            reached + found};
+    const std::string  error = error_text(summary), mesh = mesh_text(summary);
+    const std::string  cost = summary.monitors.empty() ? "" : cost_text(summary.probable_error);
+    return {reached + " in " + duration_text(summary.wall_time) + found + error + cost + mesh +
+              "\nResults   " + place + "   next: hybrid plot " + place,
+            reached + found + error + mesh};
   }
 } // namespace hybrid::output

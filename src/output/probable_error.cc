@@ -13,6 +13,7 @@ namespace hybrid::output
     constexpr double      rows_per_period = 8.; ///< of the corner
     constexpr std::size_t most_rows       = 1 << 16;
     constexpr double      least_motion    = 1e-3; ///< of the largest [-]
+    constexpr double      at_rest         = 1e-9; ///< round-off moves by as much [m/s]
     constexpr double      highest_turn    = 1.5;  ///< w dt that a step is asked about [-]
     constexpr double      fades_from      = 0.5;  ///< of the highest frequency [-]
     /// Of (w dt)^2, with a corrected inertia: dashpots and incoming waves [-].
@@ -116,7 +117,8 @@ namespace hybrid::output
   void ProbableError::add(const ErrorRecord::Monitor &monitor, const std::vector<double> &time)
   {
     Motion motion;
-    motion.name = monitor.name;
+    motion.name    = monitor.name;
+    motion.in_rock = monitor.in_rock;
     for (int c = 0; c < 2; ++c)
       {
         Interpolation position(time, *monitor.displacement);
@@ -220,7 +222,8 @@ namespace hybrid::output
 
   Summary::ErrorPart ProbableError::evaluate(const FrequencyError &of_frequency,
                                              const double          highest,
-                                             const double          amplitude_step) const
+                                             const double          amplitude_step,
+                                             const bool            only_rock) const
   {
     ResponseDelay::Spectrum frequency;
     for (const std::complex<double> &s : response.frequencies())
@@ -229,8 +232,12 @@ namespace hybrid::output
         frequency.push_back(fading > 0. ? fading * of_frequency(s) : 0.);
       }
     Summary::ErrorPart result;
+    if (!(largest[1] > at_rest))
+      return result;
     for (std::size_t m = 0; m < motions.size(); ++m)
       {
+        if (only_rock && !motions[m].in_rock)
+          continue;
         std::array<History, 3> errors[2];
         for (int c = 0; c < 2; ++c)
           {
@@ -257,9 +264,9 @@ namespace hybrid::output
 
 
 
-  Summary::ErrorPart ProbableError::of(const FrequencyError &error, const double highest) const
+  Summary::ErrorPart ProbableError::in_rock(const FrequencyError &error, const double highest) const
   {
-    return evaluate(error, highest, 0.);
+    return evaluate(error, highest, 0., true);
   }
 
 
@@ -268,6 +275,7 @@ namespace hybrid::output
   {
     return evaluate([&](const std::complex<double> s) { return frequency_error(scheme, s); },
                     highest_turn / scheme.dt,
-                    scheme.newmark.corrected_step > 0. ? scheme.dt : 0.);
+                    scheme.newmark.corrected_step > 0. ? scheme.dt : 0.,
+                    false);
   }
 } // namespace hybrid::output

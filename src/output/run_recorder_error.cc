@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/mesh_dispersion.h>
 #include <hybrid/output/probable_error.h>
 #include <hybrid/output/run_recorder.h>
 
@@ -59,6 +60,16 @@ namespace hybrid::output
 
 
 
+    /// The waves of the bedrock are P waves: shaken steeply, or begun as such.
+    bool shakes_p_waves(const RunParts &parts)
+    {
+      if (parts.motion.empty())
+        return parts.scene.initial_wave.type == scene::WaveType::pressure;
+      return std::abs(std::sin(parts.scene.motion.angle * M_PI / 180.)) > std::sqrt(0.5);
+    }
+
+
+
     StepScheme step_scheme(const RunParts &parts, const std::vector<double> &time)
     {
       StepScheme scheme;
@@ -75,8 +86,27 @@ namespace hybrid::output
         for (const dda::BlockProperties &block : parts.blocks->blocks)
           scheme.block_damping += block.damping_time / parts.blocks->n_blocks();
       if (parts.continuum != nullptr)
-        scheme.node_time = 0.1 / parts.continuum->resolution().highest_frequency;
+        {
+          const auto   resolution = parts.continuum->resolution();
+          const double slowness =
+            shakes_p_waves(parts) ? resolution.p_time / resolution.s_time : 1.;
+          scheme.node_time = 0.1 / resolution.highest_frequency * slowness;
+        }
       return scheme;
+    }
+
+
+
+    /// Errors of the finite elements where these are.
+    Summary::ErrorPart mesh_error(const RunParts &parts, const ProbableError &estimate)
+    {
+      const auto   resolution = parts.continuum->resolution();
+      const double cell_time =
+        resolution.cell_time * (shakes_p_waves(parts) ? resolution.p_time / resolution.s_time : 1.);
+      const int degree = parts.scene.continuum.degree;
+      return estimate.in_rock(
+        [&](const std::complex<double> s) { return mesh_frequency_error(degree, cell_time, s); },
+        M_PI * degree / cell_time);
     }
   } // namespace
 
@@ -117,7 +147,7 @@ namespace hybrid::output
           continue;
         if (static_cast<int>(m) == base_monitor)
           record.base = static_cast<int>(record.monitors.size());
-        record.monitors.push_back({monitors[m].name, &monitors[m].histories[0]});
+        record.monitors.push_back({monitors[m].name, &monitors[m].histories[0], block < 0});
       }
     Summary::ProbableError &error = summary.probable_error;
     error.reason                  = why_no_error(!record.monitors.empty());
@@ -136,6 +166,8 @@ namespace hybrid::output
     if (scheme.newmark.corrected_step > 0.)
       scheme.newmark.corrected_step *= 0.5;
     error.half_step = estimate.of_steps(scheme);
+    if (parts.continuum != nullptr)
+      error.mesh = mesh_error(parts, estimate);
     if (std::isnan(error.step.part[1]))
       error.reason = "nothing moves";
   }

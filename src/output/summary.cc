@@ -91,7 +91,8 @@ namespace hybrid::output
       return {{"estimated", true},
               {"until_s", error.until},
               {"time_step", error_part(error.step)},
-              {"half_the_step", error_part(error.half_step)}};
+              {"half_the_step", error_part(error.half_step)},
+              {"bedrock_mesh", error_part(error.mesh)}};
     }
 
 

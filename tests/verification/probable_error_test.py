@@ -39,6 +39,13 @@ LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_
         "opening_plane": ((4,), []), "opening_blocks": ((4,), []), "bedding_slip_layers": ((4,), []), "restart_coupled": ((4,), []),
         "floating_block": ((4,), []), "dynamic_coefficient": ((4,), []), "unit_squares": ((4,), [])}
 
+# Mesh of the bedrock: numbers of the mesh, sizes of its cells [m] and the reference's
+MESH = {"wave_packet": ("Width = 12.5; Height = 1000;", (12.5, 6.25), 3.125),
+        "soft_layer": ("Width = 40; Height = 500; Layer height = 400;", (80, 40), 20),
+        "free_field": ("Width = 100; Height = 100; Layer height = 40;", (20, 10), 5),
+        "rayleigh_decrement": ("Width = 10; Height = 50;", (25, 10), 2.5),
+        "lamb": ("Width = 1000; Height = 750;", (50, 25), 12.5)}
+
 
 def scene_file(source, name):
     place = "majiagou" if name == "badong" else "verification"
@@ -46,7 +53,8 @@ def scene_file(source, name):
 
 
 def own_step(file):
-    return float(re.search(r"set Time step\s*=\s*([0-9.e-]+)", file.read_text()).group(1))
+    found = re.search(r"set Time step\s*=\s*([0-9.e-]+)", file.read_text())
+    return float(found.group(1)) if found else 1e-3  # the default
 
 
 def compute(binary, source, work, name, factor, settings):
@@ -112,17 +120,37 @@ def compare(binary, source, work, name, factors, settings):
         yield factor * own_step(scene_file(source, name)), true, estimated, said
 
 
+def compare_meshes(binary, source, work, name):
+    """For each size of cells: what the run says of its mesh, and the true errors. All with the scene's own step."""
+    numbers, sizes, finest = MESH[name]
+
+    def run(size_of_cells):
+        return compute(binary, source, work, "%s cells %g" % (name, size_of_cells), 1,
+                       ["Mesh/Numbers=%s Resolution/h = %g" % (numbers, size_of_cells)])
+
+    for cells in sizes:
+        said = json.loads((run(cells) / "summary.json").read_text())["probable_error"]["bedrock_mesh"]
+        yield cells, true_errors(run(cells), run(finest), cells / finest, 4, None), [said[q]["part_of_peak"] for q in QUANTITIES]
+
+
+def judge(name, what, true, estimated):
+    ratios = [e / t for e, t in zip(estimated, true)]
+    good = all(1 / FACTOR < r < FACTOR for r in ratios)
+    print("%-20s %s: true %s, estimated over true %s%s" % (name, what, " ".join("%.2g" % t for t in true),
+          " ".join("%.2f" % r for r in ratios), "" if good else "  <-- not within %g" % FACTOR))
+    return good
+
+
 def short(binary, source, work):
     bad = 0
+    for name in ("wave_packet", "soft_layer"):
+        for cells, true, estimated in compare_meshes(binary, source, work, name):
+            bad += not judge(name, "%g m" % cells, true, estimated)
     for name, (factors, settings) in SHORT.items():
         for step, true, estimated, said in compare(binary, source, work, name, factors, settings):
             if estimated is None:
                 sys.exit("%s: not estimated: %s" % (name, said["reason"]))
-            ratios = [e / t for e, t in zip(estimated, true)]
-            good = all(1 / FACTOR < r < FACTOR for r in ratios)
-            bad += not good
-            print("%-20s %g s: true %s, estimated over true %s%s" % (name, step, " ".join("%.2g" % t for t in true),
-                  " ".join("%.2f" % r for r in ratios), "" if good else "  <-- not within %g" % FACTOR))
+            bad += not judge(name, "%g s" % step, true, estimated)
     sys.exit(1 if bad else 0)
 
 
@@ -130,20 +158,31 @@ def percent(values):
     return ", ".join("%.2g" % (100 * value) for value in values)
 
 
+def row(label, size_of_it, true, estimated):
+    ratios = ["%.2g" % (e / t) if t > 0 else "-" for e, t in zip(estimated, true)]
+    ratios = ["**%s**" % r if r != "-" and not 1 / FACTOR <= float(r) <= FACTOR else r for r in ratios]
+    return "| %s | %g | %s | %s | %s |" % (label, size_of_it, percent(true), percent(estimated), ", ".join(ratios))
+
+
 def write(binary, source, work, page):
-    rows = []
+    rows, mesh_rows = [], []
     for name, (factors, settings) in LONG.items():
         for step, true, estimated, said in compare(binary, source, work, name, factors, settings):
             label = name if name != "badong" else "Badong, h = 8 m"
             if estimated is None:
                 rows.append("| %s | %g | %s | %s | |" % (label, 1e3 * step, percent(true), "not estimated: " + said["reason"]))
-                continue
-            ratios = ["%.2g" % (e / t) if t > 0 else "-" for e, t in zip(estimated, true)]
-            ratios = ["**%s**" % r if r != "-" and not 1 / FACTOR <= float(r) <= FACTOR else r for r in ratios]
-            rows.append("| %s | %g | %s | %s | %s |" % (label, 1e3 * step, percent(true), percent(estimated), ", ".join(ratios)))
+            else:
+                rows.append(row(label, 1e3 * step, true, estimated))
+    for name in MESH:
+        for cells, true, estimated in compare_meshes(binary, source, work, name):
+            mesh_rows.append(row(name, cells, true, estimated))
     text = page.read_text()
-    begin, end = text.index("|---|---|---|---|---|\n") + len("|---|---|---|---|---|\n"), text.index("\n\n<!-- end of the table -->")
-    page.write_text(text[:begin] + "\n".join(rows) + text[end:])
+    for lines, mark in ((rows, "steps"), (mesh_rows, "meshes")):
+        begin, end = "<!-- %s -->\n" % mark, "\n<!-- end -->"
+        first = text.index(begin)
+        head = text.index("|---|---|---|---|---|\n", first) + len("|---|---|---|---|---|\n")
+        text = text[:head] + "\n".join(lines) + "\n" + text[text.index(end, head - 1):]
+    page.write_text(text)
 
 
 def main():

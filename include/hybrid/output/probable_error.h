@@ -18,7 +18,8 @@ namespace hybrid::output
     struct Monitor
     {
       std::string                name;
-      const std::vector<double> *displacement; ///< absolute, pairs, one per time [m]
+      const std::vector<double> *displacement;   ///< absolute, pairs, one per time [m]
+      bool                       in_rock = true; ///< in finite elements
     };
 
     std::vector<double>  time; ///< end of each step [s]
@@ -52,12 +53,12 @@ namespace hybrid::output
     /// There are at least two times.
     explicit ProbableError(const ErrorRecord &record);
 
-    /// Largest error at any time over the peak of the same monitor. Monitors that move less than a
-    /// thousandth of the one that moves most are left out.
+    /// Largest error at any time over the peak of the same monitor, of those in finite elements.
+    /// Monitors that move less than a thousandth of the one that moves most are left out.
     /// @param highest angular frequency that is asked about [1/s]; errors fade above half of it.
-    Summary::ErrorPart of(const FrequencyError &error, double highest) const;
+    Summary::ErrorPart in_rock(const FrequencyError &error, double highest) const;
 
-    /// The error of the steps. @param amplitudes as those of a correction of the inertia (below).
+    /// The same of the steps, of all monitors.
     Summary::ErrorPart of_steps(const StepScheme &scheme) const;
 
   private:
@@ -66,6 +67,7 @@ namespace hybrid::output
     struct Motion
     {
       std::string             name;
+      bool                    in_rock;
       History                 velocity[2];
       History                 relative[2]; ///< displacement less that of the base, filtered
       ResponseDelay::Spectrum delay[2];
@@ -87,7 +89,9 @@ namespace hybrid::output
     std::array<History, 3>
          changes(const Motion &motion, int c, const ResponseDelay::Spectrum &frequency) const;
     void add_amplitude(const Motion &motion, int c, double dt, std::array<History, 3> &error) const;
-    Summary::ErrorPart
-    evaluate(const FrequencyError &error, double highest, double amplitude_step) const;
+    Summary::ErrorPart evaluate(const FrequencyError &error,
+                                double                highest,
+                                double                amplitude_step,
+                                bool                  only_rock) const;
   };
 } // namespace hybrid::output

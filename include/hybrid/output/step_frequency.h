@@ -13,7 +13,7 @@ namespace hybrid::output
     Newmark newmark;
     double  dt            = 0.; ///< [s]
     double  block_damping = 0.; ///< beta_K of the blocks on the way [s]
-    double  node_time     = 0.; ///< an S wave's from node to node of the elements [s]
+    double  node_time     = 0.; ///< a wave's from node to node of the elements [s]
   };
 
 

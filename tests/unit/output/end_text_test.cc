@@ -83,6 +83,14 @@ namespace hybrid::output
       EXPECT_EQ(text.in_file.substr(text.in_file.find("\nError")), line);
       EXPECT_NE(text.on_screen.find(line + " for at most 84 s more of processor time\n"),
                 std::string::npos);
+      error.mesh.part  = {{1e-3, 2e-3, MonitorSummary::unknown}};
+      error.mesh.where = {{"base", "base", ""}};
+      EXPECT_NE(end_text(run, scene)
+                  .in_file.find(
+                    line +
+                    "\n          of the bedrock's mesh: displacement 0.1 % of the peak (base), "
+                    "velocity 0.2 % (base)"),
+                std::string::npos);
       error.until = 2.345;
       EXPECT_NE(end_text(run, scene).in_file.find("probably, until a joint failed at 2.35 s: dis"),
                 std::string::npos);
