@@ -246,13 +246,13 @@ namespace hybrid::continuum
         result.slowest_s_wave = std::min(result.slowest_s_wave, s);
         result.fastest_p_wave = std::max(result.fastest_p_wave, m.cell_material[c].p_wave_speed());
         result.highest_frequency = std::min(result.highest_frequency, s * p / (10. * longest));
-        double area              = 0.;
+        double area              = 0.; // twice the cell's
         for (int i = 0; i < 4; ++i)
-          area += 0.5 * cross(m.rock.nodes[m.rock.cells[c][i]],
-                              m.rock.nodes[m.rock.cells[c][(i + 1) % 4]]);
-        area = std::abs(area);
+          area +=
+            cross(m.rock.nodes[m.rock.cells[c][i]], m.rock.nodes[m.rock.cells[c][(i + 1) % 4]]);
+        area = 0.5 * std::abs(area);
         s_way += area / s;
-        powers += area / s * std::pow(std::sqrt(area) / s, 2 * p);
+        powers += area / s * std::pow(longest / s, 2 * p);
         result.p_time += area / m.cell_material[c].p_wave_speed();
       }
     const auto [left, right] =

@@ -123,6 +123,8 @@ namespace hybrid::output
       return "Time/Dynamic coefficient damps step by step";
     if (parts.blocks != nullptr && !scene.edge_loads.tractions.empty())
       return "edge loads set the pace";
+    if (parts.blocks != nullptr && !parts.blocks->moving_blocks.empty())
+      return "blocks fly";
     if (lost(ledger, "bedding_loss") > 0.)
       return "bedding planes slip or open";
     if (part_of_friction(ledger) > largest_friction)
@@ -166,7 +168,7 @@ namespace hybrid::output
     if (scheme.newmark.corrected_step > 0.)
       scheme.newmark.corrected_step *= 0.5;
     error.half_step = estimate.of_steps(scheme);
-    if (parts.continuum != nullptr)
+    if (parts.continuum != nullptr && parts.scene.point_loads.loads.empty())
       error.mesh = mesh_error(parts, estimate);
     if (std::isnan(error.step.part[1]))
       error.reason = "nothing moves";
