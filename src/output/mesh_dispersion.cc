@@ -12,6 +12,6 @@ namespace hybrid::output
     for (int k = degree + 1; k <= 2 * degree; ++k)
       ratio /= k;
     const double cells = std::abs(s) * cell_time; // k h
-    return s * (0.5 * ratio * ratio * std::pow(cells, 2 * degree) / (degree * (2 * degree + 1.)));
+    return -s * (0.5 * ratio * ratio * std::pow(cells, 2 * degree) / (2 * degree + 1.));
   }
 } // namespace hybrid::output
