@@ -4,6 +4,7 @@
 #include <hybrid/scene/input_error.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace hybrid::continuum
@@ -233,6 +234,7 @@ namespace hybrid::continuum
     result.surface_unknowns = 2 * m.surface.size();
     result.slowest_s_wave = result.highest_frequency = 1e300;
     const int p                                      = m.nodes->line.degree();
+    double    s_way = 0., powers = 0.;
     for (std::size_t c = 0; c < m.nodes->cells.size(); ++c)
       {
         const double s       = m.cell_material[c].s_wave_speed();
@@ -244,7 +246,23 @@ namespace hybrid::continuum
         result.slowest_s_wave = std::min(result.slowest_s_wave, s);
         result.fastest_p_wave = std::max(result.fastest_p_wave, m.cell_material[c].p_wave_speed());
         result.highest_frequency = std::min(result.highest_frequency, s * p / (10. * longest));
+        double area              = 0.; // twice the cell's
+        for (int i = 0; i < 4; ++i)
+          area +=
+            cross(m.rock.nodes[m.rock.cells[c][i]], m.rock.nodes[m.rock.cells[c][(i + 1) % 4]]);
+        area = 0.5 * std::abs(area);
+        s_way += area / s;
+        powers += area / s * std::pow(longest / s, 2 * p);
+        result.p_time += area / m.cell_material[c].p_wave_speed();
       }
+    const auto [left, right] =
+      std::minmax_element(m.rock.nodes.begin(),
+                          m.rock.nodes.end(),
+                          [](const Vec2 &a, const Vec2 &b) { return a.x() < b.x(); });
+    const double width = right->x() - left->x();
+    result.s_time      = s_way / width;
+    result.p_time /= width;
+    result.cell_time = std::pow(powers / s_way, 0.5 / p);
     return result;
   }
 

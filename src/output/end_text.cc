@@ -151,6 +151,71 @@ namespace hybrid::output
              " mobilised at rest, at most " + percent(base.mobilised) + ", at the end " +
              percent(base.mobilised_left);
     }
+
+
+
+    /// 0.42, 12, over 100: percent without the sign.
+    std::string percent(const double part)
+    {
+      if (!(part < 0.995))
+        return std::isnan(part) ? "-" : "over 100";
+      return part < 1e-5 ? "below 0.001" : format("%.2g", 100. * part);
+    }
+
+
+
+    /// displacement 0.42 % of its peak (crest), velocity 1 % (toe), ...
+    std::string peaks_text(const Summary::ErrorPart &error)
+    {
+      const char *names[] = {"displacement", "velocity", "acceleration"};
+      std::string text;
+      for (int q = 0; q < 3; ++q)
+        if (!std::isnan(error.part[q]))
+          text += (text.empty() ? "" : ", ") + std::string(names[q]) + " " +
+                  percent(error.part[q]) + " %" + (text.empty() ? " of the peak" : "") + " (" +
+                  error.where[q] + ")";
+      return text;
+    }
+
+
+
+    /// What finer steps would change; nothing without monitors.
+    std::string error_text(const Summary &summary)
+    {
+      const Summary::ProbableError &error = summary.probable_error;
+      if (summary.monitors.empty())
+        return "";
+      if (!error.reason.empty())
+        return "\nError     of the time step: not estimated, " + error.reason;
+      const std::string until =
+        std::isnan(error.until) ? "" : format(", until a joint failed at %.3g s", error.until);
+      const std::array<double, 3> &half = error.half_step.part;
+      return "\nError     of the time step, probably" + until + ": " + peaks_text(error.step) +
+             "; with half the step " + percent(half[0]) + ", " + percent(half[1]) + ", " +
+             percent(half[2]) + " %";
+    }
+
+
+
+    /// What a finer mesh of the bedrock would change.
+    std::string mesh_text(const Summary &summary)
+    {
+      const Summary::ProbableError &error = summary.probable_error;
+      if (summary.monitors.empty() || !error.reason.empty() || std::isnan(error.mesh.part[1]))
+        return "";
+      return indent + "of the bedrock's mesh: " + peaks_text(error.mesh);
+    }
+
+
+
+    /// What half the step costs.
+    std::string cost_text(const Summary::ProbableError &error)
+    {
+      if (!error.reason.empty() || !std::isfinite(error.cost))
+        return "";
+      return " for at most " + format(error.cost < 100. ? "%.2g s" : "%.0f s", error.cost) +
+             " more of processor time";
+    }
   } // namespace
 
 
@@ -172,8 +237,10 @@ namespace hybrid::output
           found += indent + slip_text(summary) + shear_text(summary.base_shear);
       }
     const std::string &place = scene.output.directory;
-    return {reached + " in " + duration_text(summary.wall_time) + found + "\nResults   " + place +
-              "   next: hybrid plot " + place,
-            reached + found};
+    const std::string  error = error_text(summary), mesh = mesh_text(summary);
+    const std::string  cost = summary.monitors.empty() ? "" : cost_text(summary.probable_error);
+    return {reached + " in " + duration_text(summary.wall_time) + found + error + cost + mesh +
+              "\nResults   " + place + "   next: hybrid plot " + place,
+            reached + found + error + mesh};
   }
 } // namespace hybrid::output

@@ -437,6 +437,8 @@ namespace hybrid::output
     if (!times.empty())
       summarize_monitors(summary);
     file.flush();
+    if (!times.empty())
+      estimate_error(summary);
 
     summary.energy_residual = ledger.largest_residual();
     const auto names        = ledger.names();

@@ -74,6 +74,28 @@ namespace hybrid::output
     }
 
 
+    Json error_part(const Summary::ErrorPart &part)
+    {
+      Json        object  = Json::object();
+      const char *names[] = {"displacement", "velocity", "acceleration"};
+      for (int q = 0; q < 3; ++q)
+        object[names[q]] = {{"part_of_peak", part.part[q]}, {"monitor", part.where[q]}};
+      return object;
+    }
+
+
+    Json probable_error(const Summary::ProbableError &error)
+    {
+      if (!error.reason.empty())
+        return {{"estimated", false}, {"reason", error.reason}};
+      return {{"estimated", true},
+              {"until_s", error.until},
+              {"time_step", error_part(error.step)},
+              {"half_the_step", error_part(error.half_step)},
+              {"bedrock_mesh", error_part(error.mesh)}};
+    }
+
+
     Json monitors(const Summary &summary)
     {
       Json object = Json::object();
@@ -114,6 +136,7 @@ namespace hybrid::output
                          {"base_shear", base_shear(summary.base_shear)},
                          {"filter_frequency_hz", summary.filter_frequency},
                          {"outcrop_peak_acceleration_m_s2", summary.outcrop_peak_acceleration},
+                         {"probable_error", probable_error(summary.probable_error)},
                          {"monitors", monitors(summary)},
                          {"processor_times_s", summary.stages},
                          {"timings_s", summary.timings}};

@@ -276,6 +276,10 @@ namespace hybrid::continuum
       double      fastest_p_wave    = 0.; ///< [m/s]
       double      highest_frequency = 0.; ///< resolved with ten nodes per shortest wave length [Hz]
       std::size_t surface_unknowns  = 0;
+      double      s_time = 0.; ///< an S wave's way up, mean over the width of the section [s]
+      double      p_time = 0.; ///< the same of a P wave [s]
+      double cell_time   = 0.; ///< an S wave's way through a cell [s]: on average over the way up,
+                               ///< with the power 2 degree with which dispersion counts it
     };
 
     Resolution resolution() const;

@@ -55,6 +55,12 @@ namespace hybrid::output
 
     PointMotion sample(const coupling::CoupledState &state, int probe) const;
 
+    /// The block that a probe belongs to; -1: none.
+    int block(const int probe) const
+    {
+      return probes[probe].block;
+    }
+
     /// Reference positions, for the checkpoint.
     void serialize(restart::Archive &archive);
 

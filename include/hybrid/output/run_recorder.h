@@ -135,6 +135,11 @@ namespace hybrid::output
     void write_joints(const coupling::CoupledState &state);
     void summarize_monitors(Summary &summary);
     void write_filtered(const MonitorSummarizer &summarizer);
+    void estimate_error(Summary &summary) const;
+
+    /// Why the error of the steps is not estimated, in words; empty: it is.
+    std::string why_no_error(bool any_monitor) const;
+
     Vec2 base_displacement() const;
   };
 } // namespace hybrid::output

@@ -92,6 +92,27 @@ namespace hybrid::output
       long lists    = 0; ///< lists of near pairs built
     };
 
+    /// Largest error of the displacement relative to the base, of the velocity and of the
+    /// acceleration at any time, over the peak of the same monitor.
+    struct ErrorPart
+    {
+      std::array<double, 3> part = {
+        {MonitorSummary::unknown, MonitorSummary::unknown, MonitorSummary::unknown}}; ///< [-]
+      std::array<std::string, 3> where; ///< the monitor whose is largest
+    };
+
+    /// What finer steps would change, as far as it is estimated.
+    struct ProbableError
+    {
+      std::string reason = "there is no monitor";   ///< why it is not estimated; empty: it is
+      double      until  = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all
+      ErrorPart   step;                             ///< of the time step
+      ErrorPart   half_step;                        ///< what would be left of it with half the step
+      ErrorPart   mesh; ///< of the finite elements, at monitors in them; NaN: none are
+      double cost = MonitorSummary::unknown; ///< of half the step: processor time that comes on
+                                             ///< top, at most [s]
+    };
+
     std::string title;
     bool        finished           = false;
     long        steps              = 0;  ///< accepted
@@ -121,6 +142,8 @@ namespace hybrid::output
     std::array<double, 2> outcrop_peak_acceleration = {
       {MonitorSummary::unknown,
        MonitorSummary::unknown}}; ///< amplification refers to it [m/s2], filtered
+
+    ProbableError probable_error;
 
     std::map<std::string, MonitorSummary> monitors; ///< by name
     std::map<std::string, double>         timings;  ///< wall time per effect [s]

@@ -14,13 +14,14 @@ namespace hybrid::output
       run.steps = 15000, run.simulated_time = 15., run.wall_time = 247., run.blocks = 9;
       run.energy_residual = 5e-8;
       MonitorSummary crest;
-      crest.peak_displacement  = {{-16.1e-3, 2e-3}};
-      crest.final_displacement = {{-10.6e-3, 1e-3}};
-      crest.peak_acceleration  = {{4.2183, 1.}};
-      crest.amplification      = {{1.49, MonitorSummary::unknown}};
-      run.monitors             = {{"base", {}}, {"crest", crest}};
-      run.slip                 = {0.011, 0.012, {{1., 2.}}, 10.1e-3, 10.3e-3, 0.5, 1e-3};
-      run.base_shear           = {1., 1., 1., 0.7, 1., 0.65};
+      crest.peak_displacement   = {{-16.1e-3, 2e-3}};
+      crest.final_displacement  = {{-10.6e-3, 1e-3}};
+      crest.peak_acceleration   = {{4.2183, 1.}};
+      crest.amplification       = {{1.49, MonitorSummary::unknown}};
+      run.monitors              = {{"base", {}}, {"crest", crest}};
+      run.slip                  = {0.011, 0.012, {{1., 2.}}, 10.1e-3, 10.3e-3, 0.5, 1e-3};
+      run.base_shear            = {1., 1., 1., 0.7, 1., 0.65};
+      run.probable_error.reason = "blocks";
       return run;
     }
 
@@ -38,7 +39,8 @@ namespace hybrid::output
         "\n          slip on the sliding surface: 10.1 mm left (largest 10.3 mm), 50 % of it slipped "
         "by more than 1 mm; no joint failed"
         "\n          shear strength of the sliding surface: 70 % mobilised at rest, at most 100 %, at "
-        "the end 65 %";
+        "the end 65 %"
+        "\nError     of the time step: not estimated, blocks";
       EXPECT_EQ(text.in_file, "Finished  15 s" + found);
       EXPECT_EQ(text.on_screen,
                 "Finished  15 s in 4:07" + found +
@@ -60,6 +62,43 @@ namespace hybrid::output
       run.joints.tensile     = 1;
       const std::string text = end_text(run, scene).in_file;
       EXPECT_EQ(text.substr(text.find('\n') + 1), "          1 joint failed (1 tensile, 0 shear)");
+    }
+
+
+
+    TEST(EndText, SaysTheProbableErrorAndOnTheScreenWhatHalfTheStepCosts)
+    {
+      Summary                 run   = a_run();
+      Summary::ProbableError &error = run.probable_error;
+      error.reason                  = "";
+      error.step.part               = {{4.3e-3, 0.0171, 3.}};
+      error.step.where              = {{"crest", "toe", "toe"}};
+      error.half_step.part          = {{1.1e-3, 4.2e-3, 1e-7}};
+      error.cost                    = 84.;
+      const scene::SceneParameters scene;
+      const EndText                text = end_text(run, scene);
+      const std::string            line =
+        "\nError     of the time step, probably: displacement 0.43 % of the peak (crest), velocity "
+        "1.7 % (toe), acceleration over 100 % (toe); with half the step 0.11, 0.42, below 0.001 %";
+      EXPECT_EQ(text.in_file.substr(text.in_file.find("\nError")), line);
+      EXPECT_NE(text.on_screen.find(line + " for at most 84 s more of processor time\n"),
+                std::string::npos);
+      error.mesh.part  = {{1e-3, 2e-3, MonitorSummary::unknown}};
+      error.mesh.where = {{"base", "base", ""}};
+      EXPECT_NE(end_text(run, scene)
+                  .in_file.find(
+                    line +
+                    "\n          of the bedrock's mesh: displacement 0.1 % of the peak (base), "
+                    "velocity 0.2 % (base)"),
+                std::string::npos);
+      error.until = 2.345;
+      EXPECT_NE(end_text(run, scene).in_file.find("probably, until a joint failed at 2.35 s: dis"),
+                std::string::npos);
+      error.reason = "bedding planes slip or open";
+      EXPECT_NE(end_text(run, scene)
+                  .in_file.find(
+                    "\nError     of the time step: not estimated, bedding planes slip or open"),
+                std::string::npos);
     }
   } // namespace
 } // namespace hybrid::output

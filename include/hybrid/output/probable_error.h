@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/output/response_delay.h>
+#include <hybrid/output/step_frequency.h>
+#include <hybrid/output/summary.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace hybrid::output
+{
+  /// What the error of a run is estimated from: what its monitors recorded.
+  struct ErrorRecord
+  {
+    /// A point that moves with the rock or with a block that joints hold.
+    struct Monitor
+    {
+      std::string                name;
+      const std::vector<double> *displacement;   ///< absolute, pairs, one per time [m]
+      bool                       in_rock = true; ///< in finite elements
+    };
+
+    std::vector<double>  time; ///< end of each step [s]
+    std::vector<Monitor> monitors;
+    int                  base = -1; ///< monitor that displacements are relative to; -1: absolute
+
+    /// Displacement of what shakes the model at a time [s], any unit; empty: it is set off at t =
+    /// 0.
+    std::function<double(double)> source;
+
+    double corner = 25.; ///< of the zero-phase low-pass before peaks [Hz]; 0: none
+    double until  = MonitorSummary::unknown; ///< what is later is left out [s]; NaN: nothing is
+  };
+
+
+  /// An error in frequency, s' - s at s [1/s].
+  using FrequencyError = std::function<std::complex<double>(std::complex<double> s)>;
+
+
+  /**
+   * The probable error of a run's waves from what its monitors recorded (ResponseDelay).
+   *
+   * Velocities are means over rows, as far apart as an eighth of the period of the corner, at
+   * least a step. The error of the displacement relative to the base and that of the acceleration
+   * are the integral and the derivative of that of the velocity. All pass the low-pass that peaks
+   * are taken after.
+   */
+  class ProbableError
+  {
+  public:
+    /// There are at least two times.
+    explicit ProbableError(const ErrorRecord &record);
+
+    /// Largest error at any time over the peak of the same monitor, of those in finite elements.
+    /// Monitors that move less than a thousandth of the one that moves most are left out.
+    /// @param highest angular frequency that is asked about [1/s]; errors fade above half of it.
+    Summary::ErrorPart in_rock(const FrequencyError &error, double highest) const;
+
+    /// The same of the steps, of all monitors.
+    Summary::ErrorPart of_steps(const StepScheme &scheme) const;
+
+  private:
+    using History = std::vector<double>;
+
+    struct Motion
+    {
+      std::string             name;
+      bool                    in_rock;
+      History                 velocity[2];
+      History                 relative[2]; ///< displacement less that of the base, filtered
+      ResponseDelay::Spectrum delay[2];
+      double                  peak[3] = {0., 0., 0.}; ///< of vectors, see Summary::ErrorPart
+    };
+
+    double              corner, spacing = 0.;
+    std::size_t         rows = 0, rows_until = 0;
+    int                 base;
+    std::vector<Motion> motions;
+    double              largest[3] = {0., 0., 0.};
+    ResponseDelay       response;
+
+    static double make_spacing(const ErrorRecord &record);
+    History       filtered(const History &history) const;
+    double        largest_size(const History &x, const History &y) const;
+    void          add(const ErrorRecord::Monitor &monitor, const std::vector<double> &time);
+    void          find_peaks();
+    std::array<History, 3>
+         changes(const Motion &motion, int c, const ResponseDelay::Spectrum &frequency) const;
+    void add_amplitude(const Motion &motion, int c, double dt, std::array<History, 3> &error) const;
+    Summary::ErrorPart evaluate(const FrequencyError &error,
+                                double                highest,
+                                double                amplitude_step,
+                                bool                  only_rock) const;
+  };
+} // namespace hybrid::output

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/scene/newmark.h>
+
+#include <complex>
+
+namespace hybrid::output
+{
+  /// What decides how late a step makes a wave.
+  struct StepScheme
+  {
+    Newmark newmark;
+    double  dt            = 0.; ///< [s]
+    double  block_damping = 0.; ///< beta_K of the blocks on the way [s]
+    double  node_time     = 0.; ///< a wave's from node to node of the elements [s]
+  };
+
+
+  /**
+   * The frequency s' = i w' that a model takes a motion of frequency s = i w for when it is
+   * computed in steps, less s [1/s]. A linear model with the transfer function H(s) answers with
+   * H(s'), as far as its waves are concerned.
+   *
+   * Newmark's pairs with 2 beta = gamma have, with x = tanh(s dt / 2) and e = exp(-s dt),
+   *   s'^2 = (2 x / dt)^2 / (1 + 2 x (gamma - 1/2 - f (e / 2) / (1 - e / 2))),
+   * f the filter: their transfer function from forces to motion, exactly. To second order
+   * w' = w (1 + (1/12 + f) (w dt)^2) with a filter, and the imaginary part is the damping.
+   *
+   * - The damping of blocks follows the mean rate of the step, which is that of half a step before:
+   *   1 + beta_K (1 - e) / dt in place of 1 + beta_K s. What that makes softer or stiffer counts as
+   *   frequency.
+   * - The corrected inertia of the fourth order leaves (w dt)^4 / 480, and of its elements
+   *   (w dt)^2 / 12 q / (1 + q), q = (dt / node_time)^4 / 2: the term tau^3 M X^3 of
+   *   inertia_correction.h with the tractions on the elements' ends. The factor 1/2 is that of one
+   *   element in one dimension, degrees 1 to 4 (0.25 to 0.6).
+   */
+  std::complex<double> frequency_error(const StepScheme &scheme, std::complex<double> s);
+} // namespace hybrid::output

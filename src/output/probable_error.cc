@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/probable_error.h>
+#include <hybrid/scene/motion/filter.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    constexpr double      rows_per_period = 8.; ///< of the corner
+    constexpr std::size_t most_rows       = 1 << 16;
+    constexpr double      least_motion    = 1e-3; ///< of the largest [-]
+    constexpr double      at_rest         = 1e-9; ///< round-off moves by as much [m/s]
+    constexpr double      highest_turn    = 1.5;  ///< w dt that a step is asked about [-]
+    constexpr double      fades_from      = 0.5;  ///< of the highest frequency [-]
+    /// Of (w dt)^2, with a corrected inertia: dashpots and incoming waves [-].
+    constexpr double of_displacement = 1. / 8., of_velocity = 1. / 12.;
+
+
+
+    /// Linear between the times of a record.
+    class Interpolation
+    {
+    public:
+      Interpolation(const std::vector<double> &record_time, const std::vector<double> &record_pairs)
+        : time(record_time)
+        , pairs(record_pairs)
+      {}
+
+      /// Later than the time asked before.
+      double at(const double t, const int component)
+      {
+        while (row + 2 < time.size() && time[row + 1] <= t)
+          ++row;
+        const double weight = std::min((t - time[row]) / (time[row + 1] - time[row]), 1.);
+        return (1. - weight) * pairs[2 * row + component] +
+               weight * pairs[2 * (row + 1) + component];
+      }
+
+    private:
+      const std::vector<double> &time, &pairs;
+      std::size_t                row = 0;
+    };
+
+
+
+    std::vector<double> rates(const std::vector<double> &x, const double spacing)
+    {
+      std::vector<double> result(x.size(), 0.);
+      for (std::size_t i = 1; i + 1 < x.size(); ++i)
+        result[i] = (x[i + 1] - x[i - 1]) / (2. * spacing);
+      return result;
+    }
+
+
+
+    std::vector<double> second_rates(const std::vector<double> &x, const double spacing)
+    {
+      std::vector<double> result(x.size(), 0.);
+      for (std::size_t i = 1; i + 1 < x.size(); ++i)
+        result[i] = (x[i + 1] - 2. * x[i] + x[i - 1]) / (spacing * spacing);
+      return result;
+    }
+
+
+
+    std::vector<double>
+    source_velocity(const ErrorRecord &record, const double spacing, const std::size_t rows)
+    {
+      std::vector<double> result(rows, 0.);
+      if (record.source)
+        for (std::size_t i = 0; i < rows; ++i)
+          result[i] = (record.source(record.time[0] + (i + 1) * spacing) -
+                       record.source(record.time[0] + i * spacing)) /
+                      spacing;
+      return result;
+    }
+  } // namespace
+
+
+
+  double ProbableError::make_spacing(const ErrorRecord &record)
+  {
+    assert(record.time.size() > 1);
+    const double duration = record.time.back() - record.time.front();
+    const double step     = duration / (record.time.size() - 1);
+    double       rows     = 1.; // steps per row
+    if (record.corner > 0.)
+      rows = std::max(1., std::floor(1. / (rows_per_period * record.corner * step)));
+    return std::max(rows * step, duration / most_rows);
+  }
+
+
+
+  ProbableError::ProbableError(const ErrorRecord &record)
+    : corner(record.corner)
+    , spacing(make_spacing(record))
+    , rows(static_cast<std::size_t>(
+        std::floor((record.time.back() - record.time.front()) / spacing + 1e-6)))
+    , rows_until(rows)
+    , base(record.base)
+    , response(spacing, source_velocity(record, spacing, rows))
+  {
+    if (std::isfinite(record.until))
+      rows_until = static_cast<std::size_t>(
+        std::clamp((record.until - record.time.front()) / spacing, 0., double(rows)));
+    for (const ErrorRecord::Monitor &monitor : record.monitors)
+      add(monitor, record.time);
+    find_peaks();
+  }
+
+
+
+  void ProbableError::add(const ErrorRecord::Monitor &monitor, const std::vector<double> &time)
+  {
+    Motion motion;
+    motion.name    = monitor.name;
+    motion.in_rock = monitor.in_rock;
+    for (int c = 0; c < 2; ++c)
+      {
+        Interpolation position(time, *monitor.displacement);
+        double        last = position.at(time[0], c);
+        for (std::size_t i = 0; i < rows; ++i)
+          {
+            const double next = position.at(time[0] + (i + 1) * spacing, c);
+            motion.velocity[c].push_back((next - last) / spacing);
+            motion.relative[c].push_back(0.5 * (last + next));
+            last = next;
+          }
+        motion.delay[c] = response.delay(motion.velocity[c]);
+      }
+    motions.push_back(std::move(motion));
+  }
+
+
+
+  void ProbableError::find_peaks()
+  {
+    if (base >= 0)
+      {
+        const Motion ground = motions[base];
+        for (Motion &motion : motions)
+          for (int c = 0; c < 2; ++c)
+            for (std::size_t i = 0; i < rows; ++i)
+              motion.relative[c][i] -= ground.relative[c][i];
+      }
+    for (Motion &motion : motions)
+      {
+        History a[2];
+        for (int c = 0; c < 2; ++c)
+          {
+            motion.relative[c] = filtered(motion.relative[c]);
+            a[c]               = filtered(rates(motion.velocity[c], spacing));
+          }
+        motion.peak[0] = largest_size(motion.relative[0], motion.relative[1]);
+        motion.peak[1] = largest_size(filtered(motion.velocity[0]), filtered(motion.velocity[1]));
+        motion.peak[2] = largest_size(a[0], a[1]);
+        for (int q = 0; q < 3; ++q)
+          largest[q] = std::max(largest[q], motion.peak[q]);
+      }
+  }
+
+
+
+  ProbableError::History ProbableError::filtered(const History &history) const
+  {
+    return history.size() < 2 ? history : scene::low_pass(history, spacing, corner);
+  }
+
+
+
+  double ProbableError::largest_size(const History &x, const History &y) const
+  {
+    double result = 0.;
+    for (std::size_t i = 0; i < rows_until; ++i)
+      result = std::max(result, std::hypot(x[i], y[i]));
+    return result;
+  }
+
+
+
+  std::array<ProbableError::History, 3>
+  ProbableError::changes(const Motion                  &motion,
+                         const int                      c,
+                         const ResponseDelay::Spectrum &frequency) const
+  {
+    std::array<History, 3> error;
+    error[1] = response.change(motion.delay[c], frequency);
+    error[0] = error[1];
+    const auto of_base =
+      base >= 0 ? response.change(motions[base].delay[c], frequency) : History(rows, 0.);
+    double sum = 0.; // of what is before the middle of a row
+    for (std::size_t i = 0; i < rows; ++i)
+      {
+        const double added = spacing * (error[1][i] - of_base[i]);
+        error[0][i]        = sum + 0.5 * added;
+        sum += added;
+      }
+    return error;
+  }
+
+
+
+  void ProbableError::add_amplitude(const Motion           &motion,
+                                    const int               c,
+                                    const double            dt,
+                                    std::array<History, 3> &error) const
+  {
+    const History u = second_rates(motion.relative[c], spacing),
+                  v = second_rates(motion.velocity[c], spacing);
+    for (std::size_t i = 0; i < rows; ++i)
+      {
+        error[0][i] += of_displacement * dt * dt * u[i];
+        error[1][i] += of_velocity * dt * dt * v[i];
+      }
+  }
+
+
+
+  Summary::ErrorPart ProbableError::evaluate(const FrequencyError &of_frequency,
+                                             const double          highest,
+                                             const double          amplitude_step,
+                                             const bool            only_rock) const
+  {
+    ResponseDelay::Spectrum frequency;
+    for (const std::complex<double> &s : response.frequencies())
+      {
+        const double fading = std::clamp((1. - s.imag() / highest) / (1. - fades_from), 0., 1.);
+        frequency.push_back(fading > 0. ? fading * of_frequency(s) : 0.);
+      }
+    Summary::ErrorPart result;
+    if (!(largest[1] > at_rest))
+      return result;
+    for (std::size_t m = 0; m < motions.size(); ++m)
+      {
+        if (only_rock && !motions[m].in_rock)
+          continue;
+        std::array<History, 3> errors[2];
+        for (int c = 0; c < 2; ++c)
+          {
+            errors[c] = changes(motions[m], c, frequency);
+            if (amplitude_step > 0.)
+              add_amplitude(motions[m], c, amplitude_step, errors[c]);
+            errors[c][2] = rates(errors[c][1], spacing);
+          }
+        for (int q = 0; q < 3; ++q)
+          {
+            const double peak = motions[m].peak[q];
+            if ((q == 0 && int(m) == base) || !(peak > least_motion * largest[q]))
+              continue;
+            const double part = largest_size(filtered(errors[0][q]), filtered(errors[1][q])) / peak;
+            if (!(part <= result.part[q])) // NaN: none yet
+              {
+                result.part[q]  = part;
+                result.where[q] = motions[m].name;
+              }
+          }
+      }
+    return result;
+  }
+
+
+
+  Summary::ErrorPart ProbableError::in_rock(const FrequencyError &error, const double highest) const
+  {
+    return evaluate(error, highest, 0., true);
+  }
+
+
+
+  Summary::ErrorPart ProbableError::of_steps(const StepScheme &scheme) const
+  {
+    return evaluate([&](const std::complex<double> s) { return frequency_error(scheme, s); },
+                    highest_turn / scheme.dt,
+                    scheme.newmark.corrected_step > 0. ? scheme.dt : 0.,
+                    false);
+  }
+} // namespace hybrid::output

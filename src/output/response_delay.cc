@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/response_delay.h>
+
+#include <unsupported/Eigen/FFT>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    constexpr double water_level   = 1e-4; ///< of the source's largest power [-]
+    constexpr double given_back    = 2.;   ///< at most, of what the window takes [-]
+    constexpr double tapered_end   = 0.05; ///< of a record without a source [-]
+    constexpr double least_window  = 0.25; ///< of the record [-]
+    constexpr double duration_tail = 0.05; ///< of the energy at both ends of the duration [-]
+
+
+
+    /// From 5 to 95 % of the sum of squares [rows].
+    std::size_t strong_rows(const std::vector<double> &x)
+    {
+      double total = 0., sum = 0.;
+      for (const double value : x)
+        total += value * value;
+      std::size_t first = 0, last = 0;
+      for (std::size_t i = 0; i < x.size(); ++i)
+        {
+          sum += x[i] * x[i];
+          if (sum < duration_tail * total)
+            first = i + 1;
+          if (sum < (1. - duration_tail) * total)
+            last = i + 1;
+        }
+      return last - first;
+    }
+  } // namespace
+
+
+
+  ResponseDelay::ResponseDelay(const double given_spacing, const std::vector<double> &source)
+    : spacing(given_spacing)
+    , rows(source.size())
+    , length(2)
+    , is_set_off(std::all_of(source.begin(), source.end(), [](double f) { return f == 0.; }))
+  {
+    while (length < 2 * rows)
+      length *= 2;
+    for (std::size_t k = 0; k <= length / 2; ++k)
+      s.emplace_back(0., 2. * M_PI * k / (length * spacing));
+    for (std::size_t i = 0; i < length; ++i)
+      lag.push_back(i <= length / 2 ? i * spacing : -spacing * (length - i));
+    if (is_set_off)
+      source_spectrum.assign(s.size(), 1.);
+    else
+      make_window(source);
+  }
+
+
+
+  void ResponseDelay::make_window(const std::vector<double> &source)
+  {
+    const double duration = rows * spacing;
+    const double reach =
+      std::max(duration - strong_rows(source) * spacing, least_window * duration);
+    for (const double t : lag)
+      window.push_back(std::exp(-2. * t * t / (reach * reach)));
+    source_spectrum = forward(source);
+    Spectrum power(s.size());
+    double   largest = 0.;
+    for (std::size_t k = 0; k < s.size(); ++k)
+      {
+        power[k] = std::norm(source_spectrum[k]);
+        largest  = std::max(largest, power[k].real());
+      }
+    for (const std::complex<double> &p : windowed(power))
+      denominator.push_back(std::max(p.real(), 0.) + water_level * largest);
+  }
+
+
+
+  ResponseDelay::Spectrum ResponseDelay::forward(const std::vector<double> &history) const
+  {
+    std::vector<double> padded = history;
+    padded.resize(length, 0.);
+    Eigen::FFT<double> transform;
+    transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+    Spectrum result;
+    transform.fwd(result, padded);
+    return result;
+  }
+
+
+
+  std::vector<double> ResponseDelay::backward(const Spectrum &spectrum) const
+  {
+    Eigen::FFT<double> transform;
+    transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+    std::vector<double> result;
+    transform.inv(result, spectrum, length);
+    return result;
+  }
+
+
+
+  ResponseDelay::Spectrum ResponseDelay::windowed(const Spectrum &correlation) const
+  {
+    std::vector<double> lags = backward(correlation);
+    for (std::size_t i = 0; i < length; ++i)
+      lags[i] *= window[i];
+    return forward(lags);
+  }
+
+
+
+  ResponseDelay::Spectrum ResponseDelay::delay(const std::vector<double> &velocity) const
+  {
+    assert(velocity.size() == rows);
+    std::vector<double> pulse = velocity; // the answer to a pulse
+    if (is_set_off)
+      {
+        const std::size_t taper = std::max<std::size_t>(1, tapered_end * rows);
+        for (std::size_t i = 0; i < std::min(taper, rows); ++i)
+          pulse[rows - 1 - i] *= std::pow(std::sin(0.5 * M_PI * (i + 0.5) / taper), 2);
+        pulse.resize(length, 0.);
+      }
+    else
+      {
+        Spectrum correlation = forward(velocity);
+        for (std::size_t k = 0; k < s.size(); ++k)
+          correlation[k] *= std::conj(source_spectrum[k]);
+        correlation = windowed(correlation);
+        for (std::size_t k = 0; k < s.size(); ++k)
+          correlation[k] /= denominator[k];
+        pulse = backward(correlation);
+        for (std::size_t i = 0; i < length; ++i)
+          pulse[i] *= std::min(1. / window[i], given_back);
+      }
+    for (std::size_t i = 0; i < length; ++i)
+      pulse[i] *= -lag[i];
+    Spectrum result = forward(pulse);
+    for (std::size_t k = 0; k < s.size(); ++k)
+      result[k] *= source_spectrum[k];
+    return result;
+  }
+
+
+
+  std::vector<double> ResponseDelay::change(const Spectrum &delay,
+                                            const Spectrum &frequency_change) const
+  {
+    assert(delay.size() == s.size() && frequency_change.size() == s.size());
+    Spectrum product(s.size());
+    for (std::size_t k = 0; k < s.size(); ++k)
+      product[k] = frequency_change[k] * delay[k];
+    std::vector<double> result = backward(product);
+    result.resize(rows);
+    if (is_set_off) // the ends, where a taper and the first instant are
+      {
+        const std::size_t cut = std::min<std::size_t>(rows, std::max(10., tapered_end * rows));
+        std::fill(result.end() - cut, result.end(), 0.);
+        std::fill(result.begin(), result.begin() + std::min<std::size_t>(rows, 10), 0.);
+      }
+    return result;
+  }
+} // namespace hybrid::output

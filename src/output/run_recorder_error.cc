@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/mesh_dispersion.h>
+#include <hybrid/output/probable_error.h>
+#include <hybrid/output/run_recorder.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    constexpr std::size_t least_rows       = 20;
+    constexpr double      largest_friction = 0.1; ///< of all that was lost [-]
+
+
+
+    /// Parts of what a run lost, by name; 0 if it has none.
+    double lost(const EnergyLedger &ledger, const std::string &name)
+    {
+      const std::vector<std::string> names = ledger.names();
+      const auto                     found = std::find(names.begin(), names.end(), name);
+      const double value = found == names.end() ? 0. : ledger.values()[found - names.begin()];
+      return std::max(value, 0.);
+    }
+
+
+
+    /// Of all that went to friction, damping and boundaries, what went to friction [-].
+    double part_of_friction(const EnergyLedger &ledger)
+    {
+      const double friction = lost(ledger, "friction_loss");
+      double       total    = friction;
+      for (const char *name : {"blocks_damping_loss", "bedrock_damping_loss", "boundary_loss"})
+        total += lost(ledger, name);
+      return total > 0. ? friction / total : 0.;
+    }
+
+
+
+    /// What shakes a scene, as ErrorRecord::source; empty: it is set off at t = 0.
+    std::function<double(double)> shaking(const scene::SceneParameters &scene,
+                                          const scene::GroundMotion    &motion)
+    {
+      if (!motion.empty())
+        {
+          const double angle = scene.motion.angle * M_PI / 180.;
+          const Vec2   along(std::cos(angle), std::sin(angle));
+          return
+            [&motion, along](const double t) { return motion.outcrop_displacement(t).dot(along); };
+        }
+      if (scene.point_loads.loads.empty() || !scene.has_continuum())
+        return {};
+      const double f = scene.point_loads.frequency, middle = scene.point_loads.start + 1.5 / f;
+      return [f, middle](const double t) { // its rate is the wavelet
+        const double x = M_PI * f * (t - middle);
+        return (t - middle) * std::exp(-x * x);
+      };
+    }
+
+
+
+    /// The waves of the bedrock are P waves: shaken steeply, or begun as such.
+    bool shakes_p_waves(const RunParts &parts)
+    {
+      if (parts.motion.empty())
+        return parts.scene.initial_wave.type == scene::WaveType::pressure;
+      return std::abs(std::sin(parts.scene.motion.angle * M_PI / 180.)) > std::sqrt(0.5);
+    }
+
+
+
+    StepScheme step_scheme(const RunParts &parts, const std::vector<double> &time)
+    {
+      StepScheme scheme;
+      scheme.newmark = parts.scene.time.newmark;
+      double sum = 0., cubes = 0.; // an error of second order counts the mean of the squares
+      for (std::size_t i = 1; i < time.size(); ++i)
+        {
+          const double dt = time[i] - time[i - 1];
+          sum += dt;
+          cubes += dt * dt * dt;
+        }
+      scheme.dt = std::sqrt(cubes / sum);
+      if (parts.blocks != nullptr)
+        for (const dda::BlockProperties &block : parts.blocks->blocks)
+          scheme.block_damping += block.damping_time / parts.blocks->n_blocks();
+      if (parts.continuum != nullptr)
+        {
+          const auto   resolution = parts.continuum->resolution();
+          const double slowness =
+            shakes_p_waves(parts) ? resolution.p_time / resolution.s_time : 1.;
+          scheme.node_time = 0.1 / resolution.highest_frequency * slowness;
+        }
+      return scheme;
+    }
+
+
+
+    /// Errors of the finite elements where these are.
+    Summary::ErrorPart mesh_error(const RunParts &parts, const ProbableError &estimate)
+    {
+      const auto   resolution = parts.continuum->resolution();
+      const double cell_time =
+        resolution.cell_time * (shakes_p_waves(parts) ? resolution.p_time / resolution.s_time : 1.);
+      const int degree = parts.scene.continuum.degree;
+      return estimate.in_rock(
+        [&](const std::complex<double> s) { return mesh_frequency_error(degree, cell_time, s); },
+        M_PI * degree / cell_time);
+    }
+  } // namespace
+
+
+
+  std::string RunRecorder::why_no_error(const bool any_monitor) const
+  {
+    const scene::SceneParameters &scene = parts.scene;
+    if (times.size() < least_rows || !any_monitor)
+      return any_monitor        ? "the run is too short"
+             : monitors.empty() ? "there is no monitor"
+                                : "all monitors are on blocks that no joint holds";
+    if (scene.time.dynamic_coefficient < 1.)
+      return "Time/Dynamic coefficient damps step by step";
+    if (parts.blocks != nullptr && !scene.edge_loads.tractions.empty())
+      return "edge loads set the pace";
+    if (parts.blocks != nullptr && !parts.blocks->moving_blocks.empty())
+      return "blocks fly";
+    if (lost(ledger, "bedding_loss") > 0.)
+      return "bedding planes slip or open";
+    if (part_of_friction(ledger) > largest_friction)
+      return "friction takes " + std::to_string(std::lround(100. * part_of_friction(ledger))) +
+             " % of the energy that is lost";
+    return "";
+  }
+
+
+
+  void RunRecorder::estimate_error(Summary &summary) const
+  {
+    ErrorRecord record;
+    record.time   = times;
+    record.source = shaking(parts.scene, parts.motion);
+    record.corner = parts.scene.monitors.filter_frequency;
+    record.until  = summary.first_failure_time;
+    for (std::size_t m = 0; m < monitors.size(); ++m)
+      {
+        const int block = probes.block(monitors[m].probe);
+        if (block >= 0 && !parts.blocks->bonded[block])
+          continue;
+        if (static_cast<int>(m) == base_monitor)
+          record.base = static_cast<int>(record.monitors.size());
+        record.monitors.push_back({monitors[m].name, &monitors[m].histories[0], block < 0});
+      }
+    Summary::ProbableError &error = summary.probable_error;
+    error.reason                  = why_no_error(!record.monitors.empty());
+    if (!error.reason.empty())
+      return;
+    error.until = record.until;
+    if (error.until <= record.time[least_rows - 1])
+      {
+        error.reason = "a joint failed at once";
+        return;
+      }
+    const ProbableError estimate(record);
+    StepScheme          scheme = step_scheme(parts, times);
+    error.step                 = estimate.of_steps(scheme);
+    scheme.dt *= 0.5;
+    if (scheme.newmark.corrected_step > 0.)
+      scheme.newmark.corrected_step *= 0.5;
+    error.half_step = estimate.of_steps(scheme);
+    if (parts.continuum != nullptr && parts.scene.point_loads.loads.empty())
+      error.mesh = mesh_error(parts, estimate);
+    if (std::isnan(error.step.part[1]))
+      error.reason = "nothing moves";
+  }
+} // namespace hybrid::output

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/probable_error.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    constexpr double dt = 4e-3;
+
+
+    /// A smooth pulse of displacement about t = 1 s with the period of 0.5 s.
+    double pulse(const double t)
+    {
+      const double x = 2. * M_PI * (t - 1.);
+      return std::exp(-x * x);
+    }
+
+
+    /// Ground that moves with the source, and a point that does @p late seconds later.
+    struct Section
+    {
+      explicit Section(const double late)
+      {
+        record.corner = 0.;
+        record.source = pulse;
+        for (int i = 1; i <= 1000; ++i)
+          {
+            record.time.push_back(i * dt);
+            ground.insert(ground.end(), {pulse(i * dt), 0.});
+            top.insert(top.end(), {2. * pulse(i * dt - late), 0.});
+            still.insert(still.end(), {1e-9 * pulse(i * dt), 0.});
+          }
+        record.monitors = {{"ground", &ground}, {"top", &top}, {"still", &still}};
+      }
+
+      std::vector<double> ground, top, still;
+      ErrorRecord         record;
+    };
+
+
+
+    TEST(ProbableError, IsTheDelayOfTheWaveOverItsPeak)
+    {
+      const Section            section(0.8);
+      const Summary::ErrorPart error =
+        ProbableError(section.record).of_steps({Newmark::preset("trapezoidal"), dt, 0., 0.});
+      // Delays by dt^2/12 w^2 of the way: dt^2/12 0.8 u''' of u; largest values of derivatives of
+      // exp(-x^2): 1, 0.858, 2, 3.90, 12.
+      const double k = 2. * M_PI, way = dt * dt / 12. * 0.8 * k * k * k;
+      EXPECT_NEAR(error.part[0], way * 3.90, 0.1 * way * 3.90);
+      EXPECT_NEAR(error.part[1], way * 12. / 0.858, 0.1 * way * 12. / 0.858);
+      EXPECT_EQ(error.where[0], "top");
+      EXPECT_EQ(error.where[2], "top");
+    }
+
+
+    TEST(ProbableError, DisplacementsAreRelativeToTheBase)
+    {
+      Section section(0.);
+      section.record.base = 1; // top: all that moves does so with it
+      const Summary::ErrorPart no =
+        ProbableError(section.record).of_steps({Newmark::preset("trapezoidal"), dt, 0., 0.});
+      EXPECT_EQ(no.where[0], "ground");
+      EXPECT_LT(no.part[0], 1e-4);
+    }
+
+
+    TEST(ProbableError, LeavesOutWhatComesLater)
+    {
+      Section section(1.5);
+      section.record.until = 1.5; // before the wave is there
+      const Summary::ErrorPart error =
+        ProbableError(section.record).of_steps({Newmark::preset("trapezoidal"), dt, 0., 0.});
+      EXPECT_EQ(error.where[1], "ground");
+      EXPECT_LT(error.part[1], 1e-3);
+    }
+
+
+    TEST(ProbableError, CountsAmplitudesOfTheCorrectedInertia)
+    {
+      const Section section(0.);
+      Newmark       newmark  = Newmark::preset("fourth order");
+      newmark.corrected_step = dt;
+      const Summary::ErrorPart error =
+        ProbableError(section.record).of_steps({newmark, dt, 0., 1.});
+      const double k = 2. * M_PI;
+      EXPECT_NEAR(error.part[0], dt * dt / 8. * k * k * 2., 0.05 * dt * dt / 8. * k * k * 2.);
+    }
+  } // namespace
+} // namespace hybrid::output

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/response_delay.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    constexpr double spacing = 5e-3, stretch = 1e-3;
+
+
+    /// A wavelet of 2 Hz about t = 1 s, and its rate.
+    double wavelet(const double t)
+    {
+      const double x = 2. * M_PI * (t - 1.);
+      return (1. - 2. * x * x) * std::exp(-x * x);
+    }
+
+
+    double wavelet_rate(const double t)
+    {
+      const double x = 2. * M_PI * (t - 1.);
+      return 2. * M_PI * (4. * x * x * x - 6. * x) * std::exp(-x * x);
+    }
+
+
+    template <typename Function>
+    std::vector<double> sampled(const Function &f, const std::size_t rows = 1000)
+    {
+      std::vector<double> result;
+      for (std::size_t i = 0; i < rows; ++i)
+        result.push_back(f(i * spacing));
+      return result;
+    }
+
+
+    /// All frequencies larger by the same part.
+    std::vector<double> stretched(const ResponseDelay       &response,
+                                  const std::vector<double> &velocity)
+    {
+      ResponseDelay::Spectrum larger;
+      for (const std::complex<double> &s : response.frequencies())
+        larger.push_back(stretch * s);
+      return response.change(response.delay(velocity), larger);
+    }
+
+
+    double largest_difference(const std::vector<double> &a, const std::vector<double> &b)
+    {
+      double result = 0.;
+      for (std::size_t i = 0; i < a.size(); ++i)
+        result = std::max(result, std::abs(a[i] - b[i]));
+      return result;
+    }
+
+
+
+    TEST(ResponseDelay, AnEchoIsOffByTheTimeThatItTook)
+    {
+      const ResponseDelay response(spacing, sampled(wavelet));
+      const auto echo  = [](const double t) { return wavelet(t - 0.7) - 0.4 * wavelet(t - 2.1); };
+      const auto error = [](const double t) { // s H' F of exp(-s tau)
+        return -stretch * (0.7 * wavelet_rate(t - 0.7) - 0.4 * 2.1 * wavelet_rate(t - 2.1));
+      };
+      const double peak = largest_difference(sampled(error), std::vector<double>(1000, 0.));
+      EXPECT_LT(largest_difference(stretched(response, sampled(echo)), sampled(error)), 0.1 * peak);
+    }
+
+
+    TEST(ResponseDelay, WhatMovesWithTheSourceHasNoError)
+    {
+      const ResponseDelay response(spacing, sampled(wavelet));
+      const double        one_second = stretch * 2. * M_PI * 2.; // of a wave that took a second
+      EXPECT_LT(largest_difference(stretched(response, sampled(wavelet)),
+                                   std::vector<double>(1000, 0.)),
+                0.01 * one_second);
+    }
+
+
+    TEST(ResponseDelay, WithoutASourceTheWayBeginsAtZero)
+    {
+      const ResponseDelay response(spacing, std::vector<double>(1000, 0.));
+      const auto          error = [](const double t) { // -d/dt of t times the motion
+        return -stretch * (wavelet(t) + t * wavelet_rate(t));
+      };
+      const double peak = largest_difference(sampled(error), std::vector<double>(1000, 0.));
+      EXPECT_LT(largest_difference(stretched(response, sampled(wavelet)), sampled(error)),
+                0.01 * peak);
+    }
+  } // namespace
+} // namespace hybrid::output

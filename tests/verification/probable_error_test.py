@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The error that a run says it has (summary.json, probable_error) beside the true one, from the same scene with a quarter of its step.
+
+True error: largest size of the difference of two histories at any time over the peak, of the monitor where that is largest; displacement
+relative to the base, all below the filter's corner. What the quarter of the step has left itself (a sixteenth; a quarter with a scheme
+of first order) is added.
+
+Usage: probable_error_test.py HYBRID_BINARY SOURCE_DIR WORK_DIR [--write doc/accuracy.md]
+The first form runs the scenes of SHORT and asks for a factor of 3. --write runs all and writes the table of the page (minutes, and
+Badong another ten); runs that are in WORK_DIR already are kept.
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+import numpy as np
+
+FACTOR = 3.0
+QUANTITIES = ("displacement", "velocity", "acceleration")
+REST = 1e-3  # of the largest peak: what moves less is left out, as in the program
+SCHEME = {"trapezoidal": ["Time/Scheme=trapezoidal"], "dissipative": ["Time/Scheme=dissipative"]}
+BADONG = ["Mesh/Numbers=Resolution/h = 8"]
+
+# name: steps in units of the scene's own, and what is set besides
+SHORT = {"time_order": ((4, 1), []), "bedrock_triangles": ((4,), []), "block_decrement": ((1,), []), "lasting_load": ((4,), []),
+         "canyon": ((4,), []), "rayleigh_decrement": ((4,), [])}
+LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_layers": ((4, 1), []),
+        "block_decrement": ((4, 1), []), "continuum_into_blocks": ((4, 1), []), "coupled_column": ((4, 1), []),
+        "coupled_column trapezoidal": ((4, 1), SCHEME["trapezoidal"]), "coupled_column dissipative": ((4, 1), SCHEME["dissipative"]),
+        "time_order": ((4, 1), []), "time_order dissipative": ((4, 1), SCHEME["dissipative"]), "lasting_load": ((4, 1), []),
+        "free_field": ((4, 1), []), "rayleigh_decrement": ((4, 1), []), "elastic_joints": ((4, 1), []), "joint_bands": ((4, 1), []),
+        "canyon": ((4, 1), []), "step": ((4, 1), []), "lamb": ((4, 1), []), "wave_packet": ((4, 1), []),
+        "oblique_joints": ((4, 1), []), "soft_layer": ((16, 4), []), "badong": ((4, 2, 1), BADONG),
+        "shaken_base": ((4,), []), "incline": ((4,), []), "rocking": ((4,), []), "free_flight": ((4,), []),
+        "brittle_release": ((4,), []), "direct_shear": ((4,), []), "infinite_slope": ((4,), []), "coulomb_joint": ((4,), []),
+        "opening_plane": ((4,), []), "opening_blocks": ((4,), []), "bedding_slip_layers": ((4,), []), "restart_coupled": ((4,), []),
+        "floating_block": ((4,), []), "dynamic_coefficient": ((4,), []), "unit_squares": ((4,), [])}
+
+# Mesh of the bedrock: numbers of the mesh, sizes of its cells [m] and the reference's
+MESH = {"wave_packet": ("Width = 12.5; Height = 1000;", (12.5, 6.25), 3.125),
+        "soft_layer": ("Width = 40; Height = 500; Layer height = 400;", (80, 40), 20),
+        "free_field": ("Width = 100; Height = 100; Layer height = 40;", (20, 10), 5),
+        "rayleigh_decrement": ("Width = 10; Height = 50;", (25, 10), 2.5)}
+
+
+def scene_file(source, name):
+    place = "majiagou" if name == "badong" else "verification"
+    return source / "parameters" / place / (name.split()[0] + ".prm")
+
+
+def own_step(file):
+    found = re.search(r"set Time step\s*=\s*([0-9.e-]+)", file.read_text())
+    return float(found.group(1)) if found else 1e-3  # the default
+
+
+def compute(binary, source, work, name, factor, settings):
+    """The run with this step, if it is not there yet. @return its directory."""
+    place = work / ("%s-%g" % (name.replace(" ", "_"), factor))
+    if not (place / "summary.json").exists():
+        words = [binary, scene_file(source, name), "-s", "Output/Directory=%s" % place, "-s", "Output/Picture interval=0",
+                 "-s", "Time/Time step=%.10g" % (factor * own_step(scene_file(source, name)))]
+        for setting in settings:
+            words += ["-s", setting]
+        subprocess.run(words, check=True, cwd=source, stdout=subprocess.DEVNULL)
+    return place
+
+
+def histories(place, axis=None):
+    """(times, by monitor: displacement relative to the base, velocity, acceleration, filtered), sampled at the times of an axis."""
+    from hybrid_run import Run
+    from hybrid_run.low_pass import low_pass
+
+    run = Run(place)
+    step = float(np.median(np.diff(run.time)))
+    time = step * np.arange(1, round(run.time[-1] / step) + 1)
+    corner = float(run.parameters["Monitors/Filter frequency"].split()[0])
+    result = {}
+    for name, monitor in run.monitors.items():
+        values = [monitor.displacement, monitor.velocity, monitor.acceleration]
+        values = [np.column_stack([np.interp(time, run.time, v[:, c]) for c in (0, 1)]) for v in values]
+        result[name] = [low_pass(v, step, corner) for v in values]
+    if axis is not None:
+        result = {name: [np.column_stack([np.interp(axis, time, v[:, c]) for c in (0, 1)]) for v in values]
+                  for name, values in result.items()}
+    return time, result, run.base
+
+
+def size(pairs):
+    return np.sqrt((pairs**2).sum(axis=1))
+
+
+def true_errors(coarse, fine, ratio, order, until):
+    """Largest error over the peak, of the worst monitor: displacement, velocity, acceleration."""
+    time, found, base = histories(coarse)
+    _, reference, _ = histories(fine, time)
+    keep = time <= (until or time[-1])
+    correction = 1 / (1 - ratio**-order)
+    result = []
+    for q in range(3):
+        peaks = {name: size(values[q][keep]).max() for name, values in reference.items() if q > 0 or name != base}
+        parts = [correction * size(found[name][q][keep] - reference[name][q][keep]).max() / peak
+                 for name, peak in peaks.items() if peak > REST * max(peaks.values())]
+        result.append(max(parts) if parts else float("nan"))
+    return result
+
+
+def compare(binary, source, work, name, factors, settings):
+    """For each step: what the run says, and the true errors. The reference has a quarter of the finest step."""
+    reference = compute(binary, source, work, name, min(factors) / 4, settings)
+    for factor in factors:
+        place = compute(binary, source, work, name, factor, settings)
+        said = json.loads((place / "summary.json").read_text())["probable_error"]
+        order = 1 if "dissipative" in name else 2
+        true = true_errors(place, reference, 4 * factor / min(factors), order, said.get("until_s"))
+        estimated = [said["time_step"][q]["part_of_peak"] for q in QUANTITIES] if said["estimated"] else None
+        yield factor * own_step(scene_file(source, name)), true, estimated, said
+
+
+def compare_meshes(binary, source, work, name):
+    """For each size of cells: what the run says of its mesh, and the true errors. All with a quarter of the scene's own step."""
+    numbers, sizes, finest = MESH[name]
+
+    def run(size_of_cells):
+        return compute(binary, source, work, "%s cells %g" % (name, size_of_cells), 0.25,
+                       ["Mesh/Numbers=%s Resolution/h = %g" % (numbers, size_of_cells)])
+
+    for cells in sizes:
+        said = json.loads((run(cells) / "summary.json").read_text())["probable_error"]["bedrock_mesh"]
+        yield cells, true_errors(run(cells), run(finest), cells / finest, 4, None), [said[q]["part_of_peak"] for q in QUANTITIES]
+
+
+def judge(name, what, true, estimated):
+    ratios = [e / t for e, t in zip(estimated, true)]
+    good = all(1 / FACTOR < r < FACTOR for r in ratios)
+    print("%-20s %s: true %s, estimated over true %s%s" % (name, what, " ".join("%.2g" % t for t in true),
+          " ".join("%.2f" % r for r in ratios), "" if good else "  <-- not within %g" % FACTOR))
+    return good
+
+
+def short(binary, source, work):
+    bad = 0
+    for name in ("wave_packet", "soft_layer"):
+        for cells, true, estimated in compare_meshes(binary, source, work, name):
+            bad += not judge(name, "%g m" % cells, true, estimated)
+    for name, (factors, settings) in SHORT.items():
+        for step, true, estimated, said in compare(binary, source, work, name, factors, settings):
+            if estimated is None:
+                sys.exit("%s: not estimated: %s" % (name, said["reason"]))
+            bad += not judge(name, "%g s" % step, true, estimated)
+    sys.exit(1 if bad else 0)
+
+
+def percent(values):
+    return ", ".join("%.2g" % (100 * value) for value in values)
+
+
+def row(label, size_of_it, true, estimated):
+    ratios = ["%.2g" % (e / t) if t > 0 else "-" for e, t in zip(estimated, true)]
+    ratios = ["**%s**" % r if r != "-" and not 1 / FACTOR <= float(r) <= FACTOR else r for r in ratios]
+    return "| %s | %g | %s | %s | %s |" % (label, size_of_it, percent(true), percent(estimated), ", ".join(ratios))
+
+
+def write(binary, source, work, page):
+    rows, mesh_rows = [], []
+    for name, (factors, settings) in LONG.items():
+        for step, true, estimated, said in compare(binary, source, work, name, factors, settings):
+            label = name if name != "badong" else "Badong, h = 8 m"
+            if estimated is None:
+                rows.append("| %s | %g | %s | %s | |" % (label, 1e3 * step, percent(true), "not estimated: " + said["reason"]))
+            else:
+                rows.append(row(label, 1e3 * step, true, estimated))
+    for name in MESH:
+        for cells, true, estimated in compare_meshes(binary, source, work, name):
+            mesh_rows.append(row(name, cells, true, estimated))
+    text = page.read_text()
+    for lines, mark in ((rows, "steps"), (mesh_rows, "meshes")):
+        begin, end = "<!-- %s -->\n" % mark, "\n<!-- end -->"
+        first = text.index(begin)
+        head = text.index("|---|---|---|---|---|\n", first) + len("|---|---|---|---|---|\n")
+        text = text[:head] + "\n".join(lines) + "\n" + text[text.index(end, head - 1):]
+    page.write_text(text)
+
+
+def main():
+    binary, source, work = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
+    sys.path.insert(0, str(source / "src/tools"))
+    work.mkdir(parents=True, exist_ok=True)
+    if "--write" in sys.argv:
+        write(binary, source, work, pathlib.Path(sys.argv[sys.argv.index("--write") + 1]))
+    else:
+        short(binary, source, work)
+
+
+if __name__ == "__main__":
+    main()
