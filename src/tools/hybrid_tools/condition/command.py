@@ -112,6 +112,8 @@ def main(words):
     style.apply()
     done, events = [], None
     while len(done) < found.events:
+        if events:
+            events.run.file.close()  # the program writes it
         events = Events(repetition.run_event(len(done) + 1), repetition.period)
         done.append(events.event(len(done) + 1))
         tell(done[-1], done[0])

@@ -20,14 +20,14 @@ def draw(events, done, part, directory):
         bars.bar(numbers + 0.2, sizes[:, 1], 0.4, color=style.SLIP, label="mean slip")
     bars.axhline(part * sizes[0, 0], color=style.TEXT, linewidth=0.8, linestyle="--")
     bars.set(xlabel="event", ylabel="added [mm]", title="What each event adds", xticks=numbers)
-    bars.legend()
+    bars.set_ylim(top=1.3 * max(sizes.max(), 1e-9))
+    bars.legend(loc="upper right")
     order = sorted(done[0].points, key=lambda name: -np.linalg.norm(done[0].points[name].left))
     for name in order[:MOST_LINES]:
-        history = events.histories[name]
-        lines.plot(events.run.time, 1e3 * np.sign(history[-1, 0] or 1) * np.linalg.norm(history, axis=1), linewidth=0.8, label=name)
+        lines.plot(events.run.time, 1e3 * events.run.downhill * events.histories[name][:, 0], linewidth=0.8, label=name)
     for number in numbers[:-1]:
         lines.axvline(number * events.period, color="#8a8a8a", linewidth=0.6)
-    lines.set(xlabel="time [s]", ylabel="size of displacement [mm]", title="Monitors that the first event leaves farthest")
+    lines.set(xlabel="time [s]", ylabel="%s displacement [mm]" % events.run.along(), title="Monitors that the first event leaves farthest")
     lines.legend(ncols=2)
     path = os.path.join(directory, "condition.png")
     figure.savefig(path)

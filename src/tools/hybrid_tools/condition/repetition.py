@@ -7,7 +7,7 @@ import subprocess
 from hybrid_run import Run, UserError
 from hybrid_run.parameters import parse_parameters
 
-BELONG_TO_THE_TOOL = ("Motion/Repetitions", "Motion/Repetition interval", "Time/End time", "Output/Directory", "Checkpoint/Wall interval")
+OWN = ("Motion/Repetitions", "Motion/Repetition interval")  # what this tool sets itself
 
 
 def call(words):
@@ -27,9 +27,8 @@ class Repetition:
     """A scene whose motion comes up to `events` times."""
 
     def __init__(self, scene, overrides, quiet, events, directory):
-        own = dict(pair.split("=", 1) for pair in overrides)
-        if refused := [path for path in own if path.strip() in BELONG_TO_THE_TOOL[:2]]:
-            raise UserError("%s is set by hybrid condition: see its options --events and --quiet" % refused[0].strip())
+        if refused := [path for path in (pair.split("=")[0].strip() for pair in overrides) if path in OWN]:
+            raise UserError("%s is set by hybrid condition: see its options --events and --quiet" % refused[0])
         self.scene, self.overrides, self.directory = scene, [word for pair in overrides for word in ("-s", pair)], directory
         values = parse_parameters(call(["--print-parameters", scene] + self.overrides).splitlines())
         if values["Motion/Type"] == "none":
@@ -39,6 +38,8 @@ class Repetition:
         step = float(values["Time/Time step"])
         self.period = step * round((float(values["Time/End time"]) + quiet) / step)  # [s]
         self.fixed = {"Motion/Repetitions": events, "Motion/Repetition interval": "%.12g" % self.period}
+        if values["Checkpoint/Step interval"] == values["Checkpoint/Wall interval"] == "0":
+            self.fixed["Checkpoint/Wall interval"] = 600  # there has to be one to go on from
 
     def run_event(self, number):
         """The run up to the end of an event."""
