@@ -53,9 +53,10 @@ namespace
 TEST(InitialBlockStress, of_level_ground_leaves_no_force_on_any_unknown)
 {
   Ground       ground;
-  const double weight = ground.scene.materials.at("rock").density * gravity;
+  const double part   = 1e-6; // the stretch of joints is finite: forces are exact to first order
+  const double weight = part * ground.scene.materials.at("rock").density * gravity;
   prescribe_block_stress(
-    scene::InitialStress(ground.mesh, ground.scene), 0, ground.model, ground.state, {true, 1.});
+    scene::InitialStress(ground.mesh, ground.scene), 0, ground.model, ground.state, {true, part});
   const RestForces springs(ground.model, ground.state);
   int              inside = 0;
   for (int b = 0; b < ground.model.n_blocks(); ++b)
@@ -68,7 +69,7 @@ TEST(InitialBlockStress, of_level_ground_leaves_no_force_on_any_unknown)
         continue; // the sides bear what is beside them
       ++inside;
       Vec6 force = springs.bonds.segment<6>(6 * b);
-      force[1] -= p.weight_at_rest * gravity;
+      force[1] -= part * p.weight_at_rest * gravity;
       force.tail<3>() -= p.area * block.stress;
       EXPECT_LT(force.norm(), 1e-9 * weight) << b;
     }
