@@ -67,7 +67,7 @@ EFFECTS = {
                 ["Gravity/Acceleration=9.81"]),
     "initial stress": (COLUMN, ["Gravity/Initial stress=elastic"], None, ["Gravity/Initial stress=0.8"]),
     "repeated motion": (COLUMN, ["Motion/Repetitions=1", "Motion/Repetition interval=0.02"],
-                        ["Motion/Repetitions=2", "Motion/Repetition interval=0.06"],
+                        ["Motion/Repetitions=2", "Motion/Repetition interval=1"],
                         ["Motion/Repetitions=2", "Motion/Repetition interval=0.02"]),
     "pseudo-static force": (COLUMN, ["Gravity/Horizontal coefficient=0"], None, ["Gravity/Horizontal coefficient=0.05"]),
     "strength reduction": (SLOPE, ["Materials/Strength reduction factor=1"], None, ["Materials/Strength reduction factor=1.1"]),

@@ -71,10 +71,11 @@ def table_of_events(done):
     return table
 
 
-def table_of_states(first, last):
+def table_of_states(first, last, conditioned):
     """Virgin beside conditioned: the first event and the last."""
-    table = Table([Column("monitor"), Column("left, virgin", "m", LENGTH), Column("left, conditioned", "m", LENGTH),
-                   Column("peak displacement, virgin", "m", LENGTH), Column("peak displacement, conditioned", "m", LENGTH),
+    state = "conditioned" if conditioned else "event %d" % last.number
+    table = Table([Column("monitor"), Column("left, virgin", "m", LENGTH), Column("left, " + state, "m", LENGTH),
+                   Column("peak displacement, virgin", "m", LENGTH), Column("peak displacement, " + state, "m", LENGTH),
                    Column("peak acceleration, virgin", "m/s2", LENGTH), Column("change", "", percent)])
     for name, before in first.points.items():
         after = last.points[name]
@@ -120,7 +121,7 @@ def main(words):
         if leaves_nothing(done[0]) or (len(done) > 1 and is_conditioned(done[0], done[-1], found.part)):
             break
     conditioned, sentence = verdict(done, found.part)
-    overview, states = table_of_events(done), table_of_states(done[0], done[-1])
+    overview, states = table_of_events(done), table_of_states(done[0], done[-1], conditioned)
     more = {"scene": os.path.abspath(found.scene), "overrides": found.overrides, "part": found.part, "period_s": repetition.period,
             "conditioned": conditioned, "verdict": sentence, "states": states.records()}
     overview.write(found.output, "condition", more, "# Virgin and conditioned\n\n" + sentence + "\n", "\n" + states.markdown())
