@@ -30,7 +30,6 @@ FACTORS = {
     "springs": [False, True],
     "damping": ["none", "blocks", "rock"],
     "threads": [1, 2],
-    "stress": ["elastic", "0.8", "1 - sin phi"],  # that the section begins with
 }
 YOUNG = {"stiff": 5e9, "soft": 2e8, "mud": 1e7}  # of the bedrock [Pa]
 MASS = {"density": 2000.0, "young": 2e8}  # of the blocks [kg/m3, Pa]
@@ -56,7 +55,6 @@ RULES = [
     (("blocks", "strength"), lambda b, s: b == "bonded" or s == "strong"),
     (("angle", "friction"), lambda a, f: a > 0 or f == "holds"),
     (("belt", "friction"), lambda b, f: b != "never fails" or f == "holds"),
-    (("static", "stress"), lambda s, i: s != "none" or i == "elastic"),
     (("friction", "static"), lambda f, s: f == "holds" or s != "equilibrium"),
     (("base", "motion"), lambda b, m: b != "fixed" or m == "none"),
     (("surface", "nodes"), lambda s, n: s == "plane" or n != "shifted"),
@@ -156,8 +154,7 @@ class Scene:
         o = self.options
         values = {"Time/End time": self.end_time, "Time/Time step": self.time_step, "Time/Scheme": o["scheme"],
                   "Mesh/File": "section.msh", "Model/Bedrock": o["bedrock"], "Model/Blocks": o["blocks"],
-                  "Gravity/Static stage": o["static"], "Gravity/Initial stress": o["stress"],
-                  "Parallel/Threads": o["threads"],
+                  "Gravity/Static stage": o["static"], "Parallel/Threads": o["threads"],
                   "Output/Audit interval": self.time_step, "Checkpoint/Wall interval": 0}
         if self.section.free_blocks:
             values["Mesh/Polygons file"] = "blocks.csv"
