@@ -109,7 +109,7 @@ namespace hybrid
 
   double SceneModel::end_of_loads() const
   {
-    double end = scene.motion.start + motion.outcrop().duration();
+    double end = motion.end();
     if (!scene.edge_loads.tractions.empty())
       end = std::max(end, scene.edge_loads.start + scene.edge_loads.rise_time);
     if (!scene.point_loads.loads.empty()) // the wavelet is even about its peak

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/statics/initial_bedding_tractions.h>
+#include <hybrid/dda/statics/initial_block_stress.h>
 #include <hybrid/dda/step/block_energy.h>
 #include <hybrid/output/static_progress.h>
 #include <hybrid/output/terminal.h>
@@ -31,6 +32,11 @@ namespace hybrid
         stress_planes();
         return true;
       }
+    if (model.scene.environment.has_initial_stress())
+      dda::prescribe_block_stress(scene::InitialStress(model.mesh, model.scene),
+                                  static_cast<int>(model.mesh.block_region_names.size()),
+                                  *model.blocks,
+                                  state.blocks);
     output::StaticProgressLine line(std::cout, output::standard_output_is_terminal());
     settled = dda::settle(
       *model.blocks,

@@ -77,6 +77,7 @@ namespace hybrid
       {"section", "a picture of a scene's section, before it is run"},
       {"fos",
        "factor of safety by strength reduction, yield acceleration, Newmark's displacements"},
+      {"condition", "what a motion leaves at first, and after it has come until little is added"},
       {"benchmark",
        "how fast the program is: scenes that are known to be hard, timed and compared"},
     };

@@ -50,6 +50,13 @@ namespace hybrid::continuum
   }
 
 
+  void BeddingSlip::add_rest(const std::vector<double> &tractions_at_rest)
+  {
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      rest[i] += tractions_at_rest[i];
+  }
+
+
   void BeddingSlip::begin_rest()
   {
     rest_state = initial_state();

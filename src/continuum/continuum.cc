@@ -118,6 +118,14 @@ namespace hybrid::continuum
     m.allocate_work();
     if (scene.bedding.slips && !m.rock.joints.empty())
       m.prepare_slip(scene.bedding);
+    if (scene.environment.has_initial_stress())
+      m.initial_stress =
+        std::make_unique<InitialRockStress>(scene::InitialStress(mesh, scene),
+                                            m.cell_region,
+                                            m.rock,
+                                            *m.nodes,
+                                            JointStiffness{scene.bedding.normal_stiffness,
+                                                           scene.bedding.shear_stiffness});
     m.add_point_loads(scene.point_loads);
     m.add_wave(scene.initial_wave, mesh);
   }

@@ -190,6 +190,20 @@ namespace hybrid::continuum
   }
 
 
+  std::array<double, 3> Continuum::Implementation::static_stress(const int   cell,
+                                                                 const Vec2 &local) const
+  {
+    if (static_displacement.empty())
+      return {0., 0., 0.};
+    std::array<double, 3> result =
+      stress(nodes->gradient(cell, local, static_displacement), cell_material[cell]);
+    if (initial_stress != nullptr)
+      for (int k = 0; k < 3; ++k)
+        result[k] += initial_stress->at(cell, local)[k];
+    return result;
+  }
+
+
   Continuum::Picture Continuum::picture(const ContinuumState &state) const
   {
     const auto &nodes = *impl->nodes;
@@ -212,12 +226,7 @@ namespace hybrid::continuum
               const Vec2 centre(0.5 * (x[i] + x[i + 1]), 0.5 * (x[j] + x[j + 1]));
               result.stress.push_back(
                 stress(nodes.gradient(c, centre, state.displacement), impl->cell_material[c]));
-              if (impl->static_displacement.empty())
-                result.static_stress.push_back({0., 0., 0.});
-              else
-                result.static_stress.push_back(
-                  stress(nodes.gradient(c, centre, impl->static_displacement),
-                         impl->cell_material[c]));
+              result.static_stress.push_back(impl->static_stress(static_cast<int>(c), centre));
             }
       }
     return result;

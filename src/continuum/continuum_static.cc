@@ -56,6 +56,8 @@ namespace hybrid::continuum
     for (std::size_t k = 0; k < m.surface.size() && surface_force.size() > 0; ++k)
       for (int c = 0; c < 2; ++c)
         load[2 * m.surface[k] + c] += surface_force[2 * k + c];
+    if (m.initial_stress != nullptr)
+      m.initial_stress->subtract_from(load);
 
     std::vector<char> supported(m.n_dofs(), 0);
     for (const auto *side : {&m.left_nodes, &m.right_nodes})
@@ -91,6 +93,8 @@ namespace hybrid::continuum
 
     // Planes that gravity alone brings to their limit slip until the rest can carry it.
     const Eigen::MatrixXd relaxation = m.slip_relaxation(number, system, *factor);
+    if (m.initial_stress != nullptr)
+      m.slip->add_rest(m.initial_stress->plane_tractions());
     m.slip->begin_rest();
     SlipStatus status = SlipStatus::changed;
     for (int k = 0; k < max_static_corrections; ++k)

@@ -144,6 +144,9 @@ namespace hybrid::output
       text += line("  gravity            %s  %g m/s2",
                    state(scene.environment.gravity > 0.).c_str(),
                    scene.environment.gravity);
+      if (scene.environment.has_initial_stress())
+        text += line("  initial stress     on   horizontal over vertical: %s",
+                     scene.environment.initial_stress.c_str());
       if (scene.environment.horizontal != 0.)
         text +=
           line("  pseudo-static      on   %g times weight along +x", scene.environment.horizontal);
@@ -179,6 +182,10 @@ namespace hybrid::output
         found.peak_acceleration / g,
         motion.duration(),
         highest_frequency(motion));
+      if (scene.motion.repetitions > 1)
+        text += line("                          %d times, every %g s",
+                     scene.motion.repetitions,
+                     scene.motion.repetition_interval);
       if (found.peak_acceleration > 0.)
         text += line(
           "                          peak velocity %.3g m/s (%.3g cm/s per g), 5 to 95 %% of the Arias intensity in %.3g s, largest spectral acceleration %.3g m/s2 at %.2g s (5 %%)",

@@ -30,6 +30,8 @@ NONSENSE = [
     ("Gravity/Horizontal coefficient", "nan"), ("Gravity/Horizontal coefficient", "1e300"),
     ("Materials/Strength reduction factor", "0"), ("Materials/Strength reduction factor", "-1"),
     ("Gravity/Acceleration", "nan"), ("Gravity/Acceleration", "-9.81"), ("Gravity/Acceleration", "1e300"),
+    ("Gravity/Initial stress", "-0.1"), ("Gravity/Initial stress", "nan"), ("Gravity/Initial stress", "1e300"),
+    ("Gravity/Initial stress", "1 - cos phi"), ("Motion/Repetitions", "0"), ("Motion/Repetition interval", "0"),
     ("Motion/Frequency", "1e-9"), ("Motion/Frequency", "1e308"), ("Motion/Peak", "nan"), ("Motion/Peak", "-1"), ("Motion/Peak", "1e300"),
     ("Blocks/Penalty ratio", "0"), ("Blocks/Penalty ratio", "nan"), ("Blocks/Penalty ratio", "1e300"),
     ("Blocks/Shear ratio", "-1"), ("Blocks/Damping ratio", "-0.1"), ("Blocks/Tolerance", "0"),

@@ -33,6 +33,9 @@ namespace hybrid::continuum
     /// Tractions at rest are a uniform compression [Pa].
     void set_rest(double compression);
 
+    /// Besides, these on the points [Pa].
+    void add_rest(const std::vector<double> &tractions_at_rest);
+
     /// Static stage: begin_rest(), solve_rest() with add_load_change() until settled, keep_rest():
     /// the tractions at rest are then those of the static model after its slip.
     void       begin_rest();

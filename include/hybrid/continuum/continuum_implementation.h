@@ -6,6 +6,7 @@
 #include <hybrid/continuum/condensed_factor.h>
 #include <hybrid/continuum/continuum.h>
 #include <hybrid/continuum/element_nodes.h>
+#include <hybrid/continuum/initial_rock_stress.h>
 #include <hybrid/continuum/node_matrices.h>
 #include <hybrid/continuum/point_loads.h>
 #include <hybrid/continuum/rock_mesh.h>
@@ -22,19 +23,20 @@ namespace hybrid::continuum
   /// factored matrix, without supported unknowns, the surface last.
   struct Continuum::Implementation
   {
-    RockMesh                        rock;
-    std::vector<int>                cell_region;
-    std::vector<Material>           cell_material;
-    std::unique_ptr<ElementNodes>   nodes;
-    NodeMatrices                    matrices;
-    std::unique_ptr<BoundaryForces> boundary;
-    std::unique_ptr<BeddingSlip>    slip; ///< null unless bedding planes may slip
-    std::vector<BeddingPlane>       slipping_planes;
-    PointLoads                      point_loads;
-    std::unique_ptr<WavePacket>     wave; ///< at t = 0; null: none
-    WaveReach                       wave_reach;
-    Newmark                         newmark;
-    double                          rayleigh_mass = 0., rayleigh_stiffness = 0.;
+    RockMesh                           rock;
+    std::vector<int>                   cell_region;
+    std::vector<Material>              cell_material;
+    std::unique_ptr<ElementNodes>      nodes;
+    NodeMatrices                       matrices;
+    std::unique_ptr<BoundaryForces>    boundary;
+    std::unique_ptr<BeddingSlip>       slip; ///< null unless bedding planes may slip
+    std::vector<BeddingPlane>          slipping_planes;
+    std::unique_ptr<InitialRockStress> initial_stress; ///< null: Gravity/Initial stress = elastic
+    PointLoads                         point_loads;
+    std::unique_ptr<WavePacket>        wave; ///< at t = 0; null: none
+    WaveReach                          wave_reach;
+    Newmark                            newmark;
+    double                             rayleigh_mass = 0., rayleigh_stiffness = 0.;
 
     std::vector<Vec2> surface_positions;
     std::vector<int>  surface; ///< nodes of the contact surface from left to right
@@ -104,6 +106,9 @@ namespace hybrid::continuum
 
     /// Cell and shape function values at a position. @throws InputError naming @p what if outside.
     Point cell_point(const Vec2 &position, const std::string &what) const;
+
+    /// Of the static model, xx, yy, xy [Pa]; zero before solve_static_state().
+    std::array<double, 3> static_stress(int cell, const Vec2 &local) const;
 
     // the wave at t = 0 (continuum_start.cc)
     void add_wave(const scene::InitialWaveParameters &parameters, const scene::SectionMesh &mesh);

@@ -23,6 +23,8 @@ namespace hybrid
     double residual_cohesion =
       -1.; ///< c_res [Pa]; < 0: none for joints of the mass, for a belt the same as cohesion
 
+    double initial_ratio = -1.; ///< K0 of Gravity/Initial stress [-], >= 0; < 0: elastic
+
     bool friction_is_given() const
     {
       return given_friction_angle >= 0.;
@@ -32,6 +34,12 @@ namespace hybrid
     double weighing_density() const
     {
       return weight_density < 0. ? density : weight_density;
+    }
+
+    /// Horizontal over vertical effective stress of level ground before the static stage [-].
+    double lateral_ratio() const
+    {
+      return initial_ratio < 0. ? poisson_ratio / (1. - poisson_ratio) : initial_ratio;
     }
 
     /// Shear modulus G = E / (2 (1 + nu)) [Pa].

@@ -2,6 +2,8 @@
 #include <hybrid/dda/model/model_builder.h>
 #include <hybrid/dda/statics/begin_motion.h>
 #include <hybrid/dda/statics/initial_bedding_tractions.h>
+#include <hybrid/dda/statics/initial_block_stress.h>
+#include <hybrid/dda/statics/joint_stretch.h>
 #include <hybrid/dda/statics/static_steps.h>
 #include <hybrid/dda/step/block_energy.h>
 #include <hybrid/dda/step/initial_state.h>
@@ -27,13 +29,6 @@ namespace hybrid::dda
 
 
 
-    /// Tractions of a joint's end; compression and the shear of JointLaw [Pa].
-    struct Traction
-    {
-      double normal = 0., shear = 0.;
-      bool   broken = false;
-    };
-
     using Ends = std::pair<double, double>;
 
     /// An end of a joint: its place, and that of the other end [m].
@@ -45,25 +40,6 @@ namespace hybrid::dda
       const Vec2      a = g.vertices[joint.edge], b = g.vertices[g.next(joint.edge)];
       const Ends      first{a.x(), a.y()}, second{b.x(), b.y()};
       return end == 0 ? EndKey{first, second} : EndKey{second, first};
-    }
-
-
-
-    /// Give an end of a joint the elastic stretch of its traction.
-    void stretch(const Model &model, const Joint &joint, const Traction &t, SpringState &point)
-    {
-      const Geometry &g  = model.initial;
-      const Vec2 tangent = (g.vertices[g.next(joint.edge)] - g.vertices[joint.edge]).normalized();
-      const Vec2 normal(tangent.y(), -tangent.x());
-      point        = {};
-      point.gap    = -t.normal / joint.law.normal_stiffness();
-      point.slip   = -t.shear / joint.law.shear_stiffness();
-      point.jump   = point.gap * normal + point.slip * tangent;
-      point.normal = point.elastic_normal = t.normal;
-      point.shear = point.elastic_shear = t.shear;
-      point.history.damage              = t.broken ? 1. : 0.;
-      if (t.broken && t.normal <= 0.)
-        point.state = ContactState::open;
     }
 
 
@@ -119,6 +95,9 @@ namespace hybrid::dda
       /// Pressure of the water on the surface.
       void load_water(const Water &water);
 
+      /// Stress that the bedrock has from the start, of the section with its mass.
+      void prescribe_stress(const scene::InitialStress &initial);
+
       /// What the mass of another model puts on the bedrock.
       void load_mass(const Model &other, const DdaState &settled);
 
@@ -129,7 +108,7 @@ namespace hybrid::dda
       }
 
       /// Tractions of the planes, and what they do.
-      std::map<EndKey, Traction> tractions(BeddingRest &result) const;
+      std::map<EndKey, JointTraction> tractions(BeddingRest &result) const;
 
     private:
       const SectionMesh         &mesh;
@@ -215,6 +194,24 @@ namespace hybrid::dda
 
 
 
+    void RestModel::prescribe_stress(const scene::InitialStress &initial)
+    {
+      prescribe_block_stress(initial,
+                             static_cast<int>(mesh.block_region_names.size()),
+                             model,
+                             state,
+                             {true, load_fraction});
+      for (std::size_t j = 0; j < model.joints.size(); ++j)
+        if (model.joints[j].kind == JointKind::bedding)
+          for (SpringState &point : state.joints[j].points)
+            stretch(model,
+                    model.joints[j],
+                    {point.normal + scene.bedding.initial_normal_stress, point.shear},
+                    point);
+    }
+
+
+
     void RestModel::load_mass(const Model &other, const DdaState &settled)
     {
       const std::vector<SurfaceEdge> edges   = surface_edges();
@@ -244,9 +241,9 @@ namespace hybrid::dda
 
 
 
-    std::map<EndKey, Traction> RestModel::tractions(BeddingRest &result) const
+    std::map<EndKey, JointTraction> RestModel::tractions(BeddingRest &result) const
     {
-      std::map<EndKey, Traction> found;
+      std::map<EndKey, JointTraction> found;
       for (std::size_t j = 0; j < model.joints.size(); ++j)
         for (int end = 0; end < 2 && model.joints[j].kind == JointKind::bedding; ++end)
           {
@@ -282,12 +279,14 @@ namespace hybrid::dda
     const bool  held = under_gravity && scene.environment.static_stage == scene::StaticStage::held;
     if (under_gravity)
       {
+        if (scene.environment.has_initial_stress())
+          rest.prescribe_stress(scene::InitialStress(mesh, scene));
         rest.load_weight();
         rest.load_water(model.water);
         rest.load_mass(held ? with_unlimited_strengths(model) : model, state);
         result.equilibrium = rest.settle();
       }
-    const std::map<EndKey, Traction> tractions = rest.tractions(result);
+    const std::map<EndKey, JointTraction> tractions = rest.tractions(result);
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       for (int end = 0; end < 2 && model.joints[j].kind == JointKind::bedding; ++end)
         {

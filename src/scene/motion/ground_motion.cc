@@ -16,24 +16,36 @@ namespace hybrid::scene
     : record(parameters.outcrop ? given : given.scaled(free_surface))
     , direction(std::cos(parameters.angle * M_PI / 180.), std::sin(parameters.angle * M_PI / 180.))
     , start(parameters.start)
+    , repetitions(parameters.repetitions)
+    , interval(parameters.repetition_interval)
   {}
+
+
+  template <typename Value>
+  Vec2 GroundMotion::sum(const double time, const Value &value) const
+  {
+    double total = value(time - start);
+    for (int event = 1; event < repetitions && time >= start + event * interval; ++event)
+      total += value(time - start - event * interval);
+    return total * direction;
+  }
 
 
   Vec2 GroundMotion::outcrop_acceleration(const double time) const
   {
-    return record.acceleration(time - start) * direction;
+    return sum(time, [this](const double t) { return record.acceleration(t); });
   }
 
 
   Vec2 GroundMotion::outcrop_velocity(const double time) const
   {
-    return record.velocity(time - start) * direction;
+    return sum(time, [this](const double t) { return record.velocity(t); });
   }
 
 
   Vec2 GroundMotion::outcrop_displacement(const double time) const
   {
-    return record.displacement(time - start) * direction;
+    return sum(time, [this](const double t) { return record.displacement(t); });
   }
 
 

@@ -76,7 +76,9 @@ namespace hybrid::scene
     void look_at_end(const MotionParameters &parameters, const double end_time, InputMotion &input)
     {
       const Motion &motion = input.motion;
-      const double  T = motion.duration(), end = parameters.start + T;
+      const double  T      = motion.duration();
+      const double  end =
+        parameters.start + (parameters.repetitions - 1) * parameters.repetition_interval + T;
       if (motion.peak_acceleration() == 0.)
         return;
       const double drift = motion.velocity(T);

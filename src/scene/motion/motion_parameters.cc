@@ -169,6 +169,17 @@ namespace hybrid::scene
                    "Direction of shaking from +x: 0 is horizontal (S wave), 90 vertical (P wave).");
     section.number(
       "Start", motion.start, "s", ParameterRange::at_least(0.), "Time at which the motion starts.");
+    section.integer(
+      "Repetitions",
+      motion.repetitions,
+      {1, 1000},
+      "How often the motion comes, for what the first event leaves and what each further one "
+      "adds; hybrid condition does this until little is added.");
+    section.number("Repetition interval",
+                   motion.repetition_interval,
+                   "s",
+                   ParameterRange::above(0.),
+                   "From the start of one event to that of the next.");
     declare_synthesis(section, motion);
     declare_earthquake(section, motion.earthquake);
     declare_spectrum(section, motion);

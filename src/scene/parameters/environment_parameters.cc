@@ -1,8 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/parameters/parameter_declarations.h>
+#include <hybrid/scene/parameters/parameter_values.h>
+
+#include <cmath>
 
 namespace hybrid::scene
 {
+  namespace
+  {
+    const char *const jaky                  = "1 - sin phi";
+    const char *const initial_stress_values = "elastic, a number >= 0 and <= 10, 1 - sin phi, or "
+                                              "'material: one of these; ...'";
+    constexpr double  largest_ratio         = 10.;
+
+
+
+    /// Sets Material::initial_ratio by what the user says of it. @return false for nonsense
+    bool set_ratio(Material &material, const std::string &value)
+    {
+      const std::optional<double> number = parse_number(value);
+      if (number)
+        material.initial_ratio = *number;
+      else if (value == jaky && material.friction_is_given())
+        material.initial_ratio = 1. - std::sin(material.friction_angle * M_PI / 180.);
+      return number ? *number >= 0. && *number <= largest_ratio
+                    : value == jaky || value == "elastic";
+    }
+  } // namespace
+
+
+
   void declare(ParameterTable &table, EnvironmentParameters &environment)
   {
     ParameterSection gravity(table, {"Gravity"});
@@ -32,6 +59,15 @@ namespace hybrid::scene
                    "Strengths are those of today's slope: slip while it settles takes nothing of "
                    "them, and slip and softening count from the state at rest; what has opened "
                    "then stays failed.");
+    gravity.text(
+      "Initial stress",
+      environment.initial_stress,
+      initial_stress_values,
+      "Horizontal over vertical effective stress before the static stage, which then finds "
+      "equilibrium with strengths active. elastic: that of gravity switched on, nu/(1 - nu) "
+      "on level ground; a number: K0 of the overburden's stress, in blocks and bedrock; "
+      "1 - sin phi: K0 by each material's Friction angle, elastic if it has none; by "
+      "material: those that are not named are elastic.");
     ParameterSection water(table, {"Water"});
     water.number_or(
       "Level",
@@ -56,6 +92,43 @@ namespace hybrid::scene
                  ParameterRange::above(0.),
                  "Density of the water (submerged and pressures).");
   }
+
+  void resolve_initial_stress(SceneParameters &scene, const ParameterTable &table)
+  {
+    const EnvironmentParameters &around = scene.environment;
+    const char *const            path   = "Gravity/Initial stress";
+    if (!around.has_initial_stress())
+      return;
+    if (around.static_stage == StaticStage::none)
+      throw table.error(path, "needs a static stage; Gravity/Static stage is none");
+    const auto refuse = [&] {
+      return table.error(path, std::string("must be ") + initial_stress_values);
+    };
+    if (around.initial_stress.find(':') == std::string::npos)
+      {
+        for (auto &[name, material] : scene.materials)
+          if (!set_ratio(material, around.initial_stress))
+            throw refuse();
+        return;
+      }
+    std::vector<std::pair<std::string, std::string>> values;
+    try
+      {
+        values = parse_pairs(around.initial_stress, ':');
+      }
+    catch (const InputError &reason)
+      {
+        throw table.error(path, reason.what());
+      }
+    for (const auto &[name, value] : values)
+      {
+        check_material_name(scene, name, path, table);
+        if (!set_ratio(scene.materials.at(name), value))
+          throw refuse();
+      }
+  }
+
+
 
   void check_water(const SceneParameters &scene, const ParameterTable &table)
   {

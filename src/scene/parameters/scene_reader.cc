@@ -75,6 +75,7 @@ namespace hybrid::scene
           material.friction_angle = material.given_friction_angle;
       resolve_scheme(scene, table);
       check(scene, table);
+      resolve_initial_stress(scene, table);
       divide_strengths(scene, scene.strength_reduction);
       std::ostringstream used;
       table.print(used);

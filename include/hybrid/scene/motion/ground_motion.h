@@ -16,7 +16,8 @@ namespace hybrid::scene
    *   compliant base    the upgoing wave (incoming traction 2 Z v_up),
    *   prescribed base   the motion of the outcrop.
    *
-   * Vectors in the direction of shaking; all are zero before the start and without a motion.
+   * Vectors in the direction of shaking; all are zero before the start and without a motion. The
+   * motion may come several times (Motion/Repetitions).
    */
   class GroundMotion
   {
@@ -38,6 +39,12 @@ namespace hybrid::scene
       return record;
     }
 
+    /// From the start of the run to the end of the last event [s].
+    double end() const
+    {
+      return start + (repetitions - 1) * interval + record.duration();
+    }
+
     /// [m/s2] at @p time [s] of the run.
     Vec2 outcrop_acceleration(double time) const;
 
@@ -55,7 +62,14 @@ namespace hybrid::scene
 
   private:
     Motion record; ///< at an outcrop
-    Vec2   direction = Vec2::UnitX();
-    double start     = 0.; ///< of the record [s]
+    Vec2   direction   = Vec2::UnitX();
+    double start       = 0.; ///< of the record [s]
+    int    repetitions = 1;
+    double interval    = 0.; ///< from one start to the next [s]
+
+    /// Sum over all events of what one has done at a time since its start [s]: after its record
+    /// displacement goes on with the velocity that is left.
+    template <typename Value>
+    Vec2 sum(double time, const Value &value) const;
   };
 } // namespace hybrid::scene

@@ -32,7 +32,9 @@ namespace hybrid::scene
       true; ///< the motion is the outcrop motion (twice the upgoing wave); false: the upgoing wave
     double angle =
       0.; ///< direction of shaking [deg] from +x: 0 = S wave (horizontal), 90 = P wave (vertical)
-    double start             = 0.; ///< the motion starts at this time [s]
+    double start               = 0.;  ///< the motion starts at this time [s]
+    int    repetitions         = 1;   ///< how often it comes, >= 1
+    double repetition_interval = 60.; ///< from one start to the next [s]
     double frequency         = 2.; ///< ricker: dominant; sine: its own; synthetic: predominant [Hz]
     double cycles            = 10.; ///< sine: number of cycles [-], > 0
     double taper             = 2.;  ///< sine: cycles over which it rises, and falls [-], >= 0

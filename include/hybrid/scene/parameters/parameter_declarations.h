@@ -54,6 +54,10 @@ namespace hybrid::scene
   /// does not fit the scene.
   void resolve_scheme(SceneParameters &scene, const ParameterTable &table);
 
+  /// Sets Material::initial_ratio of all materials from Gravity/Initial stress, with friction
+  /// angles that no factor has divided yet. @throws InputError for nonsense.
+  void resolve_initial_stress(SceneParameters &scene, const ParameterTable &table);
+
   /// Time step against end time.
   void check(const TimeParameters &time, const ParameterTable &table);
 

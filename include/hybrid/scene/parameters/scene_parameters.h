@@ -146,10 +146,18 @@ namespace hybrid::scene
                               ///< along +x [-]
     StaticStage static_stage    = StaticStage::equilibrium;
     bool        reset_softening = true; ///< slip at rest takes nothing of strengths
+    std::string initial_stress =
+      "elastic";                 ///< before the static stage, see resolve_initial_stress()
     double water_level = -1e300; ///< elevation [m]; below it the saturated materials hold (initial
                                  ///< position of the block)
     WaterMethod water_method  = WaterMethod::paper;
     double      water_density = 1000.; ///< [kg/m3], > 0
+
+    /// The section begins with stresses: Material::lateral_ratio() of the overburden's.
+    bool has_initial_stress() const
+    {
+      return initial_stress != "elastic";
+    }
   };
 
   /// A named point whose motion is recorded.

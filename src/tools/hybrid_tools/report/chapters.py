@@ -54,6 +54,7 @@ def chapters(run, identifier):
     for name, heading, drawings in CHAPTERS:
         found.append(Chapter(name, heading, drawn(run, identifier, drawings)))
     found.insert(2, monitors(run, identifier))
+    found.insert(3, conditioning(run))
     found.append(Chapter("boreholes", "Boreholes", [panel for name in holes(run) if (panel := panels.panel(
         run, panels.of_borehole, "%s-hole-%s" % (identifier, safe(name)), name))]))
     found.append(Chapter("random", "Heterogeneity", drawn(run, identifier, (random_field.modulus, random_field.strength))))
@@ -79,6 +80,17 @@ def monitors(run, identifier):
     head = ["monitor", "peak displacement%s [%s]" % (against, unit), "left [%s]" % unit, "peak acceleration [m/s²]", "× outcrop",
             "peak velocity [m/s]", "x [m]", "y [m]"]
     return Chapter("monitors", "Monitors", drawn(run, identifier, (panels.displacements, panels.ratios)), head if rows else None, rows)
+
+
+def conditioning(run):
+    """What hybrid condition has found: the first event beside the last, in millimetres."""
+    found = run.summary.get("conditioning")
+    if not found:
+        return Chapter("conditioning", "Virgin and conditioned")
+    columns = [column for column in found["states"][0] if "displacement" in column or "left" in column] if found["states"] else []
+    rows = [[state["monitor"]] + ["%.4g" % (1e3 * state[column]) for column in columns] for state in found["states"]]
+    rows.append([found["verdict"]] + [""] * len(columns))
+    return Chapter("conditioning", "Virgin and conditioned", head=["monitor"] + [column + " [mm]" for column in columns], rows=rows)
 
 
 def histories(run, identifier):

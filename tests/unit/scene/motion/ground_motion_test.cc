@@ -56,3 +56,28 @@ TEST(GroundMotion, nothing_moves_before_the_start_or_without_a_motion)
   expect_near(GroundMotion().upgoing_velocity(1.), 0.);
   expect_near(GroundMotion().outcrop_acceleration(0.), 0.);
 }
+
+
+
+TEST(GroundMotion, comes_again_where_the_last_event_has_left_the_ground)
+{
+  MotionParameters parameters;
+  parameters.start               = 0.25;
+  parameters.repetitions         = 3;
+  parameters.repetition_interval = 4.;
+  const GroundMotion motion{Motion(0.5, {2., 2., 2.}), parameters}; // leaves 2 m/s
+  EXPECT_EQ(motion.end(), 0.25 + 8. + 1.);
+  for (int event = 0; event < 3; ++event)
+    {
+      const double start = 0.25 + 4. * event;
+      EXPECT_NEAR(motion.outcrop_acceleration(start + 0.5).x(), 2., 1e-14);
+      EXPECT_EQ(motion.outcrop_acceleration(start + 2.).x(), 0.);
+      EXPECT_NEAR(motion.outcrop_velocity(start + 0.5).x(), 2. * event + 1., 1e-14);
+      // Each event left 1 m after its second, and 2 m/s from then on.
+      double u = 0.25;
+      for (int before = 0; before < event; ++before)
+        u += 1. + 2. * (4. * (event - before) + 0.5 - 1.);
+      EXPECT_NEAR(motion.outcrop_displacement(start + 0.5).x(), u, 1e-13);
+    }
+  EXPECT_NEAR(motion.outcrop_velocity(100.).x(), 6., 1e-14);
+}

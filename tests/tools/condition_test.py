@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""hybrid condition: a slab that shakes down is conditioned, a block that slides down a plane never is."""
+import json
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+from hybrid_run import Run
+from hybrid_run.newmark import rate_on_slope, rigid_block
+from hybrid_tools.condition.events import Events
+
+SLAB = ROOT / "parameters/verification/shakedown.prm"
+BLOCK = ROOT / "parameters/verification/incline.prm"
+SLAB_WORDS = ("--quiet", "2", "-s", "Time/End time=6", "-s", "Output/Picture interval=0")
+BLOCK_WORDS = ("--quiet", "2", "--events", "3", "-s", "Time/End time=2", "-s", "Time/Time step=0.002", "-s", "Materials/rock/Friction angle=35",
+               "-s", "Gravity/Static stage=equilibrium", "-s", "Motion/Type=ricker", "-s", "Motion/Frequency=1", "-s", "Motion/Peak=4")
+
+
+def read(directory):
+    return json.loads((directory / "condition.json").read_text())
+
+
+def test_a_slab_shakes_down_and_the_report_says_so(hybrid, tmp_path):
+    out = tmp_path / "out"
+    result = hybrid("condition", SLAB, *SLAB_WORDS, "--output", out)
+    assert result.returncode == 0, result.stderr
+    found = read(out)
+    assert found["conditioned"] and [row["event"] for row in found["rows"]] == [1, 2]
+    assert "Conditioned: event 2" in result.stdout and found["period_s"] == 8
+    first, second = found["rows"]
+    assert first["displacement added"] == pytest.approx(0.58e-3, rel=0.02) and first["at"] == "toe"
+    assert abs(second["mean slip added"]) < 1e-4 * first["mean slip added"]
+    states = {state["monitor"]: state for state in found["states"]}
+    assert states["toe"]["left, conditioned"] < 1e-3 * states["toe"]["left, virgin"] == first["displacement added"] * 1e-3
+    # The run has both events, its summary the result, the page a chapter.
+    run = Run(out / "run")
+    assert run.time[-1] == pytest.approx(16) and run.summary["conditioning"]["verdict"] == found["verdict"]
+    assert all((out / ("condition." + kind)).stat().st_size > 100 for kind in ("csv", "md", "png"))
+    page = tmp_path / "page.html"
+    assert hybrid("report", out / "run", "--output", page).returncode == 0
+    assert "Virgin and conditioned" in page.read_text() and found["verdict"] in page.read_text()
+
+
+def test_a_block_slides_the_same_in_every_event_as_newmark_says(hybrid, tmp_path):
+    out = tmp_path / "out"
+    result = hybrid("condition", BLOCK, *BLOCK_WORDS, "--output", out)
+    assert result.returncode == 0, result.stderr
+    found = read(out)
+    assert not found["conditioned"] and len(found["rows"]) == 3 and "Not conditioned" in result.stdout
+    slips = [row["mean slip added"] for row in found["rows"]]
+    assert slips[1:] == pytest.approx([slips[0]] * 2, rel=1e-4)
+    run = Run(out / "run")
+    one = run.time <= found["period_s"]
+    slope, friction = np.radians(30), np.radians(35)
+    critical = 9.81 * np.tan(friction - slope)
+    acceleration = run.get("input/acceleration")[: one.sum(), 0]
+    expected = rigid_block(run.time[one], acceleration, critical, rate=rate_on_slope(slope, friction))[-1]
+    assert slips[0] == pytest.approx(expected, rel=0.01)
+    assert Events(run, found["period_s"]).event(2).failures == 0
+
+
+@pytest.mark.parametrize("words, part", [
+    (["nowhere.prm"], "'nowhere.prm' is no parameter file"), ([SLAB, "--events", "1"], "--events is 1"), ([SLAB, "--part", "1"], "--part is 1"),
+    ([SLAB, "--quiet", "-1"], "--quiet is -1"), ([BLOCK], "has no motion"), ([SLAB, "-s", "Motion/Repetitions=2"], "is set by hybrid condition"),
+    ([SLAB, "-s", "Time/No=1"], "Time/No")])
+def test_mistakes_are_one_line(hybrid, tmp_path, words, part):
+    result = hybrid("condition", *words, "--output", "out", cwd=tmp_path)
+    assert result.returncode == 2 and part in result.stderr and result.stderr.count("\n") == 1, result.stderr
