@@ -120,6 +120,15 @@ def slides_as_one(case, variant, run):
     case.below("%s: mean slide %.5f m, closed form %.5f, error" % (variant, mean, expected), abs(mean / expected - 1), 5e-3)
 
 
+def slides_uncut(case, variant, run):
+    slides_as_one(case, variant, run)
+    needs_no_cut(case, variant, run)
+
+
+def needs_no_cut(case, variant, run):
+    case.true("%s: %d steps were cut" % (variant, run.summary["cuts"]), run.summary["cuts"] == 0)
+
+
 CASES = {
     "stiffness_ratio": Wanted({"scene": [], "soft_below": ["Continuum/Materials=mud", "Blocks/Material=granite",
                                                            "Blocks/Belt material=mud"]}, residual=0.001),
@@ -163,6 +172,9 @@ CASES = {
     "friction_10": Wanted(),
     "slope_blocks": Wanted(full_speed=1.7, full_size={"600": ["Mesh/Numbers=Angle = 20; Columns = 120; Rows = 5; Base above = 150"]},
                            more=slides_as_one),
+    "tiny_block": Wanted(residual=0.001, more=slides_uncut),
+    "stiff_slab": Wanted({"%s GPa" % modulus: ["Materials/rock/Young modulus=%se9" % modulus] for modulus in ("50", "5", "0.5")},
+                         residual=0.001, more=needs_no_cut),
     "wall": Wanted(residual=0.001, more=rests(1e-6), full_size={
         "50x40": ["Mesh/Numbers=Columns = 50; Rows = 40; Block width = 2; Base above = 150", "Time/End time=5"]}),
     "column_50": Wanted(residual=0.001, more=rests(1e-6)),
