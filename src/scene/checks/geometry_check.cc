@@ -211,6 +211,27 @@ namespace hybrid::scene
     }
 
 
+    /// Under an edge of the base, and on none: the foot of a vertical wall is under the end of its
+    /// upper edge.
+    bool is_below(const Vec2              &x,
+                  const SectionMesh       &mesh,
+                  const std::vector<Edge> &base,
+                  const double             depth)
+    {
+      bool below = false;
+      for (const Edge &edge : base)
+        {
+          const Vec2 &a = mesh.nodes[edge[0]], &b = mesh.nodes[edge[1]];
+          if (distance(x, a, b) <= depth)
+            return false;
+          if (x.x() > a.x() && x.x() <= b.x())
+            below = below || x.y() < a.y() + (x.x() - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
+        }
+      return below;
+    }
+
+
+
     /// Blocks must not lie under the polyline of a rigid base.
     void check_rigid_base(const SectionMesh &mesh)
     {
@@ -230,15 +251,11 @@ namespace hybrid::scene
                 if (is_inside(x, block, depth))
                   throw InputError("The block at " + at(block.centre) +
                                    " has the point of the base at " + at(x) + " inside.");
-              for (const Vec2 &x : block.outline)
-                if (x.x() > a.x() && x.x() <= b.x())
-                  {
-                    const double t = (x.x() - a.x()) / (b.x() - a.x());
-                    if (x.y() < a.y() + t * (b.y() - a.y()) && distance(x, a, b) > depth)
-                      throw InputError("The block at " + at(block.centre) + " has its vertex " +
-                                       at(x) + " below the base.");
-                  }
             }
+          for (const Vec2 &x : block.outline)
+            if (is_below(x, mesh, base, depth))
+              throw InputError("The block at " + at(block.centre) + " has its vertex " + at(x) +
+                               " below the base.");
         }
     }
 

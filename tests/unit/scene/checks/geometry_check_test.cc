@@ -103,6 +103,22 @@ namespace hybrid::scene::test
   }
 
 
+  TEST(GeometryCheck, ABlockAtTheFootOfAWallIsNotBelowTheLedgeOnTop)
+  {
+    SectionMesh mesh = small_section();
+    mesh.lines       = {};
+    mesh.blocks      = {};
+    const auto first = static_cast<int>(mesh.nodes.size());
+    const auto base  = {Vec2(-2., 2.), Vec2(0., 2.), Vec2(0., 0.), Vec2(3., 0.)};
+    mesh.nodes.insert(mesh.nodes.end(), base.begin(), base.end());
+    mesh.lines["ground"] = {{first, first + 1}, {first + 1, first + 2}, {first + 2, first + 3}};
+    add_block(mesh, {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}});
+    EXPECT_NO_THROW(check_geometry(mesh, rigid_scene()));
+    mesh.nodes[mesh.blocks[0][0]] = Vec2(-0.2, 0.1); // into the wall
+    expect_part(error_of(mesh, rigid_scene()), "has its vertex (-0.2, 0.1) m below the base.");
+  }
+
+
   TEST(GeometryCheck, BlocksUnderARigidBaseAreFound)
   {
     SectionMesh mesh = small_section();
