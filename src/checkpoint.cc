@@ -61,7 +61,7 @@ namespace hybrid
       for (const char *section : {"Output/", "Checkpoint/", "Parallel/"})
         if (path.rfind(section, 0) == 0)
           return true;
-      return path == "Time/End time";
+      return path == "Time/End time" || path == "Time/Error target";
     }
   } // namespace
 

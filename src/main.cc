@@ -7,6 +7,7 @@
 #include <hybrid/restart/write_error.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/scene/parameters/scene_reader.h>
 #include <hybrid/simulation.h>
 #include <hybrid/tool.h>
@@ -153,6 +154,38 @@ namespace
 
 
 
+  /// Repeat a run that has finished, with shorter steps, until Time/Error target is met. Each
+  /// repetition is a run of its own: it can be resumed, and looks at the target at its end.
+  RunStatus meet_error_target(std::unique_ptr<Simulation> simulation,
+                              const Interruption         &interruption)
+  {
+    const std::string directory = simulation->directory();
+    StepChoice        choice    = simulation->next_step_size();
+    while (choice.step)
+      {
+        const std::string            size = scene::number_text(*choice.step);
+        const scene::SceneParameters scene =
+          read_scene_of_run(directory, {"Time/Time step=" + size});
+        simulation.reset(); // its memory
+        output::Log log(std::cout, output::standard_output_is_terminal());
+        simulation = make_simulation(directory, scene, log);
+        prepare_directory(scene, true, log);
+        log.info("Repeated in steps of " + size +
+                 " s: the probable error of longer ones is above Time/Error target");
+        simulation->report().card();
+        const RunStatus status = simulation->run(interruption);
+        if (status != RunStatus::finished)
+          return status;
+        choice = simulation->next_step_size();
+      }
+    if (!choice.unmet.empty())
+      std::cerr << "warning: Time/Error target is not known to be met: " << choice.unmet
+                << std::endl;
+    return RunStatus::finished;
+  }
+
+
+
   int run_scene(const CommandLine            &command,
                 const scene::SceneParameters &scene,
                 int                          &argc,
@@ -169,7 +202,7 @@ namespace
     output::Log      log(std::cout, output::standard_output_is_terminal());
     if (command.action == Action::resume)
       log.info("Resumed before the first checkpoint: the run begins anew");
-    const auto         simulation = make_simulation(command.target, scene, log);
+    auto               simulation = make_simulation(command.target, scene, log);
     const Interruption interruption; // before anything is written
     if (command.action != Action::check)
       prepare_directory(scene, force, log);
@@ -181,7 +214,11 @@ namespace
         log.info("The scene can be run.");
         return 0;
       }
-    return run_guarded(scene.output.directory, [&] { return simulation->run(interruption); });
+    return run_guarded(scene.output.directory, [&] {
+      const RunStatus status = simulation->run(interruption);
+      return status == RunStatus::finished ? meet_error_target(std::move(simulation), interruption)
+                                           : status;
+    });
   }
 
 
@@ -197,10 +234,13 @@ namespace
     prepare_process();
     const MpiSession   session(argc, argv);
     output::Log        log(std::cout, output::standard_output_is_terminal());
-    const auto         simulation = make_simulation(command.target, scene, log);
+    auto               simulation = make_simulation(command.target, scene, log);
     const Interruption interruption;
-    return run_guarded(command.target,
-                       [&] { return simulation->resume(checkpoint, interruption); });
+    return run_guarded(command.target, [&] {
+      const RunStatus status = simulation->resume(checkpoint, interruption);
+      return status == RunStatus::finished ? meet_error_target(std::move(simulation), interruption)
+                                           : status;
+    });
   }
 } // namespace
 

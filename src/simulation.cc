@@ -211,6 +211,17 @@ namespace hybrid
 
 
 
+  StepChoice Simulation::next_step_size() const
+  {
+    constexpr double             percent = 0.01;
+    const scene::TimeParameters &time    = model.scene.time;
+    if (time.error_target == 0.)
+      return {};
+    return choose_step(step_error, time.time_step, percent * time.error_target);
+  }
+
+
+
   RunStatus Simulation::finish(Run &run, RunStatus status)
   {
     output::Summary &summary = run.summary;
@@ -238,6 +249,7 @@ namespace hybrid
     summary.peak_memory    = peak_memory();
     summary.probable_error.cost =
       summary.stages["steps"]; // twice as many, which need not be harder
+    step_error = summary.probable_error;
     output::write_summary(summary, model.scene.output.directory + "/summary.json");
 
     run_report.end(summary, status);

@@ -8,6 +8,7 @@
 #include <hybrid/run_report.h>
 #include <hybrid/run_status.h>
 #include <hybrid/scene_model.h>
+#include <hybrid/step_choice.h>
 
 namespace hybrid
 {
@@ -35,15 +36,24 @@ namespace hybrid
     RunStatus resume(const restart::CheckpointContent &checkpoint,
                      const Interruption               &interruption);
 
+    /// What Time/Error target calls for after a run that has finished.
+    StepChoice next_step_size() const;
+
+    const std::string &directory() const
+    {
+      return model.scene.output.directory;
+    }
+
   private:
     struct Run; ///< what changes while the scene runs, besides the state of its parts
 
-    output::Log           &log;
-    const SceneModel       model;
-    const RunReport        run_report;
-    dda::StaticResult      settled;
-    continuum::StaticSlip  planes_at_rest;
-    coupling::CoupledState state;
+    output::Log                   &log;
+    const SceneModel               model;
+    const RunReport                run_report;
+    dda::StaticResult              settled;
+    continuum::StaticSlip          planes_at_rest;
+    coupling::CoupledState         state;
+    output::Summary::ProbableError step_error; ///< of the run that has finished
 
     /// The static stage. @return false if the user has ended it.
     bool settle(const Interruption &interruption);

@@ -17,6 +17,15 @@ namespace hybrid::scene
                    "s",
                    ParameterRange::above(0.),
                    "Size dt of a step. Steps that do not converge are halved.");
+    section.quantity_or(
+      "Error target",
+      {"none", time.error_target},
+      time.error_target_has_unit,
+      {{"%", 1.}},
+      {0., 100., false, true},
+      "Largest probable error of the time step, of the displacements and velocities of monitors over their peaks. "
+      "A run that ends with a larger one is repeated from the beginning with Time step over 2, 4, 8 or 16, as the "
+      "estimate says; none: it stands.");
     section.number_or(
       "Rest speed",
       {"none", time.rest_speed},

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/step_choice.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hybrid
+{
+  namespace
+  {
+    /// Displacement or velocity, whichever is farther off [-].
+    double largest(const output::Summary::ErrorPart &error)
+    {
+      return std::fmax(error.part[0], error.part[1]); // one of them may be unknown
+    }
+  } // namespace
+
+
+
+  StepChoice choose_step(const output::Summary::ProbableError &error,
+                         const double                          time_step,
+                         const double                          target)
+  {
+    constexpr int    most_halvings = 4;
+    constexpr double second_order  = 0.25;
+    if (!error.reason.empty())
+      return {"the error is not estimated, " + error.reason, {}};
+    const double now = largest(error.step), half = largest(error.half_step);
+    if (now <= target)
+      return {};
+    if (!(half < now))
+      return {"half the step would not be nearer to it", {}};
+    const double gain     = std::max(second_order, half / now);
+    int          halvings = 1;
+    for (double left = half; left > target && halvings < most_halvings; left *= gain)
+      ++halvings;
+    return {"", std::ldexp(time_step, -halvings)};
+  }
+} // namespace hybrid

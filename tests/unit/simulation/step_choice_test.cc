@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/step_choice.h>
+
+#include <gtest/gtest.h>
+
+using hybrid::choose_step;
+using hybrid::StepChoice;
+using hybrid::output::Summary;
+
+
+
+/// Displacement and velocity off by @p now, and by @p half with half the step; acceleration by
+/// more.
+Summary::ProbableError
+estimated(const double now, const double half)
+{
+  Summary::ProbableError error;
+  error.reason.clear();
+  error.step.part      = {0.3 * now, now, 10.};
+  error.half_step.part = {0.3 * half, half, 10.};
+  return error;
+}
+
+
+
+TEST(StepChoice, a_run_that_meets_the_target_stands)
+{
+  const StepChoice choice = choose_step(estimated(0.009, 0.002), 4e-3, 0.01);
+  EXPECT_FALSE(choice.step);
+  EXPECT_EQ(choice.unmet, "");
+}
+
+
+
+TEST(StepChoice, takes_as_many_halvings_as_a_second_order_needs)
+{
+  EXPECT_DOUBLE_EQ(*choose_step(estimated(0.04, 0.01), 4e-3, 0.01).step, 2e-3);
+  EXPECT_DOUBLE_EQ(*choose_step(estimated(0.16, 0.04), 4e-3, 0.01).step, 1e-3);
+  EXPECT_DOUBLE_EQ(*choose_step(estimated(0.04, 0.001), 4e-3, 0.0009).step,
+                   1e-3); // gains no more than that
+}
+
+
+
+TEST(StepChoice, a_first_order_takes_more)
+{
+  EXPECT_DOUBLE_EQ(*choose_step(estimated(0.08, 0.04), 8e-3, 0.01).step, 1e-3);
+}
+
+
+
+TEST(StepChoice, four_halvings_at_most)
+{
+  EXPECT_DOUBLE_EQ(*choose_step(estimated(0.5, 0.4), 16e-3, 1e-6).step, 1e-3);
+}
+
+
+
+TEST(StepChoice, one_quantity_is_enough)
+{
+  Summary::ProbableError error = estimated(0.04, 0.01);
+  error.step.part[0] = error.half_step.part[0] = hybrid::output::MonitorSummary::unknown;
+  EXPECT_DOUBLE_EQ(*choose_step(error, 4e-3, 0.01).step, 2e-3);
+}
+
+
+
+TEST(StepChoice, says_what_it_cannot_know)
+{
+  Summary::ProbableError error = estimated(0.04, 0.01);
+  error.reason                 = "blocks fly";
+  EXPECT_FALSE(choose_step(error, 4e-3, 0.01).step);
+  EXPECT_NE(choose_step(error, 4e-3, 0.01).unmet.find("blocks fly"), std::string::npos);
+  EXPECT_NE(choose_step(estimated(0.04, 0.05), 4e-3, 0.01).unmet.find("half the step"),
+            std::string::npos);
+}

@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A run that misses Time/Error target is repeated with the step that its estimate asks for; killed in the repetition, it goes on to
+the same bits; a run whose error is not estimated says so.
+
+    error_target_test.py HYBRID ROOT WORK_DIR   exit code 1 and a sentence if a requirement is not met
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import time
+
+import h5py
+import numpy as np
+
+
+def same_bits(one, other):
+    """Whether all histories of monitors are equal."""
+    with h5py.File(one / "run.h5") as a, h5py.File(other / "run.h5") as b:
+        names = []
+        a["monitors"].visititems(lambda name, item: names.append("monitors/" + name) if isinstance(item, h5py.Dataset) else None)
+        return len(names) > 0 and all(np.array_equal(a[name][()], b[name][()]) for name in ["time", *names])
+
+
+def step_of(directory):
+    """Time/Time step in params.used.prm [s]."""
+    lines = (directory / "params.used.prm").read_text(encoding="utf-8").splitlines()
+    return float(next(line for line in lines if line.split("=")[0].strip() == "set Time step").split("=")[1].split("#")[0])
+
+
+def killed_in_repetition(binary, scene, directory, overrides):
+    """Start a run, kill it in its repetition once there is a checkpoint, and resume it. @return whether the kill came in time"""
+    environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
+    words = [binary, str(scene), "-s", "Output/Directory=%s" % directory]
+    for override in [*overrides, "Checkpoint/Step interval=5"]:
+        words += ["-s", override]
+    process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment)
+    log, state = directory / "log.txt", directory / "checkpoint/state.bin"
+    while process.poll() is None and not (log.exists() and "Repeated" in log.read_text(encoding="utf-8") and state.exists()):
+        time.sleep(0.002)
+    in_time = process.poll() is None
+    process.kill()
+    process.wait()
+    resumed = subprocess.run([binary, "--resume", str(directory)], capture_output=True, text=True, check=False, env=environment)
+    return in_time and resumed.returncode == 0
+
+
+def main():
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    binary, root, work = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+    sys.path.insert(0, str(root / "tests"))
+    from run_hybrid import require, run_hybrid
+
+    scene = root / "parameters/verification/coupled_column.prm"
+    target = ["Time/Time step=0.008", "Time/Error target=1 %"]
+    code, output, errors, _ = run_hybrid(binary, scene, work / "target", target)
+    step = step_of(work / "target")
+    require(code == 0 and not errors and output.count("Repeated in steps of %g s" % step) == 1 and step < 0.008,
+            "repeated once, in steps of %g s" % step, output + errors)
+    error = json.loads((work / "target/summary.json").read_text(encoding="utf-8"))["probable_error"]["time_step"]
+    largest = max(error["displacement"]["part_of_peak"], error["velocity"]["part_of_peak"])
+    require(largest <= 0.01, "probable error %.2g %%" % (100 * largest), output)
+    run_hybrid(binary, scene, work / "given", ["Time/Time step=%g" % step])
+    require(same_bits(work / "target", work / "given"), "the bits of a run with this step", output)
+    require(killed_in_repetition(binary, scene, work / "killed", target) and same_bits(work / "killed", work / "given"),
+            "the same bits after a kill in the repetition", output)
+    _, output, errors, _ = run_hybrid(binary, scene, work / "met", ["Time/Time step=%g" % step, "Time/Error target=1"])
+    require("Repeated" not in output and not errors, "a run that meets the target stands", output + errors)
+    _, output, errors, _ = run_hybrid(binary, root / "parameters/verification/shaken_base.prm", work / "slides", ["Time/Error target=1"])
+    require("Error target is not known to be met" in errors, "a run without an estimate says so", output + errors)
+    code, _, errors, _ = run_hybrid(binary, scene, work / "refused", ["Time/Error target=1 mm"])
+    require(code == 2 and "Time/Error target" in errors, "another unit is refused", errors)
+
+
+if __name__ == "__main__":
+    main()
