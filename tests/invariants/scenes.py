@@ -28,7 +28,7 @@ FACTORS = {
     "friction": ["holds", "slides"],
     "motion": ["none", "outcrop", "incident", "vertical"],
     "springs": [False, True],
-    "damping": ["none", "blocks", "rock"],
+    "damping": ["none", "blocks", "rock", "Maxwell"],
     "threads": [1, 2],
 }
 YOUNG = {"stiff": 5e9, "soft": 2e8, "mud": 1e7}  # of the bedrock [Pa]
@@ -165,6 +165,8 @@ class Scene:
             values.update({"Water/Level": 50 + self.shift[1], "Water/Method": o["water"], "Water/Density": WATER * self.factor})
         if o["damping"] == "blocks":
             values["Blocks/Damping ratio"] = 0.05
+        if o["damping"] == "Maxwell":
+            values.update({"Maxwell damping/Block ratio": 0.05, "Maxwell damping/Bedrock ratio": 0.0 if o["bedrock"] == "rigid" else 0.03})
         if o["motion"] != "none":
             values.update(self._motion())
         values["Monitors/Points"] = "ground: %.12g, %.12g" % self.place(*self.ground_point())
