@@ -122,6 +122,11 @@ namespace hybrid::output
                        belt.friction_angle,
                        belt.cohesion,
                        as_peak ? "= peak" : residual(belt).c_str());
+          if (belt.has_rate_effect())
+            text += line("    at the rate v         friction times 1 %+g ln(1 + v / %g m/s)%s",
+                         belt.rate_coefficient,
+                         belt.reference_rate,
+                         belt.rate_coefficient < 0. ? " to first order" : "");
         }
     }
 

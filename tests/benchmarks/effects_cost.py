@@ -50,6 +50,7 @@ ROWS = [
     ("heterogeneity", BARE, ["Heterogeneity/Modulus shape=8", "Heterogeneity/Strength shape=8"]),
     ("block damping", BARE, ["Blocks/Damping ratio=0.05"]),
     ("Maxwell damping of blocks", BARE, ["Maxwell damping/Block ratio=0.05"]),
+    ("friction of the belt at its rate", BARE, ["Materials/%s/Friction rate coefficient=0.02" % m for m in ("belt", "belt_saturated")]),
     ("dynamic coefficient", BARE, ["Time/Dynamic coefficient=0.999"]),
     ("edge load", BARE, [SURFACE]),
     ("no peak fields (they are on)", BARE, ["Monitors/Peak fields=false"]),

@@ -36,6 +36,7 @@ NONSENSE = [
     ("Blocks/Penalty ratio", "0"), ("Blocks/Penalty ratio", "nan"), ("Blocks/Penalty ratio", "1e300"),
     ("Maxwell damping/Block ratio", "0.3"), ("Maxwell damping/Bedrock ratio", "-0.01"), ("Maxwell damping/Branches", "0"),
     ("Maxwell damping/Lowest frequency", "1e9"), ("Maxwell damping/Highest frequency", "0"),
+    ("Materials/*/Friction rate coefficient", "2"), ("Materials/*/Friction reference rate", "0"),
     ("Blocks/Shear ratio", "-1"), ("Blocks/Damping ratio", "-0.1"), ("Blocks/Tolerance", "0"),
     ("Monitors/Line interval", "-1"), ("Monitors/Line interval", "nan"), ("Monitors/Line points", "-1"), ("Monitors/Lines", "a: 1, nan, 2, 3"),
     ("Blocks/Maximum iterations", "0"), ("Blocks/Maximum iterations", "1e3"), ("Parallel/Threads", "0"),

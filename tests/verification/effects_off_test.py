@@ -28,6 +28,7 @@ ELASTIC = BAR + ["Bedding planes/Strength=elastic", "Bedding planes/Friction ang
                  "Bedding planes/Tensile strength=0", "Bedding planes/Initial normal stress=0"]
 SLOPE = ["unit_squares.prm", "Time/End time=0.03", "Mesh/Numbers=Angle = 20; Columns = 3; Rows = 2; Base above = 20",
          "Monitors/Points=block: 0.299, 0.641"]
+BELT = ["rate_belt.prm", "Time/End time=0.05", "Materials/belt/Friction rate coefficient=0"]
 LAYERS = ["bedrock_layers.prm", "Time/End time=0.02"]
 
 BEDDING = ["Bedding planes/Friction angle=30", "Bedding planes/Cohesion=2000", "Bedding planes/Tensile strength=1000",
@@ -64,6 +65,8 @@ EFFECTS = {
                                        ["Maxwell damping/Bedrock ratio=0.05"] + MAXWELL),
     "Maxwell damping of blocks": (COLUMN + ["Time/End time=0.2"], ["Maxwell damping/Block ratio=0"] + MAXWELL, None,
                                   ["Maxwell damping/Block ratio=0.05"] + MAXWELL),
+    "belt at a rate": (BELT, ["Materials/belt/Friction rate coefficient=0", "Materials/belt/Friction reference rate=0.01"], None,
+                       ["Materials/belt/Friction rate coefficient=0.05"]),
     "dynamic coefficient": (SLOPE, ["Time/Dynamic coefficient=1"], None, ["Time/Dynamic coefficient=0.99"]),
     "boundary springs": (COLUMN, ["Continuum/Boundary springs=false"] + SPRINGS, None,
                          ["Continuum/Boundary springs=true"] + SPRINGS),
