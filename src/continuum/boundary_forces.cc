@@ -181,6 +181,9 @@ namespace hybrid::continuum
     column.newmark            = scene.time.newmark;
     column.rayleigh_mass      = scene.continuum.rayleigh_mass;
     column.rayleigh_stiffness = scene.continuum.rayleigh_stiffness;
+    column.maxwell            = maxwell_body(scene.maxwell.bedrock_ratio,
+                                  {scene.maxwell.lowest, scene.maxwell.highest},
+                                  scene.maxwell.branches);
     column_offset.push_back(static_cast<int>(n_column_unknowns()));
     columns.emplace_back(line, column);
   }
@@ -253,12 +256,21 @@ namespace hybrid::continuum
     for (std::size_t c = 0; c < columns.size(); ++c)
       {
         const int  o     = column_offset[c];
-        const bool keeps = next.change != nullptr;
-        columns[c].step(
-          {old.u + o, old.v + o, old.a + o, keeps ? old.change + o : nullptr, old.last_step},
-          {next.u + o, next.v + o, next.a + o, keeps ? next.change + o : nullptr},
-          dt,
-          input);
+        const bool keeps = next.change != nullptr, damped = next.branch != nullptr;
+        columns[c].step({old.u + o,
+                         old.v + o,
+                         old.a + o,
+                         keeps ? old.change + o : nullptr,
+                         old.last_step,
+                         damped ? old.branch + o : nullptr,
+                         old.stride},
+                        {next.u + o,
+                         next.v + o,
+                         next.a + o,
+                         keeps ? next.change + o : nullptr,
+                         damped ? next.branch + o : nullptr},
+                        dt,
+                        input);
       }
   }
 
@@ -276,9 +288,13 @@ namespace hybrid::continuum
   }
 
 
-  void
-  BoundaryForces::incoming(const double time, const double *u, const double *v, Incoming &in) const
+  void BoundaryForces::incoming(const double  time,
+                                const double *u,
+                                const double *v,
+                                Incoming     &in,
+                                const double *stressed) const
   {
+    const double *strained = stressed == nullptr ? u : stressed;
     in.force.assign(2 * nodes.size(), 0.);
     in.velocity.assign(2 * nodes.size(), 0.);
     in.displacement.assign(2 * nodes.size(), 0.);
@@ -305,8 +321,8 @@ namespace hybrid::continuum
                 for (int j = 0; j < n; ++j)
                   {
                     const int k = first + 2 * j;
-                    ux += line.gradient()(i, j) * (u[k] + damping * v[k]);
-                    uy += line.gradient()(i, j) * (u[k + 1] + damping * v[k + 1]);
+                    ux += line.gradient()(i, j) * (strained[k] + damping * v[k]);
+                    uy += line.gradient()(i, j) * (strained[k + 1] + damping * v[k + 1]);
                   }
                 in.force[2 * face.nodes[i]] += face.normal.x() * face.lambda * uy;
                 in.force[2 * face.nodes[i] + 1] += face.normal.x() * face.shear * ux;

@@ -118,6 +118,7 @@ namespace hybrid::continuum
     m.allocate_work();
     if (scene.bedding.slips && !m.rock.joints.empty())
       m.prepare_slip(scene.bedding);
+    m.prepare_maxwell(scene.maxwell);
     if (scene.environment.has_initial_stress())
       m.initial_stress =
         std::make_unique<InitialRockStress>(scene::InitialStress(mesh, scene),
@@ -212,6 +213,7 @@ namespace hybrid::continuum
     state.surface_force.assign(2 * impl->surface.size(), 0.);
     if (impl->slip != nullptr)
       state.slip = impl->slip->initial_state();
+    state.maxwell = impl->maxwell.at_rest();
     return state;
   }
 

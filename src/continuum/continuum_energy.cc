@@ -130,7 +130,8 @@ namespace hybrid::continuum
     boundary->incoming(state.time,
                        state.displacement.data() + n,
                        state.velocity.data() + n,
-                       incoming0);
+                       incoming0,
+                       columns_stressed(state.maxwell, state.displacement.data() + n));
     boundary->forces(incoming0, edge0, edge_force0);
     boundary->forces(incoming1, edge1, edge_force1);
     const bool springs = !boundary->springs().empty();
@@ -178,6 +179,11 @@ namespace hybrid::continuum
             r0 -= Vec2(excess0[2 * moving], excess0[2 * moving + 1]);
             r1 -= Vec2(excess1[2 * moving], excess1[2 * moving + 1]);
           }
+      }
+    if (maxwell.is_on())
+      {
+        r0 += base_maxwell(state.maxwell);
+        r1 += base_maxwell(maxwell1);
       }
     state.energy.input_work += moved.dot((1. - gamma) * r0 + gamma * r1 + base_inertia(c1));
     return moved.dot(r1 - r0);
@@ -250,6 +256,9 @@ namespace hybrid::continuum
         multiply_rayleigh(mean.data(), load, product2);
         strain_change -= dot(du, load);
       }
+    // Branches are springs to the scheme; what their dashpots take is exact.
+    if (maxwell.is_on())
+      energy.damping_loss += maxwell.loss(state.maxwell, maxwell1, dt);
     energy.integration_loss += (gamma - 0.5) * strain_change;
   }
 
@@ -270,6 +279,8 @@ namespace hybrid::continuum
     energy.kinetic = form(state.velocity);
     m.matrices.multiply_stiffness(state.displacement.data(), product.data());
     energy.strain = form(state.displacement);
+    if (m.maxwell.is_on())
+      energy.strain += m.maxwell.stored_energy(state.maxwell, state.displacement.data());
     if (m.slip != nullptr)
       {
         energy.strain += m.slip->strain_correction(state.slip, state.displacement);

@@ -44,9 +44,10 @@ namespace hybrid::continuum
            force,
            contact,
            slip,
+           maxwell,
            energy] = state;
     archive(time, last_step, displacement, velocity, acceleration, of_contacts, change, force);
-    archive(contact, slip, energy);
+    archive(contact, slip, maxwell, energy);
   }
 
 

@@ -206,10 +206,18 @@ namespace hybrid::continuum
 
   Continuum::Picture Continuum::picture(const ContinuumState &state) const
   {
-    const auto &nodes = *impl->nodes;
-    const auto &x     = nodes.line.nodes();
-    const int   p     = nodes.line.degree();
-    Picture     result;
+    const auto                &nodes = *impl->nodes;
+    const auto                &x     = nodes.line.nodes();
+    const int                  p     = nodes.line.degree();
+    Picture                    result;
+    const std::vector<double> *stressed = &state.displacement;
+    std::vector<double>        with_branches;
+    if (impl->maxwell.is_on())
+      {
+        with_branches.resize(impl->n_dofs());
+        impl->maxwell.stressed(state.maxwell, state.displacement.data(), 0, with_branches);
+        stressed = &with_branches;
+      }
     result.points = nodes.positions;
     result.cells  = cells();
     for (std::size_t k = 0; k < nodes.positions.size(); ++k)
@@ -225,7 +233,7 @@ namespace hybrid::continuum
               result.region.push_back(impl->cell_region[c]);
               const Vec2 centre(0.5 * (x[i] + x[i + 1]), 0.5 * (x[j] + x[j + 1]));
               result.stress.push_back(
-                stress(nodes.gradient(c, centre, state.displacement), impl->cell_material[c]));
+                stress(nodes.gradient(c, centre, *stressed), impl->cell_material[c]));
               result.static_stress.push_back(impl->static_stress(static_cast<int>(c), centre));
             }
       }

@@ -23,20 +23,23 @@ namespace hybrid::continuum
 
     const Stopwatch watch(factor_time);
     // A = K + M / (beta dt^2) + gamma / (beta dt) C,  C = alpha_M M + beta_K K + dashpots; the
-    // correction of the inertia is no part of C.
-    const double        to_rate = newmark.gamma / (newmark.beta * dt);
-    const double        of_mass = 1. / (newmark.beta * dt * dt) + to_rate * rayleigh_mass;
-    std::vector<double> blocks  = matrices.stiffness;
+    // correction of the inertia is no part of C. Maxwell branches scale K.
+    const double to_rate = newmark.gamma / (newmark.beta * dt);
+    const double of_mass = 1. / (newmark.beta * dt * dt) + to_rate * rayleigh_mass;
+    double       excess  = to_rate * rayleigh_stiffness; // of K beyond the elastic one
+    if (maxwell.is_on())
+      excess += maxwell.step_modulus(dt);
+    std::vector<double> blocks = matrices.stiffness;
     for (std::size_t e = 0; e < matrices.mass.size(); ++e)
       for (int k = 0; k < 4; ++k)
-        blocks[4 * e + k] = (1. + to_rate * rayleigh_stiffness) * blocks[4 * e + k] +
-                            (k % 3 == 0 ? of_mass * matrices.mass[e] : 0.);
+        blocks[4 * e + k] =
+          (1. + excess) * blocks[4 * e + k] + (k % 3 == 0 ? of_mass * matrices.mass[e] : 0.);
     for (std::size_t k = 0; k < matrices.inertia_correction.size(); ++k)
       blocks[k] += matrices.inertia_correction[k] / (newmark.beta * dt * dt);
     boundary->add_dashpots(matrices, to_rate, blocks);
     boundary->add_springs(matrices, blocks);
-    if (slip != nullptr && rayleigh_stiffness != 0.)
-      slip->planes().add_stiffness(matrices, -to_rate * rayleigh_stiffness, blocks);
+    if (slip != nullptr && excess != 0.)
+      slip->planes().add_stiffness(matrices, -excess, blocks);
 
     if (step_matrices.size() >= kept_step_sizes)
       step_matrices.pop_back();
@@ -110,12 +113,25 @@ namespace hybrid::continuum
     const bool    keeps  = newmark.filter > 0.;
     const double *change = keeps ? state.acceleration_change.data() : nullptr;
 
-    boundary->step_columns(
-      {u + n, v + n, a + n, keeps ? change + n : nullptr, state.last_step},
-      {column_u.data(), column_v.data(), column_a.data(), keeps ? column_change.data() : nullptr},
-      state.time,
-      dt);
-    boundary->incoming(state.time + dt, column_u.data(), column_v.data(), incoming1);
+    boundary->step_columns({u + n,
+                            v + n,
+                            a + n,
+                            keeps ? change + n : nullptr,
+                            state.last_step,
+                            maxwell.is_on() ? state.maxwell.strain.data() + n : nullptr,
+                            n + column_u.size()},
+                           {column_u.data(),
+                            column_v.data(),
+                            column_a.data(),
+                            keeps ? column_change.data() : nullptr,
+                            maxwell.is_on() ? maxwell1.strain.data() + n : nullptr},
+                           state.time,
+                           dt);
+    boundary->incoming(state.time + dt,
+                       column_u.data(),
+                       column_v.data(),
+                       incoming1,
+                       columns_stressed(maxwell1, column_u.data()));
 
     for (std::size_t i = 0; i < n; ++i)
       {
@@ -137,6 +153,8 @@ namespace hybrid::continuum
         if (slip != nullptr)
           add_joint_force(-rayleigh_stiffness, rate.data(), product);
       }
+    if (maxwell.is_on())
+      maxwell.add_past(state.maxwell, dt, product);
     if (slip != nullptr)
       {
         slip->begin(state.slip);
@@ -222,9 +240,12 @@ namespace hybrid::continuum
     accelerate_by(force.contacts, c1);
     for (std::size_t i = 0; i < c1.size(); ++i) // a is u's second difference less what contacts did
       a1[i] -= 0.5 / beta * c1[i];
+    if (maxwell.is_on())
+      take_maxwell(state, dt);
     add_energy(state, dt, force);
     if (slip != nullptr)
       add_slip_energy(state);
+    std::swap(state.maxwell, maxwell1);
     if (newmark.filter > 0.)
       keep_change(state, dt);
 

@@ -85,6 +85,7 @@ namespace hybrid::continuum
     , predicted(n)
     , rate(n)
     , rhs(n)
+    , past(n)
   {
     for (std::size_t e = 0; e < model.elements.size(); ++e)
       {
@@ -125,7 +126,8 @@ namespace hybrid::continuum
     for (int c = 0; c < 2; ++c)
       {
         Eigen::MatrixXd &a = factor.matrix[c];
-        a                  = (1. + to_rate * model.rayleigh_stiffness) * stiffness[c] +
+        a = (1. + to_rate * model.rayleigh_stiffness + model.maxwell.step_modulus(dt)) *
+              stiffness[c] +
             (to_inertia + to_rate * model.rayleigh_mass) * mass +
             to_inertia * inertia_correction[c];
         factor.foot[c] = a.col(0);
@@ -170,6 +172,8 @@ namespace hybrid::continuum
           add_product(model.rayleigh_mass, mass, rate, rhs);
         if (model.rayleigh_stiffness != 0.)
           add_product(model.rayleigh_stiffness, stiffness[c], rate, rhs);
+        if (next.branch != nullptr)
+          add_past(old, dt, c);
         const double foot = predicted[0] + beta * dt * dt * in.acceleration[c];
         if (model.foot == Foot::impedance)
           rhs[0] += model.foot_impedance[c] * (rate[0] + 2. * in.wave_velocity[c]);
@@ -192,6 +196,41 @@ namespace hybrid::continuum
             if (next.change != nullptr)
               next.change[k] = kept * old.change[k] + Newmark::memory * (next.a[k] - old.a[k]);
           }
+        if (next.branch != nullptr)
+          advance(old, next, dt, c);
       }
+  }
+
+
+
+  void FreeFieldColumn::add_past(const ConstMotion &old, const double dt, const int c)
+  {
+    const MaxwellBody &body = model.maxwell;
+    past.setZero();
+    for (std::size_t l = 0; l < body.n_branches(); ++l)
+      {
+        const double kept = body.weight[l] * body.kept(dt, l);
+        const double gain = body.weight[l] * body.gained(dt, l);
+        for (int i = 0; i < n; ++i)
+          past[i] += gain * old.u[2 * i + c] - kept * old.branch[l * old.stride + 2 * i + c];
+      }
+    add_product(1., stiffness[c], past, rhs);
+  }
+
+
+
+  void FreeFieldColumn::advance(const ConstMotion &old,
+                                const Motion      &next,
+                                const double       dt,
+                                const int          c) const
+  {
+    const MaxwellBody &body = model.maxwell;
+    for (std::size_t l = 0; l < body.n_branches(); ++l)
+      for (int i = 0; i < n; ++i)
+        {
+          const std::size_t k = 2 * i + c, b = l * old.stride + k;
+          next.branch[b] =
+            body.kept(dt, l) * old.branch[b] + body.gained(dt, l) * (next.u[k] - old.u[k]);
+        }
   }
 } // namespace hybrid::continuum

@@ -37,10 +37,14 @@ namespace hybrid::coupling
     , line(scene.continuum.degree)
     , damping_time(scene.continuum.rayleigh_stiffness)
     , newmark(scene.time.newmark)
+    , maxwell(maxwell_body(scene.maxwell.bedrock_ratio,
+                           {scene.maxwell.lowest, scene.maxwell.highest},
+                           scene.maxwell.branches))
   {
     if (scene.continuum.sides.has_free_field)
       for (const BoundaryPart side : {BoundaryPart::left, BoundaryPart::right})
         add_column(side, scene);
+    at_end.branches.resize(maxwell.n_branches() * at_end.displacement.size());
   }
 
 
@@ -88,6 +92,7 @@ namespace hybrid::coupling
       }
     column.newmark            = newmark;
     column.rayleigh_stiffness = damping_time;
+    column.maxwell            = maxwell;
     column_offset.push_back(offset);
     columns.emplace_back(line, column);
     for (std::vector<double> *values :
@@ -102,8 +107,9 @@ namespace hybrid::coupling
   void BlockFoundation::start(CoupledState &state) const
   {
     const std::vector<double> zero(at_end.displacement.size(), 0.);
-    state.columns        = {zero, zero, zero, {}, 0.};
-    state.columns.change = std::vector<double>(at_end.change.size(), 0.);
+    state.columns          = {zero, zero, zero, {}, 0., {}};
+    state.columns.change   = std::vector<double>(at_end.change.size(), 0.);
+    state.columns.branches = std::vector<double>(at_end.branches.size(), 0.);
   }
 
 
@@ -112,6 +118,7 @@ namespace hybrid::coupling
   {
     const double                            time  = state.time + dt;
     const bool                              keeps = newmark.filter > 0.;
+    const bool                              damps = maxwell.n_branches() > 0;
     const continuum::FreeFieldColumn::Input input{motion.upgoing_velocity(time),
                                                   motion.outcrop_acceleration(time)};
     for (std::size_t c = 0; c < columns.size(); ++c)
@@ -121,11 +128,14 @@ namespace hybrid::coupling
                          state.columns.velocity.data() + o,
                          state.columns.acceleration.data() + o,
                          keeps ? state.columns.change.data() + o : nullptr,
-                         state.columns.last_step},
+                         state.columns.last_step,
+                         damps ? state.columns.branches.data() + o : nullptr,
+                         at_end.displacement.size()},
                         {at_end.displacement.data() + o,
                          at_end.velocity.data() + o,
                          at_end.acceleration.data() + o,
-                         keeps ? at_end.change.data() + o : nullptr},
+                         keeps ? at_end.change.data() + o : nullptr,
+                         damps ? at_end.branches.data() + o : nullptr},
                         dt,
                         input);
       }
@@ -153,6 +163,16 @@ namespace hybrid::coupling
 
 
 
+  double BlockFoundation::stressed(const std::size_t unknown) const
+  {
+    double sum = maxwell.relaxed * at_end.displacement[unknown];
+    for (std::size_t l = 0; l < maxwell.n_branches(); ++l)
+      sum += maxwell.weight[l] * at_end.branches[l * at_end.displacement.size() + unknown];
+    return sum;
+  }
+
+
+
   void BlockFoundation::add_column_forces(const BesideColumn &side)
   {
     const BoundaryEdge &edge   = boundary[side.edge];
@@ -165,7 +185,7 @@ namespace hybrid::coupling
         for (int i = 0; i <= line.degree(); ++i)
           {
             const int  node = side.first + 2 * i;
-            const Vec2 ui(at_end.displacement[node], at_end.displacement[node + 1]),
+            const Vec2 ui(stressed(node), stressed(node + 1)),
               vi(at_end.velocity[node], at_end.velocity[node + 1]);
             velocity += line.value(i, x) * vi;
             slope += line.derivative(i, x) / length * (ui + damping_time * vi);

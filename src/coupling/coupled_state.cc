@@ -6,8 +6,9 @@ namespace hybrid::coupling
 {
   void serialize(restart::Archive &archive, CoupledState &state)
   {
-    auto &[time, blocks, continuum, columns]                        = state;
-    auto &[displacement, velocity, acceleration, change, last_step] = columns;
+    auto &[time, blocks, continuum, columns]                                  = state;
+    auto &[displacement, velocity, acceleration, change, last_step, branches] = columns;
     archive(time, blocks, continuum, displacement, velocity, acceleration, change, last_step);
+    archive(branches);
   }
 } // namespace hybrid::coupling

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/advice.h>
 #include <hybrid/output/scene_card.h>
+#include <hybrid/scene/maxwell_body.h>
 #include <hybrid/scene/motion/motion_measures.h>
 
 #include <algorithm>
@@ -42,6 +43,24 @@ namespace hybrid::output
 
 
 
+    std::string
+    describe_maxwell(const char *what, const double ratio, const scene::MaxwellParameters &given)
+    {
+      const FrequencyBand band{given.lowest, given.highest};
+      const double error = ratio_error(maxwell_body(ratio, band, given.branches), ratio, band);
+      return line(
+        "  %-18s on   ratio %g (Q %.3g) from %g to %g Hz, within %.2g %%; speeds hold at %.3g Hz",
+        what,
+        ratio,
+        0.5 / ratio,
+        given.lowest,
+        given.highest,
+        100. * error,
+        std::sqrt(given.lowest * given.highest));
+    }
+
+
+
     void describe_ground(const scene::SceneParameters &scene, std::string &text)
     {
       const bool  continuum = scene.has_continuum();
@@ -63,6 +82,8 @@ namespace hybrid::output
                      scene.continuum.normal_spring,
                      scene.continuum.tangential_spring);
       const std::size_t planes = has_sides ? scene.bedding.names.size() : 0;
+      if (scene.bedrock.has_cells() && scene.maxwell.bedrock_ratio > 0.)
+        text += describe_maxwell("bedrock damping", scene.maxwell.bedrock_ratio, scene.maxwell);
       text += line("  bedding planes     %s  %zu %s joints",
                    state(planes > 0).c_str(),
                    planes,
@@ -101,6 +122,11 @@ namespace hybrid::output
                        belt.friction_angle,
                        belt.cohesion,
                        as_peak ? "= peak" : residual(belt).c_str());
+          if (belt.has_rate_effect())
+            text += line("    at the rate v         friction times 1 %+g ln(1 + v / %g m/s)%s",
+                         belt.rate_coefficient,
+                         belt.reference_rate,
+                         belt.rate_coefficient < 0. ? " to first order" : "");
         }
     }
 
@@ -126,6 +152,8 @@ namespace hybrid::output
                    state(scene.blocks.damping_ratio > 0.).c_str(),
                    scene.blocks.damping_ratio,
                    scene.blocks.damping_frequency);
+      if (scene.maxwell.block_ratio > 0.)
+        text += describe_maxwell("  of blocks", scene.maxwell.block_ratio, scene.maxwell);
       text += line("  loose blocks       %s  damping %g of critical",
                    state(scene.blocks.loose_damping > 0.).c_str(),
                    scene.blocks.loose_damping);

@@ -102,7 +102,7 @@ def slides_as_newmark(run):
     buoyancy = WATER / MASS["density"] if o["water"] != "none" else 0.0
     moved = run.ground_history()
     expected = newmark_slip(run.time, moved @ run.along(), moved @ normal(run), np.radians(o["angle"]),
-                            np.radians(friction_angle(o)), GRAVITY * (1 - buoyancy))
+                            np.radians(friction_angle(o)), GRAVITY * (1 - buoyancy), o["belt rate"])
     found = run.slip()
     allowed = SPREADS if o["kind"] == "triangles" and o["blocks"] == "loose" else SLIP
     if abs(found - expected) > allowed * abs(expected) + elastic_settlement(run) + elastic_bedrock(run):

@@ -5,6 +5,7 @@ import math
 import pathlib
 
 import section as sections
+from newmark_block import REFERENCE_RATE
 
 GRAVITY = 9.81
 FACTORS = {
@@ -28,7 +29,8 @@ FACTORS = {
     "friction": ["holds", "slides"],
     "motion": ["none", "outcrop", "incident", "vertical"],
     "springs": [False, True],
-    "damping": ["none", "blocks", "rock"],
+    "damping": ["none", "blocks", "rock", "Maxwell"],
+    "belt rate": [0.0, 0.02, -0.02],  # coefficient of the friction of a belt
     "threads": [1, 2],
 }
 YOUNG = {"stiff": 5e9, "soft": 2e8, "mud": 1e7}  # of the bedrock [Pa]
@@ -49,6 +51,7 @@ RULES = [
     (("bedrock", "springs"), lambda b, s: b == "continuum" or not s),
     (("springs", "base", "sides"), lambda s, b, e: not s or b == "compliant" or e in ("viscous", "free field")),
     (("bedrock", "damping"), lambda b, d: b != "rigid" or d != "rock"),
+    (("belt", "belt rate"), lambda b, r: b != "none" or r == 0),
     (("belt", "nodes"), lambda b, n: b == "none" or (n == "shared") == (b != "cohesive")),
     (("nodes", "ratio"), lambda n, r: n != "shared" or r == 1.0),
     (("nodes", "kind"), lambda n, k: n != "shared" or k != "plate"),
@@ -165,6 +168,8 @@ class Scene:
             values.update({"Water/Level": 50 + self.shift[1], "Water/Method": o["water"], "Water/Density": WATER * self.factor})
         if o["damping"] == "blocks":
             values["Blocks/Damping ratio"] = 0.05
+        if o["damping"] == "Maxwell":
+            values.update({"Maxwell damping/Block ratio": 0.05, "Maxwell damping/Bedrock ratio": 0.0 if o["bedrock"] == "rigid" else 0.03})
         if o["motion"] != "none":
             values.update(self._motion())
         values["Monitors/Points"] = "ground: %.12g, %.12g" % self.place(*self.ground_point())
@@ -189,7 +194,8 @@ class Scene:
             values["Blocks/Saturated material"] = "wet"
         if o["belt"] != "none":
             strength = k * {"never fails": 1e8, "cohesive": 2e4}.get(o["belt"], 0.0)
-            materials["belt"] = {"Friction angle": friction_angle(o), "Cohesion": strength, "Tensile strength": strength}
+            materials["belt"] = {"Friction angle": friction_angle(o), "Cohesion": strength, "Tensile strength": strength,
+                                 "Friction rate coefficient": o["belt rate"], "Friction reference rate": REFERENCE_RATE}
             values["Blocks/Belt material"] = "belt"
         values["Materials/Names"] = ", ".join(materials)
         for name, numbers in materials.items():

@@ -28,6 +28,7 @@ ELASTIC = BAR + ["Bedding planes/Strength=elastic", "Bedding planes/Friction ang
                  "Bedding planes/Tensile strength=0", "Bedding planes/Initial normal stress=0"]
 SLOPE = ["unit_squares.prm", "Time/End time=0.03", "Mesh/Numbers=Angle = 20; Columns = 3; Rows = 2; Base above = 20",
          "Monitors/Points=block: 0.299, 0.641"]
+BELT = ["rate_belt.prm", "Time/End time=0.05", "Materials/belt/Friction rate coefficient=0"]
 LAYERS = ["bedrock_layers.prm", "Time/End time=0.02"]
 
 BEDDING = ["Bedding planes/Friction angle=30", "Bedding planes/Cohesion=2000", "Bedding planes/Tensile strength=1000",
@@ -35,6 +36,7 @@ BEDDING = ["Bedding planes/Friction angle=30", "Bedding planes/Cohesion=2000", "
 SPRINGS = ["Continuum/Normal spring coefficient=2", "Continuum/Tangential spring coefficient=2", "Continuum/Spring distance=50"]
 TOP = "Edge loads/Tractions=top: -1, 11, 19.9, 20.1, 0, %s"
 WAVE = ["Initial wave/Direction=90", "Initial wave/Frequency=200", "Initial wave/Centre=5, 4", "Initial wave/Length=0.25"]
+MAXWELL = ["Maxwell damping/Lowest frequency=2", "Maxwell damping/Highest frequency=30", "Maxwell damping/Branches=4"]
 EDGE = ["Edge loads/Start=0.01", "Edge loads/Rise time=0.02"]
 POINT = ["Point loads/Frequency=20", "Point loads/Start=0.001"]
 HELD = {"energy/edge_load_work", "interface/water_force"}  # recorded because the effect is on
@@ -59,6 +61,12 @@ EFFECTS = {
     "loose damping of bonded blocks": (COLUMN, ["Blocks/Loose damping=0"], ["Blocks/Loose damping=3"], None),
     "Rayleigh damping": (COLUMN, ["Continuum/Rayleigh mass=0", "Continuum/Rayleigh stiffness=0"], None,
                          ["Continuum/Rayleigh mass=0.1", "Continuum/Rayleigh stiffness=1e-3"]),
+    "Maxwell damping of the bedrock": (COLUMN, ["Maxwell damping/Bedrock ratio=0"] + MAXWELL, None,
+                                       ["Maxwell damping/Bedrock ratio=0.05"] + MAXWELL),
+    "Maxwell damping of blocks": (COLUMN + ["Time/End time=0.2"], ["Maxwell damping/Block ratio=0"] + MAXWELL, None,
+                                  ["Maxwell damping/Block ratio=0.05"] + MAXWELL),
+    "belt at a rate": (BELT, ["Materials/belt/Friction rate coefficient=0", "Materials/belt/Friction reference rate=0.01"], None,
+                       ["Materials/belt/Friction rate coefficient=0.05"]),
     "dynamic coefficient": (SLOPE, ["Time/Dynamic coefficient=1"], None, ["Time/Dynamic coefficient=0.99"]),
     "boundary springs": (COLUMN, ["Continuum/Boundary springs=false"] + SPRINGS, None,
                          ["Continuum/Boundary springs=true"] + SPRINGS),

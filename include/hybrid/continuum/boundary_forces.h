@@ -94,7 +94,12 @@ namespace hybrid::continuum
     };
 
     /// @param u, v the columns' unknowns at @p time.
-    void incoming(double time, const double *u, const double *v, Incoming &in) const;
+    /// @param stressed displacement that stresses them, as of MaxwellMemory; null: u
+    void incoming(double        time,
+                  const double *u,
+                  const double *v,
+                  Incoming     &in,
+                  const double *stressed = nullptr) const;
 
     /// Forces [N/m] on the boundary at the velocity @p v (on the boundary).
     void forces(const Incoming &in, const std::vector<double> &v, std::vector<double> &f) const;

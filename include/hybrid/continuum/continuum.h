@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/continuum/maxwell_memory.h>
 #include <hybrid/continuum/slip_state.h>
 #include <hybrid/scene/mesh/section_mesh.h>
 #include <hybrid/scene/motion/ground_motion.h>
@@ -20,13 +21,13 @@ namespace hybrid::continuum
   struct ContinuumEnergy
   {
     double kinetic          = 0.; ///< 1/2 v M v, now
-    double strain           = 0.; ///< 1/2 u K u, bedding planes included, now
+    double strain           = 0.; ///< 1/2 u K u, bedding planes and Maxwell branches included, now
     double boundary_springs = 0.; ///< in the springs of visco-elastic boundaries, now
     double input_work       = 0.; ///< done by the incident wave's tractions or the prescribed base
     double surface_work     = 0.; ///< done by the interface forces
     double boundary_loss =
       0.; ///< taken up by dashpots (relative to the free field where there is one)
-    double damping_loss          = 0.; ///< Rayleigh damping
+    double damping_loss          = 0.; ///< Rayleigh and Maxwell damping
     double bedding_loss          = 0.; ///< slip and breaking of bedding planes
     double bedding_static_stress = 0.; ///< static stress that their slip released (negative), now
     double integration_loss      = 0.; ///< Newmark's own dissipation
@@ -48,6 +49,7 @@ namespace hybrid::continuum
     std::vector<double> surface_force;        ///< lambda of the last step [N/m]; empty: zero
     std::vector<double> surface_contact; ///< its part that ended with the step [N/m]; empty: zero
     SlipState           slip;            ///< of bedding planes
+    MaxwellState        maxwell;         ///< of Maxwell damping
     ContinuumEnergy     energy;
   };
 

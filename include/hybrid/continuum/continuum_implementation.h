@@ -7,6 +7,7 @@
 #include <hybrid/continuum/continuum.h>
 #include <hybrid/continuum/element_nodes.h>
 #include <hybrid/continuum/initial_rock_stress.h>
+#include <hybrid/continuum/maxwell_memory.h>
 #include <hybrid/continuum/node_matrices.h>
 #include <hybrid/continuum/point_loads.h>
 #include <hybrid/continuum/rock_mesh.h>
@@ -37,6 +38,7 @@ namespace hybrid::continuum
     WaveReach                          wave_reach;
     Newmark                            newmark;
     double                             rayleigh_mass = 0., rayleigh_stiffness = 0.;
+    MaxwellMemory                      maxwell; ///< Maxwell damping
 
     std::vector<Vec2> surface_positions;
     std::vector<int>  surface; ///< nodes of the contact surface from left to right
@@ -82,6 +84,8 @@ namespace hybrid::continuum
     std::vector<double>      du, da, u1, v1, a0, a1, c1;  ///< da: what makes the scheme's loss
     double                   filter = 0.;                 ///< Newmark::filter_in() of this step [-]
     std::vector<double>      slip_work, excess0, excess1; ///< with slipping planes only
+    MaxwellState             maxwell1;        ///< at the end of the step, with Maxwell damping only
+    std::vector<double>      column_stressed; ///< the columns' MaxwellMemory::stressed(), likewise
     Eigen::VectorXd          surface_load, surface_motion;
 
     std::size_t n_dofs() const
@@ -129,6 +133,15 @@ namespace hybrid::continuum
     void take_displacement(const ContinuumState &state, double dt);
     void expand(double dt, const Eigen::VectorXd &surface_displacement);
     void finish(ContinuumState &state, double dt, const SurfaceForce &force);
+
+    // Maxwell damping (continuum_maxwell.cc); called only where there is some
+    void prepare_maxwell(const scene::MaxwellParameters &parameters);
+    void take_maxwell(const ContinuumState &state, double dt); ///< maxwell1, once u1 is known
+    /// Force of the excess on the moving base [N/m].
+    Vec2 base_maxwell(const MaxwellState &state) const;
+    /// The columns' displacement with the excess, for BoundaryForces::incoming(); null without
+    /// Maxwell damping. @param u their displacement
+    const double *columns_stressed(const MaxwellState &state, const double *u);
 
     // slip of bedding planes (continuum_slip.cc); called only where planes slip
     void             prepare_slip(const scene::BeddingParameters &bedding);

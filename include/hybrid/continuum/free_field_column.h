@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/continuum/lagrange_line.h>
+#include <hybrid/scene/maxwell_body.h>
 #include <hybrid/scene/newmark.h>
 #include <hybrid/scene/types.h>
 
@@ -22,8 +23,8 @@ namespace hybrid::continuum
    * The ground beside the model: a horizontally layered column of unit width in which nothing
    * varies along x, so that u_x(y) is a shear wave and u_y(y) a P wave,
    *   rho u_x'' = (G u_x,y),y   rho u_y'' = ((lambda + 2 G) u_y,y),y,
-   * with the same elements along y, the same Newmark scheme, inertia and Rayleigh damping as the
-   * model's side. Free on top.
+   * with the same elements along y, the same Newmark scheme, inertia and damping as the model's
+   * side. Free on top.
    */
   class FreeFieldColumn
   {
@@ -43,6 +44,7 @@ namespace hybrid::continuum
       Vec2                 foot_impedance{0., 0.}; ///< rho c_s, rho c_p of the rock below [Pa s/m]
       Newmark              newmark;
       double               rayleigh_mass = 0., rayleigh_stiffness = 0.;
+      MaxwellBody          maxwell;
     };
 
     /// What acts on the foot at the end of a step.
@@ -69,6 +71,7 @@ namespace hybrid::continuum
     {
       double *u, *v, *a;
       double *change = nullptr; ///< of a that is remembered, for a Newmark::filter only
+      double *branch = nullptr; ///< strains of the Maxwell branches, MaxwellState::strain [m]
     };
 
     struct ConstMotion
@@ -76,6 +79,8 @@ namespace hybrid::continuum
       const double *u, *v, *a;
       const double *change    = nullptr; ///< of a that was remembered
       double        last_step = 0.;      ///< of it [s]
+      const double *branch    = nullptr; ///< as of Motion
+      std::size_t   stride    = 0;       ///< from one branch to the next, in both
     };
 
     /// One Newmark step.
@@ -92,6 +97,12 @@ namespace hybrid::continuum
 
     const Factor &factor_for(double dt);
 
+    /// Less the force of the branches in a step in which component @p c goes to zero, into rhs.
+    void add_past(const ConstMotion &old, double dt, int c);
+
+    /// Branches of component @p c at the end of a step.
+    void advance(const ConstMotion &old, const Motion &next, double dt, int c) const;
+
     // Matrices are in LAPACK's lower band storage: band(r, j) = A(j + r, j).
     Model                          model;
     int                            n, width;
@@ -99,6 +110,6 @@ namespace hybrid::continuum
     std::array<Eigen::MatrixXd, 2> stiffness;          ///< shear, P
     std::array<Eigen::MatrixXd, 2> inertia_correction; ///< shear, P; see inertia_correction.h
     std::vector<Factor>            factors;            ///< the last few step sizes
-    Eigen::VectorXd                predicted, rate, rhs;
+    Eigen::VectorXd                predicted, rate, rhs, past;
   };
 } // namespace hybrid::continuum

@@ -63,6 +63,7 @@ namespace hybrid::coupling
     const continuum::LagrangeLine           line;
     const double                            damping_time; ///< beta_K of the columns [s]
     const Newmark                           newmark;      ///< of the columns
+    const MaxwellBody                       maxwell;      ///< of the columns
     std::vector<continuum::FreeFieldColumn> columns;
     std::vector<int>                        column_offset; ///< first unknown of each
     std::vector<BesideColumn>               sides;
@@ -77,5 +78,8 @@ namespace hybrid::coupling
     void set_forces(double time);
 
     void add_column_forces(const BesideColumn &side);
+
+    /// Displacement that stresses a column, u with that of the Maxwell branches, of an unknown [m].
+    double stressed(std::size_t unknown) const;
   };
 } // namespace hybrid::coupling

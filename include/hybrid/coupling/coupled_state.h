@@ -11,12 +11,13 @@ namespace hybrid::coupling
   /// Free-field columns beside bedrock of blocks, one after the other: values of their nodes.
   struct ColumnState
   {
-    std::vector<double> displacement; ///< [m]
-    std::vector<double> velocity;     ///< [m/s]
-    std::vector<double> acceleration; ///< [m/s2]
-    std::vector<double> change;       ///< of the acceleration that is remembered [m/s2]; empty
-                                      ///< without a Newmark::filter
-    double last_step = 0.;            ///< of that change [s]; 0: none
+    std::vector<double> displacement;   ///< [m]
+    std::vector<double> velocity;       ///< [m/s]
+    std::vector<double> acceleration;   ///< [m/s2]
+    std::vector<double> change;         ///< of the acceleration that is remembered [m/s2]; empty
+                                        ///< without a Newmark::filter
+    double              last_step = 0.; ///< of that change [s]; 0: none
+    std::vector<double> branches;       ///< MaxwellState::strain [m]; empty without Maxwell damping
   };
 
 

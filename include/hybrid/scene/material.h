@@ -23,11 +23,20 @@ namespace hybrid
     double residual_cohesion =
       -1.; ///< c_res [Pa]; < 0: none for joints of the mass, for a belt the same as cohesion
 
+    double rate_coefficient = 0.;   ///< a of a belt's friction mu (1 + a ln(1 + v/v_0)) [-]
+    double reference_rate   = 1e-6; ///< v_0 of it [m/s], > 0
+
     double initial_ratio = -1.; ///< K0 of Gravity/Initial stress [-], >= 0; < 0: elastic
 
     bool friction_is_given() const
     {
       return given_friction_angle >= 0.;
+    }
+
+    /// As a belt its friction depends on the rate of slip.
+    bool has_rate_effect() const
+    {
+      return rate_coefficient != 0.;
     }
 
     /// Density that gravity acts on [kg/m3].

@@ -68,6 +68,16 @@ namespace hybrid::dda
 
 
 
+  double strain_energy_density(const Eigen::Matrix3d &d, const Eigen::Vector3d &s)
+  {
+    const double determinant = d(0, 0) * d(0, 0) - d(0, 1) * d(0, 1);
+    const double ex          = (d(0, 0) * s[0] - d(0, 1) * s[1]) / determinant;
+    const double ey          = (d(0, 0) * s[1] - d(0, 1) * s[0]) / determinant;
+    return 0.5 * (s[0] * ex + s[1] * ey + s[2] * s[2] / d(2, 2));
+  }
+
+
+
   Eigen::Vector3d rotated_stress(const Eigen::Vector3d &stress, const double c, const double s)
   {
     const double xx = stress[0], yy = stress[1], xy = stress[2];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/joint/belt_bond.h>
 #include <hybrid/dda/joint/bond_law.h>
+#include <hybrid/dda/joint/rate_belt.h>
 #include <hybrid/dda/joint/rock_bond.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/option_registry.h>
@@ -9,7 +10,7 @@ namespace hybrid::dda
 {
   const std::vector<BondLaw> &bond_laws()
   {
-    static const std::vector<BondLaw> laws{rock_bond(), belt_bond()};
+    static const std::vector<BondLaw> laws{rock_bond(), belt_bond(), rate_belt()};
     return laws;
   }
 

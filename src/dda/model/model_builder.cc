@@ -46,6 +46,7 @@ namespace hybrid::dda
         add_joints();
         correct_stiffness();
         set_loose_damping();
+        set_maxwell_damping();
         set_contact_laws(mesh, scene, laws, materials, model);
         model.neighbours =
           held_neighbours({outlines.begin(), outlines.begin() + n_mass}, model.contacts.bonded);
@@ -90,6 +91,7 @@ namespace hybrid::dda
       void add_joints();
       void correct_stiffness();
       void set_loose_damping();
+      void set_maxwell_damping();
       void add_slices();
       void set_water();
 
@@ -315,6 +317,31 @@ namespace hybrid::dda
       for (int b = 0; b < n_mass; ++b)
         model.blocks[b].loose_damping_time =
           scene.blocks.loose_damping * critical_damping_time(model.blocks[b]);
+    }
+
+
+
+    void Builder::set_maxwell_damping()
+    {
+      const scene::MaxwellParameters &given      = scene.maxwell;
+      const bool                      of_mass    = given.block_ratio > 0. && n_mass > 0;
+      const bool                      of_bedrock = given.bedrock_ratio > 0. && model.n_bedrock > 0;
+      if (!of_mass && !of_bedrock)
+        return;
+      const FrequencyBand band{given.lowest, given.highest};
+      model.maxwell.mass = maxwell_body(of_mass ? given.block_ratio : 0., band, given.branches);
+      model.maxwell.bedrock =
+        maxwell_body(of_bedrock ? given.bedrock_ratio : 0., band, given.branches);
+      model.maxwell.stiffness.assign(model.blocks.size(), Eigen::Matrix3d::Zero());
+      for (std::size_t b = 0; b < model.blocks.size(); ++b)
+        {
+          const bool bedrock = model.is_bedrock(static_cast<int>(b));
+          if (bedrock ? of_bedrock : of_mass)
+            model.maxwell.stiffness[b] =
+              branch_stiffness(model.blocks[b].elasticity,
+                               block_elasticity(materials[b], {}),
+                               bedrock ? model.maxwell.bedrock : model.maxwell.mass);
+        }
     }
 
 

@@ -146,6 +146,7 @@ namespace hybrid::dda
            last_step,
            geometry,
            blocks,
+           branch_stress,
            joints,
            contacts,
            contact_scope,
@@ -159,7 +160,8 @@ namespace hybrid::dda
            boundary_force,
            surface_force,
            energy] = state;
-    archive(time, last_step, geometry, blocks, joints, contacts, contact_scope, rest);
+    archive(time, last_step, geometry, blocks, branch_stress, joints, contacts, contact_scope);
+    archive(rest);
     archive(foundation_displacement,
             foundation_force,
             foundation_contact_force,

@@ -101,6 +101,7 @@ namespace hybrid::dda
     copy.joint_damping_time   = 0.;
     copy.bedrock_damping_time = 0.;
     copy.damps_loose          = false;
+    copy.maxwell              = {};
     copy.edge_loads.edges.clear();
     for (BlockProperties &block : copy.blocks)
       block.damping_time = block.loose_damping_time = 0.;

@@ -7,25 +7,15 @@ namespace hybrid::dda
 {
   namespace
   {
-    /// 1/2 s : D^-1 : s per area [J/m2].
-    double strain_energy_density(const Eigen::Matrix3d &d, const Eigen::Vector3d &s)
-    {
-      const double determinant = d(0, 0) * d(0, 0) - d(0, 1) * d(0, 1);
-      const double ex          = (d(0, 0) * s[0] - d(0, 1) * s[1]) / determinant;
-      const double ey          = (d(0, 0) * s[1] - d(0, 1) * s[0]) / determinant;
-      return 0.5 * (s[0] * ex + s[1] * ey + s[2] * s[2] / d(2, 2));
-    }
-
-
-
     /// Blocks: kinetic, stress and weight.
     void audit_blocks(const StepAudit &step, BlockEnergy &energy)
     {
-      const Newmark &nm = step.model.newmark;
-      const double   dt = step.trial.dt, excess = nm.gamma - 0.5;
-      const double   filter         = nm.filter_in(dt, step.before.last_step);
-      const double   k01            = step.model.dynamic_coefficient;
-      double         kinetic_before = 0.;
+      const Newmark         &nm = step.model.newmark;
+      const double           dt = step.trial.dt, excess = nm.gamma - 0.5;
+      const double           filter         = nm.filter_in(dt, step.before.last_step);
+      const double           k01            = step.model.dynamic_coefficient;
+      const MaxwellStresses &maxwell        = step.stresses.branches();
+      double                 kinetic_before = 0.;
       energy.kinetic = energy.strain = 0.;
       for (int b = 0; b < step.model.n_blocks(); ++b)
         {
@@ -40,8 +30,16 @@ namespace hybrid::dda
           const Eigen::Vector3d plastic = step.stresses.plastic_strain(b);
           const Eigen::Vector3d stiff   = p.elasticity * e;
           const Eigen::Vector3d viscous = step.damping_time[b] / dt * stiff;
-          energy.strain += p.area * strain_energy_density(p.elasticity, s.stress + stiff);
-          energy.integration_loss += excess * p.area * stiff.dot(e);
+          const Eigen::Vector3d change  = step.stresses.change(stiff, e, b);
+          if (maxwell.is_on())
+            {
+              energy.strain +=
+                p.area * maxwell.stored(step.model, step.before, s.stress + change, e, b);
+              energy.damping_loss += p.area * maxwell.loss(step.model, step.before, e, b);
+            }
+          else
+            energy.strain += p.area * strain_energy_density(p.elasticity, s.stress + change);
+          energy.integration_loss += excess * p.area * change.dot(e);
           if (filter > 0.)
             energy.integration_loss += filter * d.dot(m * s.acceleration_change);
           if (!step.at_rest)
@@ -52,7 +50,7 @@ namespace hybrid::dda
             p.area * e.dot((1. - nm.gamma) * s.viscous_stress + nm.gamma * viscous);
           energy.yield_loss +=
             p.area * plastic.dot((1. - nm.gamma) * (s.stress + s.viscous_stress) +
-                                 nm.gamma * (s.stress + stiff + viscous));
+                                 nm.gamma * (s.stress + change + viscous));
         }
       energy.damping_loss += (1. - k01 * k01) * kinetic_before;
       if (step.at_rest)
@@ -225,7 +223,9 @@ namespace hybrid::dda
         const BlockProperties &p = model.blocks[b];
         const BlockState      &s = state.blocks[b];
         energy.kinetic += 0.5 * s.velocity.dot(mass_matrix(p, s.rotation) * s.velocity);
-        energy.strain += p.area * strain_energy_density(p.elasticity, s.stress);
+        energy.strain +=
+          p.area * (model.maxwell.is_on() ? maxwell_energy(model, state, b)
+                                          : strain_energy_density(p.elasticity, s.stress));
       }
     Springs springs;
     springs.collect(model, state);

@@ -5,8 +5,9 @@
 
 namespace hybrid::dda
 {
-  void BlockStresses::begin(const Model &model)
+  void BlockStresses::begin(const Model &model, const DdaState &state, const double dt)
   {
+    maxwell.begin(model, state, dt);
     plastic.resize(model.blocks_yield ? model.blocks.size() : 0);
   }
 
@@ -19,7 +20,7 @@ namespace hybrid::dda
   {
     YieldResponse &now = plastic[block];
     if (properties.strength.is_limited())
-      now = return_to_yield(properties.strength, (1. + viscous) * properties.elasticity, trial);
+      now = return_to_yield(properties.strength, stiffness(properties, viscous, block), trial);
     else
       {
         now        = {};

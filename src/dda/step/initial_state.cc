@@ -15,6 +15,9 @@ namespace hybrid::dda
     for (int b = 0; b < g.n_blocks(); ++b)
       state.blocks[b].centroid =
         polygon_moments(&g.vertices[g.offset[b]], g.offset[b + 1] - g.offset[b]).centroid;
+    if (model.maxwell.is_on())
+      state.branch_stress.assign(model.blocks.size() * model.maxwell.n_branches(),
+                                 Eigen::Vector3d::Zero());
     state.joints.resize(model.joints.size());
     const Eigen::Index n           = 2 * model.n_foundation_nodes();
     state.foundation_displacement  = Eigen::VectorXd::Zero(n);

@@ -124,9 +124,9 @@ namespace hybrid::dda
         block.rotation += trial.increment[b][2];
         block.velocity_change =
           carried_rates(kinematics.remembered(b, trial.rate[b]), move.cosine, move.sine);
-        block.velocity = rotated_rates(trial.rate[b], move.cosine, move.sine);
-        const Eigen::Vector3d stress =
-          model.blocks[b].elasticity * stresses.elastic_strain(trial.increment[b].tail<3>(), b);
+        block.velocity               = rotated_rates(trial.rate[b], move.cosine, move.sine);
+        const Eigen::Vector3d strain = stresses.elastic_strain(trial.increment[b].tail<3>(), b);
+        const Eigen::Vector3d stress = model.blocks[b].elasticity * strain;
         block.plastic_strain += shear_strain(stresses.plastic_strain(b));
         if (model.newmark.filter > 0.)
           block.acceleration_change =
@@ -139,7 +139,10 @@ namespace hybrid::dda
           rotated_stress(damping_time[b] / dt * stress, move.cosine, move.sine);
         block.acceleration =
           rotated_rates(acceleration[b] + contact_acceleration[b], move.cosine, move.sine);
-        block.stress = rotated_stress(block.stress + stress, move.cosine, move.sine);
+        block.stress =
+          rotated_stress(block.stress + stresses.change(stress, strain, b), move.cosine, move.sine);
+        if (stresses.branches().is_on())
+          stresses.branches().advance(model, move, strain, b, state);
         if (at_rest)
           block.velocity_change = block.acceleration_change = Vec6::Zero();
       }

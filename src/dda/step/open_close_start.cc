@@ -148,7 +148,7 @@ namespace hybrid::dda
       const Stopwatch timer(times.springs);
       springs.collect(model, state);
     }
-    stresses.begin(model);
+    stresses.begin(model, state, dt);
     islands.begin(model.n_blocks());
     interior.clear();
     incoming = foundation.boundary_force;

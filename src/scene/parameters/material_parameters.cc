@@ -65,6 +65,19 @@ namespace hybrid::scene
       ParameterRange::at_least(0.),
       "Cohesion of a joint that has failed in shear; automatic: none between blocks, and as Cohesion "
       "on a belt, which is an old sliding surface.");
+    section.number(
+      "Friction rate coefficient",
+      material.rate_coefficient,
+      "",
+      ParameterRange::closed(-1., 1.),
+      "a of a belt's friction mu (1 + a ln(1 + v/v0)) at the rate v of slip; negative: "
+      "it weakens, mu / (1 - a ln(1 + v/v0)); 0: friction "
+      "does not depend on the rate.");
+    section.number("Friction reference rate",
+                   material.reference_rate,
+                   "m/s",
+                   ParameterRange::above(0.),
+                   "v0 of the friction rate coefficient: rate at which friction begins to change.");
   }
 
   void check(const Material &material, const ParameterTable &table)

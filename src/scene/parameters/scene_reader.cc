@@ -123,6 +123,7 @@ namespace hybrid::scene
     for (auto &entry : scene.materials)
       declare(table, entry.second);
     declare(table, scene.continuum);
+    declare(table, scene.maxwell);
     declare(table, scene.bedding);
     declare(table, scene.blocks);
     declare(table, scene.heterogeneity);
@@ -152,6 +153,7 @@ namespace hybrid::scene
       check(entry.second, table);
     check_mesh(scene, table);
     check_continuum(scene, table);
+    check_maxwell(scene, table);
     check_bedrock(scene, table);
     check_blocks(scene, table);
     check_water(scene, table);

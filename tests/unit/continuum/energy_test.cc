@@ -191,6 +191,56 @@ TEST(ContinuumEnergy, closes_while_planes_slip_and_open)
 }
 
 
+TEST(ContinuumEnergy, closes_with_maxwell_damping)
+{
+  for (const auto &base : {compliant_base(), rigid_base(), fixed_base()})
+    for (const auto &sides : {viscous_side(), free_field_side(), roller_side()})
+      for (const bool slips : {false, true})
+        for (const char *scheme : {"dissipative", "filtered", "trapezoidal", "fourth order", "shi"})
+          {
+            if (slips && (sides.has_free_field || std::string(scheme) == "fourth order"))
+              continue;
+            auto scene                          = test::rock_scene();
+            scene.time.newmark                  = preset(scheme);
+            scene.continuum.base                = base;
+            scene.continuum.sides               = sides;
+            scene.continuum.rayleigh_stiffness  = slips ? 1e-4 : 0.;
+            scene.maxwell.bedrock_ratio         = 0.1;
+            scene.maxwell.lowest                = 5.;
+            scene.maxwell.highest               = 50.;
+            scene.bedding.names                 = {"bedding_1"};
+            scene.bedding.slips                 = slips;
+            scene.bedding.friction_angle        = 30.;
+            scene.bedding.cohesion              = 5e3;
+            scene.bedding.tensile_strength      = 5e3;
+            scene.bedding.initial_normal_stress = 1e4;
+            EXPECT_LT(residual(scene), 1e-9) << scheme << ' ' << base.name << ' ' << sides.name;
+          }
+}
+
+
+TEST(ContinuumEnergy, maxwell_branches_lose_in_every_step)
+{
+  auto scene                  = test::rock_scene();
+  scene.time.newmark          = Newmark::preset("filtered");
+  scene.continuum.base        = fixed_base();
+  scene.continuum.sides       = fixed_side();
+  scene.maxwell.bedrock_ratio = 0.25;
+  const auto section =
+    test::rectangle_mesh(test::equal_spacing(0., 60., 5), test::equal_spacing(-30., 30., 4));
+  Continuum continuum(section, scene, {}, MPI_COMM_WORLD);
+  auto      state = continuum.initial_state();
+  for (std::size_t i = 0; i < state.velocity.size(); ++i)
+    state.velocity[i] = std::sin(0.7 * i);
+  for (int k = 0; k < 200; ++k)
+    {
+      const double before = state.energy.damping_loss;
+      continuum.step(state, k % 7 == 0 ? 5e-2 : 1e-3); // longer than the shortest relaxation, too
+      EXPECT_GT(state.energy.damping_loss, before);
+    }
+}
+
+
 TEST(ContinuumEnergy, trapezoidal_rule_keeps_energy_exactly)
 {
   auto scene            = test::rock_scene();

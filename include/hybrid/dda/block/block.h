@@ -95,6 +95,10 @@ namespace hybrid::dda
   Eigen::Matrix3d block_elasticity(const Material &material, const JointCompliance &joints);
 
 
+  /// 1/2 s : D^-1 : s per area of an isotropic elasticity [J/m2].
+  double strain_energy_density(const Eigen::Matrix3d &d, const Eigen::Vector3d &s);
+
+
   /// Components (xx, yy, xy) of a symmetric stress tensor, turned by the angle with cosine @p c and
   /// sine @p s.
   Eigen::Vector3d rotated_stress(const Eigen::Vector3d &stress, double c, double s);

@@ -41,6 +41,6 @@ namespace hybrid::dda
 
   /// Those of these names. @throws InputError if there is none.
   BondLaws choose_bonds(const std::string          &body = "bond",
-                        const std::string          &belt = "belt",
+                        const std::string          &belt = "rate belt",
                         const std::vector<BondLaw> &laws = bond_laws());
 } // namespace hybrid::dda

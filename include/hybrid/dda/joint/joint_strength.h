@@ -47,6 +47,8 @@ namespace hybrid::dda
     double softening_slip    = 0.; ///< slip from peak to residual strength [m]; 0: brittle;
                                    ///< infinity: slip takes nothing
     bool      opening_ends_cohesion = false; ///< opening takes the residual cohesion, too, for good
+    double    rate_coefficient      = 0.;    ///< a of rate_belt.h [-]
+    double    reference_rate        = 1.;    ///< v_0 of it [m/s]
     ShearRule rule = nullptr;                ///< nullptr: linear softening, which has a closed form
 
     /// Bond that neither breaks nor slips.

@@ -4,6 +4,7 @@
 #include <hybrid/dda/block/block.h>
 #include <hybrid/dda/block/boundary_edge.h>
 #include <hybrid/dda/block/edge_loads.h>
+#include <hybrid/dda/block/maxwell_blocks.h>
 #include <hybrid/dda/block/moving_blocks.h>
 #include <hybrid/dda/block/water.h>
 #include <hybrid/dda/contact/contact.h>
@@ -136,6 +137,7 @@ namespace hybrid::dda
     double                        joint_damping_time  = 0.; ///< beta_K of the joints' springs [s]
     bool                          damps_loose         = false; ///< blocks have a loose_damping_time
     bool                          blocks_yield        = false; ///< blocks have a limited strength
+    MaxwellBlocks                 maxwell;
     Water                         water;
     EdgeLoads                     edge_loads;
     std::vector<MovingBlocks>     moving_blocks; ///< at t = 0; the others are at rest

@@ -65,7 +65,7 @@ namespace hybrid::dda
     double yield_loss       = 0.; ///< plastic strain of blocks
     double bedding_loss     = 0.; ///< slip and breaking of bedding planes
     double fracture_loss    = 0.; ///< tensile cracking
-    double damping_loss     = 0.; ///< stiffness-proportional damping and dynamic coefficient
+    double damping_loss     = 0.; ///< damping of blocks and joints, and dynamic coefficient
     double integration_loss = 0.; ///< Newmark's own dissipation, springs included
     double spring_replacement_loss = 0.; ///< stored energy that vanished when springs were replaced
     double foundation_work         = 0.; ///< done by the foundation on the blocks
@@ -98,10 +98,13 @@ namespace hybrid::dda
   /// All mutable state of the blocks: copied for roll-back, written for restart.
   struct DdaState
   {
-    double                    time      = 0.; ///< [s]
-    double                    last_step = 0.; ///< of BlockState::acceleration_change [s]; 0: none
-    Geometry                  geometry;
-    std::vector<BlockState>   blocks;
+    double                  time      = 0.; ///< [s]
+    double                  last_step = 0.; ///< of BlockState::acceleration_change [s]; 0: none
+    Geometry                geometry;
+    std::vector<BlockState> blocks;
+    std::vector<Eigen::Vector3d>
+      branch_stress; ///< t_l of MaxwellStresses, MaxwellBlocks::n_branches()
+                     ///< for each block (xx, yy, xy) [Pa]; empty: none
     std::vector<JointState>   joints;
     std::vector<Contact>      contacts;
     std::vector<ContactScope> contact_scope;  ///< per block, at the last search

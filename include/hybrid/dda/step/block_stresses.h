@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/model/model.h>
+#include <hybrid/dda/step/maxwell_stresses.h>
 
 #include <vector>
 
@@ -12,13 +12,14 @@ namespace hybrid::dda
    *
    * The slider of a block that yields is in series with its spring and its damper, as that of a
    * joint: the return is that of the stress with the damping's part, with the stiffness
-   * (1 + beta_K / dt) D. Blocks that do not yield cost nothing but the sum.
+   * (1 + beta_K / dt) D, and with that of Maxwell branches. Blocks that do not yield cost nothing
+   * but the sum.
    */
   class BlockStresses
   {
   public:
-    /// Make room for a step of @p model.
-    void begin(const Model &model);
+    /// Begin a step of @p dt [s] from @p state.
+    void begin(const Model &model, const DdaState &state, double dt);
 
     /// Stress of a block, the damping's part included [Pa].
     /// @param strain of the step @param viscous beta_K / dt [-]
@@ -29,7 +30,9 @@ namespace hybrid::dda
                              int                    block)
     {
       const Eigen::Vector3d scaled = (1. + viscous) * strain;
-      const Eigen::Vector3d trial  = before.stress + properties.elasticity * scaled;
+      Eigen::Vector3d       trial  = before.stress + properties.elasticity * scaled;
+      if (maxwell.is_on())
+        trial += maxwell.past(block) + maxwell.added(block) * strain;
       return plastic.empty() ? trial : yielded(properties, trial, viscous, block);
     }
 
@@ -38,7 +41,22 @@ namespace hybrid::dda
     {
       if (!plastic.empty() && plastic[block].region != YieldRegion::elastic)
         return plastic[block].tangent;
-      return (1. + viscous) * properties.elasticity;
+      return stiffness(properties, viscous, block);
+    }
+
+    /// Of the stress over the step, without the damping's part [Pa]. @param elastic D times
+    /// @p strain, the strain that springs back
+    Eigen::Vector3d
+    change(const Eigen::Vector3d &elastic, const Eigen::Vector3d &strain, const int block) const
+    {
+      if (!maxwell.is_on())
+        return elastic;
+      return elastic + maxwell.past(block) + maxwell.added(block) * strain;
+    }
+
+    const MaxwellStresses &branches() const
+    {
+      return maxwell;
     }
 
     /// The strain of the step that springs back [-].
@@ -59,6 +77,15 @@ namespace hybrid::dda
 
   private:
     std::vector<YieldResponse> plastic; ///< of each block; empty: none yields
+    MaxwellStresses            maxwell;
+
+    /// Stiffness of a block that does not yield [Pa].
+    Eigen::Matrix3d stiffness(const BlockProperties &properties, double viscous, int block) const
+    {
+      if (maxwell.is_on())
+        return (1. + viscous) * properties.elasticity + maxwell.added(block);
+      return (1. + viscous) * properties.elasticity;
+    }
 
     Eigen::Vector3d yielded(const BlockProperties &properties,
                             const Eigen::Vector3d &trial,

@@ -22,6 +22,9 @@ namespace hybrid::scene
   /// Section "Continuum".
   void declare(ParameterTable &table, ContinuumParameters &continuum);
 
+  /// Section "Maxwell damping".
+  void declare(ParameterTable &table, MaxwellParameters &maxwell);
+
   void declare(ParameterTable &table, BeddingParameters &bedding);
 
   void declare(ParameterTable &table, BlockParameters &blocks);
@@ -72,6 +75,9 @@ namespace hybrid::scene
 
   /// Materials of the bedrock.
   void check_continuum(const SceneParameters &scene, const ParameterTable &table);
+
+  /// The band of Maxwell damping, and what it cannot go with.
+  void check_maxwell(const SceneParameters &scene, const ParameterTable &table);
 
   /// Point loads against the model.
   void check_point_loads(const SceneParameters &scene, const ParameterTable &table);

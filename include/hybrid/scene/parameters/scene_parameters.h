@@ -73,6 +73,22 @@ namespace hybrid::scene
     double spring_distance    = 0.;    ///< r [m]; 0: of each face from the middle of the top
   };
 
+  /// Section "Maxwell damping": a damping ratio that does not depend on frequency, see
+  /// MaxwellBody.
+  struct MaxwellParameters
+  {
+    double bedrock_ratio = 0.;  ///< of critical [-], [0, 0.25]; 0: off
+    double block_ratio   = 0.;  ///< of critical, of the sliding mass [-], [0, 0.25]; 0: off
+    double lowest        = 0.5; ///< frequency from which it holds [Hz], > 0
+    double highest       = 10.; ///< frequency up to which it holds [Hz], > lowest
+    int    branches      = 3;   ///< [-], 1..8
+
+    bool is_on() const
+    {
+      return bedrock_ratio > 0. || block_ratio > 0.;
+    }
+  };
+
   /// Section "Bedding planes".
   struct BeddingParameters
   {
@@ -223,6 +239,7 @@ namespace hybrid::scene
     MeshParameters                  mesh;
     BedrockModel                    bedrock = continuum_bedrock();
     ContinuumParameters             continuum;
+    MaxwellParameters               maxwell;
     BeddingParameters               bedding;
     BlockParameters                 blocks;
     HeterogeneityParameters         heterogeneity;

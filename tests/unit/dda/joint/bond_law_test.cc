@@ -172,6 +172,7 @@ TEST(BondLaw, names_are_different_and_others_are_refused)
     }
   catch (const InputError &error)
     {
-      EXPECT_STREQ(error.what(), "there is no law of joints 'glue': it must be bond or belt");
+      EXPECT_STREQ(error.what(),
+                   "there is no law of joints 'glue': it must be bond, belt or rate belt");
     }
 }

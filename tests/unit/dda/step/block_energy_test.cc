@@ -80,6 +80,36 @@ TEST(BlockEnergy, vibrating_bonded_pair_balances)
 
 
 
+TEST(BlockEnergy, maxwell_branches_lose_in_every_step)
+{
+  for (const char *preset : {"dissipative", "filtered", "trapezoidal", "shi"})
+    {
+      scene::SceneParameters p = strongly_bonded(preset);
+      p.maxwell.block_ratio    = 0.2;
+      p.maxwell.lowest         = 2.;
+      p.maxwell.highest        = 20.;
+      FixedBaseRun run(square_blocks(2, 1), p, {});
+      run.state.blocks[0].velocity    = Vec6::Unit(0) * 0.1;
+      run.state.blocks[0].velocity[5] = 0.2;
+      run.state.blocks[1].velocity[2] = 0.05; // the pair turns
+      run.state.energy                = stored_energy(run.model, run.state);
+      const double start              = run.state.energy.balance();
+      while (run.state.time < 0.2)
+        {
+          const double before = run.state.energy.damping_loss;
+          ASSERT_TRUE(run.advance(1e-3, 0));
+          ASSERT_GT(run.state.energy.damping_loss, before) << preset;
+        }
+      EXPECT_NEAR(run.state.energy.balance(), start, 1e-3 * start) << preset;
+      EXPECT_GT(run.state.energy.damping_loss, 0.05 * start) << preset;
+      EXPECT_NEAR(run.state.energy.strain,
+                  stored_energy(run.model, run.state).strain,
+                  1e-9 * start);
+    }
+}
+
+
+
 // A joint with the damage D has k_n closed and (1 - D) k_n open. In Newmark's weights all of it
 // would give D k_n |g_0 g_1| / 2 per length when a step takes it from the overlap g_0 to the
 // opening g_1.
