@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/continuum/condensed_factor.h>
+#include <hybrid/continuum/substitution.h>
 
 #include <algorithm>
 #include <cholmod.h>
-#include <cstring>
 #include <new>
 #include <stdexcept>
 
@@ -12,37 +12,20 @@ namespace hybrid::continuum
   class CondensedFactorisation::Factor
   {
   public:
-    Factor(cholmod_factor *f, cholmod_common *c)
-      : factor(f)
-      , common(c)
-    {}
-
-    ~Factor()
-    {
-      cholmod_free_factor(&factor, common);
-    }
-
-    Factor(const Factor &)            = delete;
-    Factor &operator=(const Factor &) = delete;
-
-    cholmod_factor *factor;
-    cholmod_factor  interior; ///< the same without columns of the surface; owns nothing
-    cholmod_common *common;
-    std::vector<int>
-                    interior_super; ///< first column of each supernode of the interior, and the end
-    Eigen::MatrixXd surface;        ///< L_GG, lower triangle
+    std::vector<double> interior; ///< L_II and L_GI in the order of substitutions
+    Eigen::MatrixXd     surface;  ///< L_GG, lower triangle
   };
 
 
   struct CondensedFactorisation::Cholmod
   {
-    cholmod_common   common;
-    std::vector<int> column_start, row;
-    int              n_surface = 0;
-    cholmod_factor  *symbolic  = nullptr;
-    cholmod_dense   *y = nullptr, *x = nullptr; ///< forward and backward solution, in order of L
-    cholmod_dense   *work = nullptr;            ///< of the rows below a supernode
-    Eigen::VectorXd  surface_load;              ///< becomes the solution there
+    cholmod_common                          common;
+    std::vector<int>                        column_start, row;
+    int                                     n_surface = 0;
+    cholmod_factor                         *symbolic  = nullptr;
+    Eigen::VectorXd                         surface_load; ///< becomes the solution there
+    std::unique_ptr<const SubstitutionPlan> plan;
+    std::unique_ptr<Substitution>           substitution;
 
     int size() const
     {
@@ -68,17 +51,7 @@ namespace hybrid::continuum
 
     std::vector<int> ordering();
 
-    /// Most rows below a supernode of the interior, at least 1.
-    std::size_t rows_below() const
-    {
-      return std::max<std::size_t>({1, symbolic->maxesize, static_cast<std::size_t>(n_surface)});
-    }
-
-    /// Unknowns of the surface among those in order of L.
-    Eigen::Map<Eigen::VectorXd> surface_of(cholmod_dense *dense) const
-    {
-      return {static_cast<double *>(dense->x) + size() - n_surface, n_surface};
-    }
+    SupernodalPattern pattern() const;
   };
 
 
@@ -100,11 +73,29 @@ namespace hybrid::continuum
   }
 
 
+  SupernodalPattern CondensedFactorisation::Cholmod::pattern() const
+  {
+    SupernodalPattern l;
+    l.n_interior   = size() - n_surface;
+    l.n_surface    = n_surface;
+    l.first_column = static_cast<const int *>(symbolic->super);
+    l.row_begin    = static_cast<const int *>(symbolic->pi);
+    l.row          = static_cast<const int *>(symbolic->s);
+    l.value_begin  = static_cast<const int *>(symbolic->px);
+    l.permutation  = static_cast<const int *>(symbolic->Perm);
+    l.n_supernodes = static_cast<int>(
+      std::lower_bound(l.first_column, l.first_column + symbolic->nsuper, l.n_interior) -
+      l.first_column);
+    return l;
+  }
+
+
   CondensedFactorisation::CondensedFactorisation(std::vector<int> column_start,
                                                  std::vector<int> row,
                                                  const int        n_surface)
     : cholmod(std::make_unique<Cholmod>())
   {
+    Eigen::setNbThreads(1); // Eigen cuts large products by the number of threads: so would the bits
     Cholmod &c = *cholmod;
     cholmod_start(&c.common);
     c.column_start                      = std::move(column_start);
@@ -127,17 +118,14 @@ namespace hybrid::continuum
     for (int k = c.size() - n_surface; k < c.size(); ++k)
       if (used[k] != k)
         throw std::logic_error("CHOLMOD: the surface is not the trailing block");
-    c.y    = cholmod_zeros(c.size(), 1, CHOLMOD_REAL, &c.common);
-    c.x    = cholmod_zeros(c.size(), 1, CHOLMOD_REAL, &c.common);
-    c.work = cholmod_zeros(c.rows_below(), 1, CHOLMOD_REAL, &c.common);
+    c.plan         = std::make_unique<SubstitutionPlan>(c.pattern());
+    c.substitution = std::make_unique<Substitution>(*c.plan);
   }
 
 
   CondensedFactorisation::~CondensedFactorisation()
   {
     Cholmod &c = *cholmod;
-    for (cholmod_dense **dense : {&c.y, &c.x, &c.work})
-      cholmod_free_dense(dense, &c.common);
     cholmod_free_factor(&c.symbolic, &c.common);
     cholmod_finish(&c.common);
   }
@@ -153,10 +141,11 @@ namespace hybrid::continuum
   {
     const cholmod_factor &l       = *cholmod->symbolic;
     const double          surface = static_cast<double>(cholmod->n_surface);
-    // Numbers and their pattern, workspace, entries of the matrix in and out of order; the
-    // surface's block of the factor, S and a copy of it.
+    // Numbers and their pattern, workspace, entries of the matrix in and out of order; numbers in
+    // the order of substitutions; the surface's block of the factor, S and a copy of it.
     return sizeof(double) *
              (static_cast<double>(l.xsize) + static_cast<double>(l.maxcsize) +
+              static_cast<double>(cholmod->plan->n_values) +
               2. * static_cast<double>(cholmod->row.size()) + 3. * surface * surface) +
            sizeof(int) * (static_cast<double>(l.ssize) + static_cast<double>(cholmod->row.size()));
   }
@@ -165,47 +154,41 @@ namespace hybrid::continuum
   std::shared_ptr<CondensedFactorisation::Factor>
   CondensedFactorisation::factor(const std::vector<double> &values)
   {
-    Cholmod       &c = *cholmod;
-    cholmod_sparse a = c.matrix(const_cast<double *>(values.data()));
-    auto result = std::make_shared<Factor>(cholmod_copy_factor(c.symbolic, &c.common), &c.common);
-    const bool is_done = cholmod_factorize(&a, result->factor, &c.common) != 0;
-    if (c.common.status == CHOLMOD_OUT_OF_MEMORY || c.common.status == CHOLMOD_TOO_LARGE)
+    Cholmod        &c       = *cholmod;
+    cholmod_sparse  a       = c.matrix(const_cast<double *>(values.data()));
+    cholmod_factor *whole   = cholmod_copy_factor(c.symbolic, &c.common);
+    const bool      is_done = cholmod_factorize(&a, whole, &c.common) != 0;
+    const int       status  = c.common.status;
+    auto            result  = std::make_shared<Factor>();
+    if (is_done && status == CHOLMOD_OK)
+      take_parts(static_cast<const double *>(whole->x), *result);
+    cholmod_free_factor(&whole, &c.common);
+    if (status == CHOLMOD_OUT_OF_MEMORY || status == CHOLMOD_TOO_LARGE)
       throw std::bad_alloc();
-    if (!is_done || c.common.status != CHOLMOD_OK)
+    if (!is_done || status != CHOLMOD_OK)
       throw std::runtime_error("CHOLMOD: the dynamic stiffness is not positive definite");
-
-    separate_surface(*result);
     return result;
   }
 
 
-  void CondensedFactorisation::separate_surface(Factor &factor) const
+  void CondensedFactorisation::take_parts(const double *values, Factor &factor) const
   {
-    // L = [L_II 0; L_GI L_GG]: L_GG is copied out of the supernodes that reach into it. Supernodes
-    // of the surface alone are left out of the triangular solves; of one with columns of both kinds
-    // only those of the interior stay, the rows of the surface below them.
-    const cholmod_factor &l     = *factor.factor;
-    const int            *super = static_cast<const int *>(l.super);
-    const int            *pi    = static_cast<const int *>(l.pi);
-    const int            *px    = static_cast<const int *>(l.px);
-    const int            *s     = static_cast<const int *>(l.s);
-    const double         *x     = static_cast<const double *>(l.x);
-    const int             first = cholmod->size() - cholmod->n_surface;
-    factor.surface              = Eigen::MatrixXd::Zero(cholmod->n_surface, cholmod->n_surface);
-    factor.interior             = l;
-    for (int k = static_cast<int>(l.nsuper) - 1; k >= 0 && super[k + 1] > first; --k)
+    // L = [L_II 0; L_GI L_GG]: L_GG is copied out of the supernodes that reach into it. Of one with
+    // columns of both kinds those of the interior are L_II's and L_GI's.
+    const SupernodalPattern pattern = cholmod->pattern();
+    const int              *super = pattern.first_column, *pi = pattern.row_begin;
+    const int               first = pattern.n_interior;
+    factor.interior               = cholmod->plan->pack(pattern, values);
+    factor.surface                = Eigen::MatrixXd::Zero(cholmod->n_surface, cholmod->n_surface);
+    for (int k = static_cast<int>(cholmod->symbolic->nsuper) - 1; k >= 0 && super[k + 1] > first;
+         --k)
       {
         const int rows = pi[k + 1] - pi[k];
         for (int j = std::max(first, super[k]); j < super[k + 1]; ++j)
           for (int i = j - super[k]; i < rows; ++i)
-            factor.surface(s[pi[k] + i] - first, j - first) = x[px[k] + (j - super[k]) * rows + i];
-        if (super[k] >= first)
-          factor.interior.nsuper = k;
+            factor.surface(pattern.row[pi[k] + i] - first, j - first) =
+              values[pattern.value_begin[k] + (j - super[k]) * rows + i];
       }
-    factor.interior_super.assign(super, super + factor.interior.nsuper + 1);
-    factor.interior_super.back() = std::min(first, factor.interior_super.back());
-    factor.interior.super        = factor.interior_super.data();
-    factor.interior.maxesize     = cholmod->rows_below();
   }
 
 
@@ -219,13 +202,7 @@ namespace hybrid::continuum
   void
   CondensedFactorisation::forward(Factor &factor, const std::vector<double> &b, Eigen::VectorXd &g)
   {
-    Cholmod   &c    = *cholmod;
-    const int *perm = static_cast<const int *>(factor.factor->Perm);
-    double    *y    = static_cast<double *>(c.y->x);
-    for (int k = 0; k < c.size(); ++k)
-      y[k] = b[perm[k]];
-    cholmod_super_lsolve(&factor.interior, c.y, c.work, &c.common);
-    g = c.surface_of(c.y);
+    cholmod->substitution->forward(factor.interior.data(), b.data(), g);
   }
 
 
@@ -233,20 +210,13 @@ namespace hybrid::continuum
                                         const Eigen::VectorXd &surface,
                                         std::vector<double>   &x)
   {
-    Cholmod &c = *cholmod;
-    std::memcpy(c.x->x, c.y->x, sizeof(double) * c.size());
-    c.surface_of(c.x) = surface;
-    cholmod_super_ltsolve(&factor.interior, c.x, c.work, &c.common);
-    const int    *perm     = static_cast<const int *>(factor.factor->Perm);
-    const double *solution = static_cast<const double *>(c.x->x);
-    for (int k = 0; k < c.size(); ++k)
-      x[perm[k]] = solution[k];
+    cholmod->substitution->backward(factor.interior.data(), surface, x.data());
   }
 
 
   void CondensedFactorisation::backward(Factor &factor, std::vector<double> &x)
   {
-    cholmod->surface_load = cholmod->surface_of(cholmod->y);
+    cholmod->surface_load = cholmod->substitution->surface_load();
     solve_surface(factor, cholmod->surface_load);
     backward(factor, cholmod->surface_load, x);
   }
@@ -258,31 +228,22 @@ namespace hybrid::continuum
   {
     cholmod->surface_load = load;
     solve_surface(factor, cholmod->surface_load);
-    double *y = static_cast<double *>(cholmod->y->x);
-    std::fill(y, y + cholmod->size(), 0.);
-    backward(factor, cholmod->surface_load, x);
+    cholmod->substitution->backward_from_surface(factor.interior.data(),
+                                                 cholmod->surface_load,
+                                                 x.data());
   }
 
 
   void CondensedFactorisation::solve(const Factor &factor, Eigen::MatrixXd &b)
   {
-    Cholmod       &c    = *cholmod;
-    const int     *perm = static_cast<const int *>(factor.factor->Perm);
-    cholmod_dense *x    = cholmod_zeros(b.rows(), b.cols(), CHOLMOD_REAL, &c.common);
-    cholmod_dense *work = cholmod_zeros(c.rows_below(), b.cols(), CHOLMOD_REAL, &c.common);
-    Eigen::Map<Eigen::MatrixXd> in_order(static_cast<double *>(x->x), b.rows(), b.cols());
-    for (int k = 0; k < c.size(); ++k)
-      in_order.row(k) = b.row(perm[k]);
-    cholmod_factor interior = factor.interior; // CHOLMOD takes no constant one
-    cholmod_super_lsolve(&interior, x, work, &c.common);
-    Eigen::MatrixXd surface = in_order.bottomRows(c.n_surface);
-    solve_surface(factor, surface);
-    in_order.bottomRows(c.n_surface) = surface;
-    cholmod_super_ltsolve(&interior, x, work, &c.common);
-    for (int k = 0; k < c.size(); ++k)
-      b.row(perm[k]) = in_order.row(k);
-    cholmod_free_dense(&x, &c.common);
-    cholmod_free_dense(&work, &c.common);
+    Substitution    substitution(*cholmod->plan);
+    Eigen::VectorXd surface;
+    for (Eigen::Index k = 0; k < b.cols(); ++k)
+      {
+        substitution.forward(factor.interior.data(), b.col(k).data(), surface);
+        solve_surface(factor, surface);
+        substitution.backward(factor.interior.data(), surface, b.col(k).data());
+      }
   }
 
 

@@ -59,7 +59,8 @@ namespace hybrid::continuum
           open ? 0. : (failed[i] ? 0. : strength.cohesion) - strength.friction * sigma;
         const double trial = tau + problem.relaxation(2 * i + 1, 2 * i + 1) *
                                      (plastic[2 * i + 1] - problem.old[2 * i + 1]);
-        if (open || limit <= 0.)
+        // Of a point that bears nothing the limit is round-off, of either sign.
+        if (open || limit <= (old_direction[i] == no_strength ? margin : 0.))
           direction[i] = no_strength;
         else if (trial > limit + (old_direction[i] == 1 ? -margin : margin))
           direction[i] = 1;

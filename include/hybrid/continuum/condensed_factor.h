@@ -65,8 +65,8 @@ namespace hybrid::continuum
   private:
     struct Cholmod;
 
-    /// Take L_GG out of what triangular solves read: they are to end at the surface.
-    void separate_surface(Factor &factor) const;
+    /// Take the interior's part and L_GG from the numbers of a whole factor.
+    void take_parts(const double *values, Factor &factor) const;
 
     /// b := S^-1 b, unknowns of the surface.
     template <typename Values>

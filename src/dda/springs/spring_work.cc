@@ -8,15 +8,6 @@ namespace hybrid::dda
 {
   namespace
   {
-    /// A spring's force on Q and where it acts, Q's share on the foundation nodes.
-    struct Force
-    {
-      Vec2   force, place;
-      double weight[2] = {1., 0.};
-    };
-
-
-
     Vec2 foundation_moved(const SpringStep &step, const int node)
     {
       return (step.trial.foundation - step.before.foundation_displacement).segment<2>(2 * node);
@@ -24,9 +15,17 @@ namespace hybrid::dda
 
 
 
-    Force joint_force_at_start(const SpringStep        &step,
-                               const Springs::Spring   &spring,
-                               const Springs::Traction &traction)
+    /// Where a spring was when the step began: the forces then differ in their tractions alone.
+    struct Start
+    {
+      Vec2   normal, tangent;      ///< unit vectors
+      Vec2   place;                ///< where it acts [m]
+      double weight[2] = {1., 0.}; ///< Q's share on the foundation nodes
+    };
+
+
+
+    Start joint_at_start(const SpringStep &step, const Springs::Spring &spring)
     {
       const Joint    &joint    = step.model.joints[spring.joint];
       const Geometry &geometry = step.before.geometry;
@@ -36,70 +35,74 @@ namespace hybrid::dda
       const Vec2 &a         = geometry.vertices[joint.edge],
                  &b         = geometry.vertices[geometry.next(joint.edge)];
       const double fraction = joint.points[1].position - joint.points[0].position;
-      const Vec2   tangent  = (fraction * (b - a) + (place(joint.points[1].other_vertex) -
-                                                  place(joint.points[0].other_vertex)))
-                             .normalized();
-      const Vec2   normal(tangent.y(), -tangent.x());
-      const double at = joint.points[spring.end].position;
-      return {spring.length * (traction.normal * normal + traction.shear * tangent),
-              (1. - at) * a + at * b + 0.5 * spring.old.jump};
+      const double at       = joint.points[spring.end].position;
+      Start        start;
+      start.tangent = (fraction * (b - a) +
+                       (place(joint.points[1].other_vertex) - place(joint.points[0].other_vertex)))
+                        .normalized();
+      start.normal = Vec2(start.tangent.y(), -start.tangent.x());
+      start.place  = (1. - at) * a + at * b + 0.5 * spring.old.jump;
+      return start;
     }
 
 
 
-    Force contact_force_at_start(const SpringStep        &step,
-                                 const Springs::Spring   &spring,
-                                 const Springs::Traction &traction)
+    Start contact_at_start(const SpringStep &step, const Springs::Spring &spring)
     {
-      const Contact      &contact = step.before.contacts[spring.contact];
-      const ContactPlaces start   = places(contact, step.before.geometry);
-      const ContactFrame  frame(contact, start);
+      const Contact      &contact     = step.before.contacts[spring.contact];
+      const ContactPlaces places_then = places(contact, step.before.geometry);
+      const ContactFrame  frame(contact, places_then);
       const double        sign = contact.vertex_body == foundation_body ? 1. : -1.;
-      Force               force{sign * spring.length *
-                    (traction.normal * frame.outward + traction.shear * frame.along),
-                  start.vertex};
+      Start               start;
+      start.normal  = sign * frame.outward;
+      start.tangent = sign * frame.along;
+      start.place   = places_then.vertex;
       if (contact.edge_body == foundation_body)
         {
-          force.weight[1] = std::min(1., std::max(0., frame.edge_position));
-          force.weight[0] = 1. - force.weight[1];
+          start.weight[1] = std::min(1., std::max(0., frame.edge_position));
+          start.weight[0] = 1. - start.weight[1];
         }
-      return force;
+      return start;
     }
 
 
 
-    Force force_at_start(const SpringStep        &step,
-                         const Springs::Spring   &spring,
-                         const Springs::Traction &traction)
+    /// Force on Q.
+    Vec2 force_of(const Springs::Spring &spring, const Start &start, const Springs::Traction &t)
     {
-      return spring.joint >= 0 ? joint_force_at_start(step, spring, traction)
-                               : contact_force_at_start(step, spring, traction);
+      return spring.length * (t.normal * start.normal + t.shear * start.tangent);
     }
 
 
 
-    /// Of the force, as on the other body.
-    double work_on_body_at_start(const SpringStep &step, const int body, const Force &force)
+    bool is_none(const Springs::Traction &traction)
     {
-      return BlockMotion(step.before.blocks[body].centroid, Vec6::Zero())
-        .gradient(force.place, force.force)
-        .dot(step.trial.increment[body]);
+      return traction.normal == 0. && traction.shear == 0.;
     }
 
 
 
-    double work_at_start(const SpringStep        &step,
-                         const Springs::Spring   &spring,
-                         const Springs::Traction &traction)
+    /// Of a force on a body, at a place at the start of the step.
+    double
+    work_on_body(const SpringStep &step, const int body, const Vec2 &place, const Vec2 &force)
     {
-      if (traction.normal == 0. && traction.shear == 0.)
-        return 0.;
-      const Force force = force_at_start(step, spring, traction);
-      double      work  = -work_on_body_at_start(step, spring.block, force);
+      BlockMotion at_rest;
+      at_rest.old_centroid = at_rest.centroid = step.before.blocks[body].centroid;
+      return at_rest.gradient(place, force).dot(step.trial.increment[body]);
+    }
+
+
+
+    double work_at_start(const SpringStep      &step,
+                         const Springs::Spring &spring,
+                         const Start           &start,
+                         const Vec2            &force)
+    {
+      double work = -work_on_body(step, spring.block, start.place, force);
       if (spring.other != foundation_body)
-        return work + work_on_body_at_start(step, spring.other, force);
+        return work + work_on_body(step, spring.other, start.place, force);
       for (int k = 0; k < 2; ++k)
-        work += force.weight[k] * force.force.dot(foundation_moved(step, spring.node[k]));
+        work += start.weight[k] * force.dot(foundation_moved(step, spring.node[k]));
       return work;
     }
 
@@ -108,7 +111,7 @@ namespace hybrid::dda
     double
     work_at_end(const SpringStep &step, const std::size_t number, const Springs::Traction &traction)
     {
-      if (traction.normal == 0. && traction.shear == 0.)
+      if (is_none(traction))
         return 0.;
       const Springs::Spring   &spring   = step.springs.springs[number];
       const Springs::Response &response = step.springs.responses[number];
@@ -121,50 +124,68 @@ namespace hybrid::dda
           response.weight[k] * force.on_block.head<2>().dot(foundation_moved(step, spring.node[k]));
       return work;
     }
+
+
+
+    /// Of the forces at the start.
+    double
+    arc_work_at_start(const SpringStep &step, const Springs::Spring &spring, const Start &start)
+    {
+      const Vec2 force  = force_of(spring, start, {spring.old.normal, spring.old.shear});
+      const auto on_arc = [&](const int b) {
+        return work_on_body(step, b, start.place, force) -
+               force.dot(step.trial.motion[b].displacement(start.place));
+      };
+      double work = -on_arc(spring.block);
+      if (spring.other != foundation_body)
+        work += on_arc(spring.other);
+      return work;
+    }
+
+
+
+    /// Of the forces at the end.
+    double arc_work_at_end(const SpringStep &step, const std::size_t number)
+    {
+      const Springs::Spring   &spring   = step.springs.springs[number];
+      const Springs::Response &response = step.springs.responses[number];
+      const auto               on_arc   = [&](const int b, const Vec6 &force) {
+        return force.dot(step.trial.increment[b]) -
+               force.head<2>().dot(step.trial.motion[b].displacement_to(response.place));
+      };
+      double work = on_arc(spring.block, response.force.on_block);
+      if (spring.other != foundation_body)
+        work += on_arc(spring.other, response.force.on_other);
+      return work;
+    }
   } // namespace
 
 
 
-  double rotation_work(const SpringStep        &step,
-                       const std::size_t        number,
-                       const Springs::Traction &start,
-                       const Springs::Traction &end)
+  TurningWork turning_work(const SpringStep        &step,
+                           const std::size_t        number,
+                           const Springs::Traction &start,
+                           const Springs::Traction &end)
   {
-    const Springs::Spring &spring = step.springs.springs[number];
-    const SpringState     &old = spring.old, &now = step.springs.responses[number].now;
-    const double local = spring.length * ((end.normal - start.normal) * (now.gap - old.gap) +
-                                          (end.shear - start.shear) * (now.slip - old.slip));
-    return work_at_end(step, number, end) - work_at_start(step, spring, start) - local;
-  }
-
-
-
-  double arc_work(const SpringStep &step, const std::size_t number)
-  {
-    const Springs::Spring   &spring   = step.springs.springs[number];
-    const Springs::Response &response = step.springs.responses[number];
-    double                   work     = 0.;
-    if (spring.old.normal != 0. || spring.old.shear != 0.)
+    const Springs::Spring  &spring = step.springs.springs[number];
+    const SpringState      &old = spring.old, &now = step.springs.responses[number].now;
+    const Springs::Traction then{old.normal, old.shear};
+    TurningWork             work;
+    work.rotation = work_at_end(step, number, end) -
+                    spring.length * ((end.normal - start.normal) * (now.gap - old.gap) +
+                                     (end.shear - start.shear) * (now.slip - old.slip));
+    if (!is_none(start) || !is_none(then))
       {
-        const Force force  = force_at_start(step, spring, {spring.old.normal, spring.old.shear});
-        const auto  on_arc = [&](const int b) {
-          return work_on_body_at_start(step, b, force) -
-                 force.force.dot(step.trial.motion[b].displacement(force.place));
-        };
-        work -= on_arc(spring.block);
-        if (spring.other != foundation_body)
-          work += on_arc(spring.other);
+        const Start place =
+          spring.joint >= 0 ? joint_at_start(step, spring) : contact_at_start(step, spring);
+        if (!is_none(start))
+          work.rotation -= work_at_start(step, spring, place, force_of(spring, place, start));
+        if (!is_none(then))
+          work.arc += arc_work_at_start(step, spring, place);
       }
-    if (response.now.normal != 0. || response.now.shear != 0.)
-      {
-        const auto on_arc = [&](const int b, const Vec6 &force) {
-          return force.dot(step.trial.increment[b]) -
-                 force.head<2>().dot(step.trial.motion[b].displacement_to(response.place));
-        };
-        work += on_arc(spring.block, response.force.on_block);
-        if (spring.other != foundation_body)
-          work += on_arc(spring.other, response.force.on_other);
-      }
-    return 0.5 * work;
+    if (now.normal != 0. || now.shear != 0.)
+      work.arc += arc_work_at_end(step, number);
+    work.arc *= 0.5;
+    return work;
   }
 } // namespace hybrid::dda

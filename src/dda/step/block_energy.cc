@@ -185,13 +185,13 @@ namespace hybrid::dda
               energy.fracture_loss += spring.length * fracture;
             }
           energy.damping_loss += spring.length * (elastic - work - friction);
+          const TurningWork turning = turning_work(moved,
+                                                   i,
+                                                   traction.beyond_mean(old, traction.before),
+                                                   traction.beyond_mean(now, traction.after));
           energy.integration_loss +=
-            spring.length * (-elastic - (stored - stored_before) - fracture) -
-            rotation_work(moved,
-                          i,
-                          traction.beyond_mean(old, traction.before),
-                          traction.beyond_mean(now, traction.after)) -
-            arc_work(moved, i);
+            spring.length * (-elastic - (stored - stored_before) - fracture) - turning.rotation -
+            turning.arc;
         }
       energy.spring_replacement_loss += step.before.energy.springs - before;
     }

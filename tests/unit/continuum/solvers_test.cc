@@ -7,6 +7,10 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Dense>
 
+#include <omp.h>
+
+#include <array>
+#include <cmath>
 #include <random>
 
 namespace
@@ -28,6 +32,40 @@ namespace
       }
     return a;
   }
+
+
+
+  /// Lower triangle by columns of a matrix on a grid of two unknowns per node, each coupled to the
+  /// neighbours of its node, the corner's included.
+  struct GridMatrix
+  {
+    int                 size;
+    std::vector<int>    start = {0}, row;
+    std::vector<double> values;
+
+    GridMatrix(const int nx, const int ny)
+      : size(2 * nx * ny)
+    {
+      for (int node = 0; node < nx * ny; ++node)
+        for (int c = 0; c < 2; ++c)
+          {
+            for (const std::array<int, 2> by :
+                 {std::array<int, 2>{0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}})
+              {
+                const int i = node % nx + by[0], j = node / nx + by[1];
+                if (i < 0 || i >= nx || j >= ny)
+                  continue;
+                for (int d = 0; d < 2; ++d)
+                  if (const int other = 2 * (j * nx + i) + d; other >= 2 * node + c)
+                    {
+                      row.push_back(other);
+                      values.push_back(other == 2 * node + c ? 20. : std::sin(row.size() + 1.));
+                    }
+              }
+            start.push_back(static_cast<int>(row.size()));
+          }
+    }
+  };
 } // namespace
 
 
@@ -96,4 +134,54 @@ TEST(CondensedFactor, equals_dense_condensation)
 
   values.front() = -1.;
   EXPECT_THROW(system.factor(values), std::runtime_error);
+}
+
+
+TEST(CondensedFactor, has_the_same_bits_for_any_number_of_threads)
+{
+  const int              nx = 240, ny = 60;
+  const GridMatrix       grid(nx, ny);
+  CondensedFactorisation system(grid.start, grid.row, 2 * nx);
+  const auto             factor = system.factor(grid.values);
+  std::vector<double>    b(grid.size);
+  for (int i = 0; i < grid.size; ++i)
+    b[i] = std::sin(i + 1.);
+  const int                        usual = omp_get_max_threads();
+  std::vector<std::vector<double>> solutions;
+  for (const int threads : {1, 2, 3})
+    {
+      omp_set_num_threads(threads);
+      std::vector<double> x(grid.size);
+      Eigen::VectorXd     g(2 * nx);
+      system.forward(*factor, b, g);
+      system.backward(*factor, g, x);
+      x.insert(x.end(), g.data(), g.data() + g.size());
+      solutions.push_back(x);
+    }
+  omp_set_num_threads(usual);
+  EXPECT_EQ(solutions[0], solutions[1]);
+  EXPECT_EQ(solutions[0], solutions[2]);
+}
+
+
+TEST(CondensedFactor, solves_many_and_leaves_the_substitution_of_a_step)
+{
+  const int              nx = 12, ny = 9;
+  const GridMatrix       grid(nx, ny);
+  CondensedFactorisation system(grid.start, grid.row, 2 * nx);
+  const auto             factor = system.factor(grid.values);
+  Eigen::MatrixXd        a      = Eigen::MatrixXd::Zero(grid.size, grid.size);
+  for (int j = 0; j < grid.size; ++j)
+    for (int e = grid.start[j]; e < grid.start[j + 1]; ++e)
+      a(grid.row[e], j) = a(j, grid.row[e]) = grid.values[e];
+  std::vector<double> b(grid.size, 1.), before(grid.size), after(grid.size);
+  Eigen::VectorXd     g(2 * nx);
+  system.forward(*factor, b, g);
+  system.backward(*factor, before);
+  const Eigen::MatrixXd loads = Eigen::MatrixXd::Identity(grid.size, 5);
+  Eigen::MatrixXd       x     = loads;
+  system.solve(*factor, x);
+  EXPECT_LT((a * x - loads).norm(), 1e-12);
+  system.backward(*factor, after);
+  EXPECT_EQ(before, after);
 }

@@ -68,10 +68,11 @@ TEST(SpringWork, of_a_turning_force_is_that_on_the_chord)
   for (std::size_t i = 0; i < springs.springs.size(); ++i)
     {
       const SpringState &old = springs.springs[i].old, &now = springs.responses[i].now;
-      work += rotation_work({run.model, before, trial, springs},
-                            i,
-                            {old.normal, old.shear},
-                            {now.normal, now.shear});
+      work += turning_work({run.model, before, trial, springs},
+                           i,
+                           {old.normal, old.shear},
+                           {now.normal, now.shear})
+                .rotation;
     }
   const double expected = -2. * force * 0.5 * std::pow(spin * dt, 2);
   EXPECT_NEAR(work, expected, 1e-3 * std::abs(expected));
