@@ -14,7 +14,7 @@ namespace hybrid::coupling
     {
       CoupledState state;
       state.time                   = 1.;
-      state.columns                = {{14.}, {15., 16.}, {17.}, {17.5}, 17.75};
+      state.columns                = {{14.}, {15., 16.}, {17.}, {17.5}, 17.75, {17.8}};
       state.blocks.time            = 2.;
       auto &rock                   = state.continuum;
       rock.time                    = 3.;
@@ -26,6 +26,7 @@ namespace hybrid::coupling
       rock.contact_acceleration    = {11.5};
       rock.acceleration_change     = {11.6};
       rock.last_step               = 11.7;
+      rock.maxwell                 = {{11.8}, {11.81, 11.82}, {11.83}};
       rock.slip.jump               = {12.};
       rock.slip.path               = {13.};
       rock.slip.failed             = {1, 0};
@@ -47,6 +48,10 @@ namespace hybrid::coupling
       EXPECT_EQ(copy.columns.acceleration, state.columns.acceleration);
       EXPECT_EQ(copy.columns.change, state.columns.change);
       EXPECT_EQ(copy.columns.last_step, state.columns.last_step);
+      EXPECT_EQ(copy.columns.branches, state.columns.branches);
+      EXPECT_EQ(copy.continuum.maxwell.strain, rock.maxwell.strain);
+      EXPECT_EQ(copy.continuum.maxwell.force, rock.maxwell.force);
+      EXPECT_EQ(copy.continuum.maxwell.elastic, rock.maxwell.elastic);
       EXPECT_EQ(copy.blocks.time, 2.);
       EXPECT_EQ(copy.continuum.time, 3.);
       EXPECT_EQ(copy.continuum.displacement, rock.displacement);
