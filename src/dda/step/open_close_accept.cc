@@ -168,11 +168,13 @@ namespace hybrid::dda
           }
         Contact &contact      = state.contacts[spring.contact];
         contact.edge_position = response.edge_position;
-        contact.slip          = response.now.slip;
-        contact.plastic_slip  = response.now.history.plastic_slip;
-        contact.state         = response.now.state;
-        const double gap      = contact.stress_free_gap + response.now.gap;
-        contact.pressed_gap   = response.now.gap < 0. ? gap : 0.;
+        // From where friction holds it now: the digits of a long way are wider than what a stiff
+        // contact feels.
+        contact.slip         = response.now.slip - response.now.history.plastic_slip;
+        contact.plastic_slip = 0.;
+        contact.state        = response.now.state;
+        const double gap     = contact.stress_free_gap + response.now.gap;
+        contact.pressed_gap  = response.now.gap < 0. ? gap : 0.;
         if (gap >= 0.) // they have parted
           contact.stress_free_gap = 0.;
       }
