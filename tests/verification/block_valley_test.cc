@@ -28,6 +28,7 @@ namespace
     double gain      = 0.; ///< largest energy above that at the start, over it [-]
     double depth     = 0.; ///< of a corner in the ground, largest [m]
     double advance   = 0.; ///< way in one step [m]
+    int    cuts      = 0;  ///< of steps
   };
 
   /// Uniform between two numbers, the same on all machines.
@@ -129,6 +130,7 @@ namespace
           std::max(outcome.gain, (e.kinetic + e.strain + e.springs + e.gravity) / start - 1.);
         outcome.depth = std::max(outcome.depth, depth());
       }
+    outcome.cuts = run.cuts;
     return outcome;
   }
 } // namespace
@@ -142,6 +144,7 @@ TEST(BlockValley, holds_what_slides_into_it)
       slides += outcome.begins;
       EXPECT_TRUE(outcome.converges) << "seed " << seed;
       EXPECT_LE(outcome.gain, 1e-3) << "seed " << seed;
+      EXPECT_LE(outcome.cuts, 500) << "seed " << seed; // in vain: tens of thousands
       EXPECT_LE(outcome.depth, 2. * outcome.advance + 1e-3) << "seed " << seed;
     }
   EXPECT_GT(slides, n_scenes / 2);

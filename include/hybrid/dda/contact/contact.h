@@ -12,7 +12,8 @@ namespace hybrid::dda
    * The gap is the distance of the vertex from the edge's line along the
    * edge's outward normal (positive when open). Slip is the displacement of
    * the vertex along the edge's direction (from first to second end), summed
-   * over the life of the contact, also across collinear edges.
+   * over the steps, also across collinear edges; with each it begins anew
+   * where friction holds the contact.
    */
   struct Contact
   {
@@ -24,7 +25,7 @@ namespace hybrid::dda
 
     double edge_position = 0.; ///< projection of the vertex on the edge when last accepted, 0..1
                                ///< from first to second end [-]
-    double slip = 0.;          ///< slip at edge_position [m]
+    double slip = 0.; ///< at edge_position, from where friction held it when last accepted [m]
     double plastic_slip =
       0.; ///< part of the slip that friction has taken; shear force = -k_s (slip - plastic_slip)
     ContactState state = ContactState::open; ///< when last accepted
