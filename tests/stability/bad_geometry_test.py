@@ -433,9 +433,10 @@ def main():
     else:
         gmsh = Gmsh(library)
         large = ("lamb", "lamb_80x60", "canyon_fine")  # a hundred thousand unknowns
+        plausible = ("tiny_block", "notched_beam")  # slopes of a thousand times their size exist
         for scene in sorted(source.glob("parameters/*/*.prm")):
             includes = re.search(r"(?m)^ *include ", scene.read_text())  # it has the geometry of another scene
-            if scene.parent.name != "benchmarks" and scene.stem not in large and not includes:
+            if scene.parent.name != "benchmarks" and scene.stem not in large + plausible and not includes:
                 try_scaled(hybrid, gmsh, scene, work)
     for complaint in complaints:
         print("FAILED:", complaint)
