@@ -8,6 +8,9 @@ target_compile_options(hybrid_flags INTERFACE -Wall -Wextra -Wshadow -march=${HY
 if(HYBRID_WARNINGS_AS_ERRORS)
   target_compile_options(hybrid_flags INTERFACE -Werror)
 endif()
+# A library's calls of Eigen stay within it: an exported template of ours would take the place of gmsh's, whose flags
+# (alignment of memory) may differ. Test unit.hidden_symbols.
+target_compile_options(hybrid_flags INTERFACE -fvisibility=hidden -fvisibility-inlines-hidden)
 if(HYBRID_SANITIZE)
   target_compile_options(hybrid_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(hybrid_flags INTERFACE -fsanitize=address,undefined)
