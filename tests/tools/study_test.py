@@ -14,7 +14,8 @@ import pytest
 from conftest import ROOT
 
 from hybrid_run import UserError, convergence
-from hybrid_tools.study import analysis, axes, command, plan, quantities, report, runner, stated, study_file, tables
+from hybrid_run.parameters import parse_parameters
+from hybrid_tools.study import analysis, axes, command, page, plan, program, quantities, report, runner, stated, study_file, tables
 from hybrid_tools.study.run_directory import RunDirectory, reason_of
 
 SCENES = ROOT / "parameters/verification"
@@ -458,3 +459,42 @@ def test_a_directory_holds_the_study_of_one_scene_and_one_process_works_there(hy
         command.main([str(SCENES / "incline.prm"), *map(str, words), "-s", "Blocks/Damping ratio=0.1"])
     os.close(locked)
     assert ((directory / "scene.prm").read_text(), (directory / "plan.json").read_text()) == before
+
+
+# Pages.
+
+
+def test_a_page_gets_the_front_and_the_verdict_between_its_marks(monkeypatch, tmp_path):
+    study, runs = made_up(tmp_path / "bar-study", lambda h, dt: 1e-3 * h**2 + 1e4 * dt**2)
+    study.tolerance = 0.05
+    path = tmp_path / "page.md"
+    path.write_text("before\n<!-- study bar -->\nold\n<!-- end of study bar -->\nafter\n")
+    page.check(path, study)
+    made = analysed(monkeypatch, study, runs)
+    page.put(path, made)
+    first = path.read_text()
+    page.put(path, made)
+    assert path.read_text() == first and "old" not in first and first.startswith("before\n<!-- study bar -->\n")
+    assert first.endswith("<!-- end of study bar -->\nafter\n") and "The cheapest setting with an error below 5 % is " in first
+    rows = [line for line in first.splitlines() if line.startswith("| h ")]
+    assert len(rows) == len(tables.pareto(made)) > 1
+
+
+def test_a_page_without_the_marks_is_refused(tmp_path):
+    study, _ = made_up(tmp_path / "bar-study", lambda h, dt: h + dt)
+    path = tmp_path / "page.md"
+    path.write_text("nothing\n")
+    with pytest.raises(UserError, match="study bar"):
+        page.check(path, study)
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "parameters/studies").glob("*.toml")), ids=lambda path: path.stem)
+def test_study_files_of_the_repository_vary_what_there_is(path, monkeypatch, tmp_path):
+    def check(study):  # asks once, not for every level
+        study.base = parse_parameters(program.parameters_text(study.scene, study.common).splitlines())
+
+    monkeypatch.setattr(command, "check", check)
+    study = command.make_study(command.arguments().read([str(path), "--directory", str(tmp_path / "study")]))
+    assert path.read_text().startswith("# ") and len(study.settings()) > 1
+    for setting in study.settings():
+        assert all(override.split("=")[0] in study.base for override in setting.overrides), setting.overrides

@@ -9,6 +9,7 @@ import os
 import sys
 
 from hybrid_run import UserError
+from hybrid_tools import marked_page
 from hybrid_tools.arguments import Arguments
 from hybrid_tools.benchmark import catalogue, machine, measure, results
 from hybrid_tools.study import program
@@ -48,7 +49,7 @@ def read_words(words):
     if found.against and found.beside:
         raise UserError("--against and --beside exclude each other: one thing is compared with")
     if found.page:
-        around_tables(found.page)
+        marked_page.around(found.page, BEGIN, END)
     if found.beside and not os.access(found.beside, os.X_OK):
         raise UserError("--beside '%s' is no program" % found.beside)
     return found
@@ -115,7 +116,7 @@ def write(words, facts, rows, before, name):
     with open(os.path.join(words.output, "benchmark.md"), "w", encoding="utf-8") as file:
         file.write("# Benchmark\n\n" + text)
     if words.page:
-        put_into_page(words.page, text)
+        marked_page.put(words.page, BEGIN, END, text)
     return made, lines
 
 
@@ -125,22 +126,6 @@ def page_text(facts, rows, made, lines):
     said = ["- %s: %s." % (catalogue.UNITS[kind], catalogue.MEANINGS[kind]) for kind in kinds]
     return "\n".join(headline(facts) + ["", made.markdown(), ""] + said + ["- " + line for line in lines] + [
         "", "Where the wall time goes (of the time loop; `static_*`: of the static stage):", "", results.parts_table(rows).markdown(), ""])
-
-
-def around_tables(path):
-    """What stands before and after the tables of a page. @raises UserError without its marks."""
-    try:
-        with open(path, encoding="utf-8") as file:
-            page = file.read()
-        return page[: page.index(BEGIN) + len(BEGIN)], page[page.index(END):]
-    except (OSError, ValueError) as error:
-        raise UserError("'%s' is no page with the marks '%s' and '%s'" % (path, BEGIN, END)) from error
-
-
-def put_into_page(path, text):
-    head, tail = around_tables(path)
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(head + "\n" + text + tail)
 
 
 def headline(facts):

@@ -7,7 +7,7 @@ import sys
 from hybrid_run import UserError
 from hybrid_run.parameters import parse_parameters
 from hybrid_tools.arguments import Arguments
-from hybrid_tools.study import axes, plan, program, runner, stated, study_file, workflow
+from hybrid_tools.study import axes, page, plan, program, runner, stated, study_file, workflow
 from hybrid_tools.study.run_directory import RunDirectory, read_json, write_json
 
 AUTOMATIC_SEEDS = 3
@@ -52,6 +52,7 @@ def arguments():
     add("--retry", action="store_true", help="compute runs that failed again")
     add("--plan", action="store_true", help="list the runs with the memory that they take; compute nothing")
     add("--collect", action="store_true", help="tables and figures of what there is; compute nothing")
+    add("--page", metavar="FILE", help="put what the study says into this page too, as into doc/accuracy-vs-time.md")
     add("--snakemake", action="store_true", help="write a Snakemake workflow of the study; compute nothing")
     add("--only", metavar="NAME", help="compute one run (the workflow calls this)")
     return found
@@ -209,12 +210,30 @@ def show_plan(study, runs):
     return 0
 
 
+def needs_seeds(study, settings):
+    from hybrid_tools.study import collection
+
+    return collection.needs_seeds(study, settings)
+
+
+def show(study, settings, words):
+    """Tables, figures and words of what there is. @return the analysis."""
+    from hybrid_tools.study import collection  # only now: it draws
+
+    analysis = collection.collect(study, settings)
+    if words.page:
+        page.put(words.page, analysis)
+    return analysis
+
+
 def main(words):
     runner.die_with_parent()
     words = arguments().read(words)
     study = read_study(words)
     if words.only:
         return compute_only(study, words.only)
+    if words.page:
+        page.check(words.page, study)
     locked = None if words.collect else runner.lock(study.directory)
     save(study)
     settings = study.settings(study.seeds or 0)
@@ -225,19 +244,17 @@ def main(words):
         runner.estimate(runs, scene_of(study))
         print("wrote %s, %d runs" % (os.path.relpath(workflow.write(study, runs)), len(runs)))
         return 0
-    from hybrid_tools.study import collection  # only now: it draws
-
     if words.collect:
-        collection.collect(study, settings)
+        show(study, settings, words)
         return 0
     is_whole = compute(study, settings, words)
-    if is_whole and study.seeds is None and collection.needs_seeds(study, settings):
+    if is_whole and study.seeds is None and needs_seeds(study, settings):
         print("something does not converge, or to and fro: %d seeds of the finest run" % AUTOMATIC_SEEDS)
         study.seeds = AUTOMATIC_SEEDS
         save(study)
         settings = study.settings(study.seeds)
         is_whole = compute(study, settings, words)
-    analysis = collection.collect(study, settings)
+    analysis = show(study, settings, words)
     os.close(locked)
     if not is_whole:
         print("interrupted; to go on: hybrid study %s" % os.path.relpath(study.directory), file=sys.stderr)
