@@ -119,6 +119,7 @@ namespace hybrid::output
           {
             file.set_attribute(path, "measured_mm", hole.measured_mm);
             file.set_attribute(path, "measured_depth_m", hole.measured_depth);
+            file.set_attribute(path, "measured_error_mm", hole.measured_error_mm);
           }
         profiles.push_back(std::move(profile));
       }

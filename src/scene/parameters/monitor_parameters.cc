@@ -102,7 +102,7 @@ namespace hybrid::scene
 
     void add_measured_values(const std::string &text, MonitorParameters &monitors)
     {
-      for (const auto &row : parse_rows(text, 2))
+      for (const auto &row : parse_rows(text, 2, 1))
         {
           const auto hole = std::find_if(monitors.boreholes.begin(),
                                          monitors.boreholes.end(),
@@ -111,6 +111,9 @@ namespace hybrid::scene
             throw InputError("'" + row.first + "' is no borehole of Boreholes/Lines");
           hole->measured_depth.push_back(row.second[0]);
           hole->measured_mm.push_back(row.second[1]);
+          if (row.second[2] < 0.)
+            throw InputError("the error of '" + row.first + "' must not be negative");
+          hole->measured_error_mm.push_back(row.second[2]);
         }
     }
   } // namespace
@@ -178,9 +181,10 @@ namespace hybrid::scene
       "Vertical lines along which displacement is recorded.");
     boreholes.value(
       "Measured",
-      "'name: depth, displacement; ...' [m, mm downhill]",
+      "'name: depth, displacement, error; ...' [m, mm downhill, mm]",
       [&monitors](const std::string &text) { add_measured_values(text, monitors); },
-      "Measured values that are drawn beside the computed profiles; nothing else uses them.");
+      "Measured values that are drawn beside the computed profiles, with their error either way, which may be left out; nothing else "
+      "uses them.");
   }
 
   void check(const MonitorParameters &monitors, const ParameterTable &table)

@@ -156,8 +156,8 @@ namespace hybrid::scene
     return pairs;
   }
 
-  std::vector<std::pair<std::string, std::vector<double>>> parse_rows(const std::string &text,
-                                                                      const std::size_t  columns)
+  std::vector<std::pair<std::string, std::vector<double>>>
+  parse_rows(const std::string &text, const std::size_t columns, const std::size_t optional)
   {
     std::vector<std::pair<std::string, std::vector<double>>> rows;
     for (const auto &pair : parse_pairs(text, ':'))
@@ -171,9 +171,11 @@ namespace hybrid::scene
               throw InputError("'" + part + "' of '" + pair.first + "' must be a number");
             numbers.push_back(*number);
           }
-        if (numbers.size() != columns)
+        if (numbers.size() < columns || numbers.size() > columns + optional)
           throw InputError("'" + pair.first + "' has " + std::to_string(numbers.size()) +
-                           " numbers but must have " + std::to_string(columns));
+                           " numbers but must have " + std::to_string(columns) +
+                           (optional > 0 ? " to " + std::to_string(columns + optional) : ""));
+        numbers.resize(columns + optional, 0.);
         rows.emplace_back(pair.first, numbers);
       }
     return rows;

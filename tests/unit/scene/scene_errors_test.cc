@@ -231,6 +231,8 @@ TEST_F(SceneErrors, MonitorsMustBeNamedPoints)
   expect_option_error("Monitors/Base=S9", {"Monitors/Base = 'S9'", "no such monitor"});
   expect_option_error("Monitors/Names=S1", {"needs the CSV file"});
   expect_option_error("Boreholes/Lines=Z: 1, 2, 1, 3", {"'Z' must run vertically down"});
+  expect_option_error("Boreholes/Measured=Z: 1", {"'Z' has 1 numbers but must have 2 to 3"});
+  expect_option_error("Boreholes/Measured=Z: 1, 2, 3, 4", {"'Z' has 4 numbers"});
 }
 
 TEST_F(SceneErrors, MonitorFileMustHoldTheNamedRows)

@@ -38,9 +38,10 @@ namespace hybrid::scene
   std::vector<std::pair<std::string, std::string>> parse_pairs(const std::string &text,
                                                                char               separator);
 
-  /// "name: x, y, ...; ..." with exactly @p columns numbers each.
-  std::vector<std::pair<std::string, std::vector<double>>> parse_rows(const std::string &text,
-                                                                      std::size_t        columns);
+  /// "name: x, y, ...; ..." with @p columns numbers each, and up to @p optional more, which are 0
+  /// where they are left out.
+  std::vector<std::pair<std::string, std::vector<double>>>
+  parse_rows(const std::string &text, std::size_t columns, std::size_t optional = 0);
 
   /**
    * The points of a CSV file "name,x,z" (header and # lines are skipped) whose names are listed,

@@ -194,6 +194,7 @@ namespace hybrid::scene
     int                 samples = 21;
     std::vector<double> measured_depth; ///< depths of measured values below the top [m]
     std::vector<double> measured_mm;    ///< measured downhill displacements there [mm]; only drawn
+    std::vector<double> measured_error_mm; ///< either way, 0 if not known [mm]; only drawn
   };
 
   /// A named line along which motion is recorded.

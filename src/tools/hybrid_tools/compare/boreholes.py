@@ -6,7 +6,7 @@ from matplotlib.lines import Line2D
 
 from hybrid_run import MissingData
 from hybrid_tools import style
-from hybrid_tools.plot.boreholes import depth_of_slip, with_jump
+from hybrid_tools.plot.boreholes import depth_of_slip, draw_measured, with_jump
 
 from . import curves
 
@@ -39,7 +39,7 @@ def draw(comparison, directory):
         factor, unit = style.length_unit(max(np.nanmax(np.abs(x), initial=0) for _, x in profiles))
         for i, (depth, x) in enumerate(profiles):
             axis.plot(factor * x, depth, **curves.look(i))
-        has_measured |= draw_measured(comparison, axis, name, 1e-3 * factor)
+        has_measured |= any(draw_measured(run, axis, name, 1e-3 * factor) for run in comparison.runs)
         axis.axvline(0, color="#8a8a8a", lw=0.7, zorder=1)
         axis.set_ylim(max(depth.max() for depth, _ in profiles), 0)
         axis.margins(x=0.1)
@@ -54,15 +54,3 @@ def draw(comparison, directory):
     if has_measured:
         handles.append(Line2D([], [], marker="D", color=style.TENSILE, ls="none", ms=6, mec="white", label="measured"))
     curves.finish(figure, comparison, "Boreholes at %.4g s" % comparison.end, directory, "boreholes", handles)
-
-
-def draw_measured(comparison, axis, name, factor):
-    """Points that any run was given. @return whether there are some."""
-    for run in comparison.runs:
-        measured = run.attribute("profiles/" + name, "measured_mm")
-        if measured is not None:
-            depth = run.attribute("profiles/" + name, "measured_depth_m", np.zeros_like(np.atleast_1d(measured)))
-            axis.plot(factor * np.atleast_1d(measured), np.atleast_1d(depth), "D", color=style.TENSILE, ms=6, mec="white", mew=0.8,
-                      clip_on=False, zorder=5)
-            return True
-    return False

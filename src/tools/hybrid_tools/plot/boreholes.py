@@ -54,6 +54,20 @@ def name_sliding_surface(axes, depth, curves):
                   textcoords="offset points", ha="left" if is_left else "right", va="bottom", color=style.SLIP, fontsize=8)
 
 
+def draw_measured(run, axes, name, factor):
+    """What was measured, with its error if it is known. factor: from mm to the axis. @return whether there is something."""
+    path = "profiles/" + name
+    measured = run.attribute(path, "measured_mm")
+    if measured is None:
+        return False
+    measured = np.atleast_1d(measured)
+    depth = np.atleast_1d(run.attribute(path, "measured_depth_m", np.zeros_like(measured)))
+    error = run.attribute(path, "measured_error_mm")
+    axes.errorbar(factor * measured, depth, xerr=None if error is None else factor * np.atleast_1d(error), fmt="D", color=style.TENSILE, ms=6,
+                  mec="white", mew=0.8, ls="none", elinewidth=1.2, capsize=3, label="measured", clip_on=False, zorder=5)
+    return True
+
+
 def draw_profile(run, axes, name, with_legend=True):
     path = "profiles/" + name
     depth = run.get(path + "/depth")
@@ -62,7 +76,6 @@ def draw_profile(run, axes, name, with_legend=True):
     slip_depth = depth_of_slip(run, path)
     depth, x = with_jump(depth[order], x[:, order], slip_depth)
     row = np.abs(x[:, 0]).argmax()
-    measured = run.attribute(path, "measured_mm")
     factor, unit = style.length_unit(np.abs(x).max())
 
     axes.fill_betweenx(depth, factor * x.min(axis=0), factor * x.max(axis=0), color="#cfdcea", lw=0, label="envelope of the run")
@@ -71,10 +84,7 @@ def draw_profile(run, axes, name, with_legend=True):
     left, span = left_at_end(run, x)
     axes.plot(factor * x[row], depth, color=style.HORIZONTAL, lw=1.8, label="at peak of surface" + when)
     axes.plot(factor * left, depth, color=style.TEXT, lw=1.2, ls="--", label="left: mean of the last %.3g s" % span)
-    if measured is not None:
-        measured_depth = run.attribute(path, "measured_depth_m", np.zeros_like(np.atleast_1d(measured)))
-        axes.plot(1e-3 * factor * np.atleast_1d(measured), np.atleast_1d(measured_depth), "D", color=style.TENSILE,
-                  ms=6, mec="white", mew=0.8, ls="none", label="measured", clip_on=False, zorder=5)
+    draw_measured(run, axes, name, 1e-3 * factor)
     axes.axvline(0, color="#8a8a8a", lw=0.7)
     axes.set_ylim(depth.max(), min(depth.min(), 0))
     axes.margins(x=0.08)

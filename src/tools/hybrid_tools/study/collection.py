@@ -4,11 +4,11 @@
 import os
 
 from hybrid_tools import style
-from hybrid_tools.study import costs, error_over_time, orders, report, scatter, tables
+from hybrid_tools.study import costs, error_over_time, orders, profile_bands, report, scatter, tables
 from hybrid_tools.study.analysis import Analysis
 from hybrid_tools.study.run_directory import RunDirectory
 
-FIGURES = (error_over_time, orders, costs, scatter)
+FIGURES = (error_over_time, orders, costs, scatter, profile_bands)
 
 
 def analyse(study, settings):

@@ -117,8 +117,9 @@ subsection Monitors
   set Filter frequency = 20
 end
 subsection Boreholes
-  set Lines   = ZK1: 288, 177, 288, 147; ZK2: 330, 190, 330, 164
-  set Samples = 11
+  set Lines    = ZK1: 288, 177, 288, 147; ZK2: 330, 190, 330, 164
+  set Measured = ZK1: 0, 2.4, 7.6; ZK2: 8, 4.6
+  set Samples  = 11
 end
 subsection Output
   set Directory        = out/full
@@ -242,6 +243,9 @@ end
     EXPECT_EQ(scene.monitors.boreholes[1].top, Vec2(330., 190.));
     EXPECT_EQ(scene.monitors.boreholes[1].bottom, Vec2(330., 164.));
     EXPECT_EQ(scene.monitors.boreholes[1].samples, 11);
+    EXPECT_EQ(scene.monitors.boreholes[0].measured_error_mm, std::vector<double>{7.6});
+    EXPECT_EQ(scene.monitors.boreholes[1].measured_mm, std::vector<double>{4.6});
+    EXPECT_EQ(scene.monitors.boreholes[1].measured_error_mm, std::vector<double>{0.});
   }
 
   void expect_all_of_full_scene(const SceneParameters &scene)
