@@ -66,11 +66,21 @@ def facts(analysis):
 
 
 def settings(analysis):
-    """Settings that no other beats in both time and error, problem by problem."""
-    table = Table([Column("problem")] * bool(analysis.study.axes_of("models")) + [
+    """Settings that no other of the same options and models beats in both time and error."""
+    study, groups = analysis.study, {}
+    own = study.axes_of("options", "models")
+    for entry in tables.judged(analysis):
+        labels = tables.level_columns(study, entry.setting.levels)
+        groups.setdefault(", ".join(labels[k] for k in own), []).append(entry)
+    table = Table([Column(", ".join(study.axes[k].short for k in own))] * bool(own) + [
         Column("setting"), Column("processor time", "s", tables.seconds), Column("largest error", "", tables.part), Column("of"), Column("against")])
-    for name, found in tables.problems(analysis).items():
+    for name, found in groups.items():
         for entry in tables.front_of(found):
-            own = [name] if analysis.study.axes_of("models") else []
-            table.add(*own, entry.name(analysis.study), entry.cost, entry.error, tables.in_words(entry.worst), report.KINDS[entry.kind])
+            table.add(*[name] * bool(own), words_for(study, entry), entry.cost, entry.error, tables.in_words(entry.worst), report.KINDS[entry.kind])
     return table
+
+
+def words_for(study, entry):
+    """What is refined: h 4, Time step 0.002."""
+    labels = tables.level_columns(study, entry.setting.levels)
+    return ", ".join("%s %s" % (study.axes[k].short, labels[k]) for k in study.axes_of("ladder")) or "scene"
