@@ -30,6 +30,7 @@ class Section:
         self.peak = self.magnitude(run, "section/blocks_peak_displacement")
         self.outline = run.get("section/outline") if run.has("section/outline") else None
         self.surface = run.get("section/surface") if run.has("section/surface") else None
+        self.water_line = run.get("section/water_line") if run.has("section/water_line") else None
         self.water = run.attribute("section", "water_level")
         if self.water is not None:
             self.water = float(np.ravel(self.water)[0])
@@ -96,7 +97,12 @@ def draw_materials(section, axes):
 
 
 def draw_water(section, axes):
-    """A line where the level stands in free air or in the ground, with the usual triangle at the left."""
+    """A line where the level stands in free air or in the ground, with the usual triangle at the left; the phreatic line."""
+    if section.water_line is not None:
+        (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+        x = np.unique(np.clip(np.concatenate([[left, right], section.water_line[:, 0]]), left, right))
+        y = np.interp(x, *section.water_line.T)
+        axes.plot(x, np.where((y > bottom) & (y < top), y, np.nan), color=style.WATER, lw=1.1, zorder=3)
     if section.water is None or section.water < section.low[1] - 1e3:
         return
     left, right = axes.get_xlim()
