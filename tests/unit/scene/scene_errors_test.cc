@@ -304,7 +304,7 @@ TEST_F(SceneErrors, WaterHasOneLevelThatActsWhereItChanges)
   expect_error(write_scene(),
                {"Water/Level file", "Water/Method = pressures", "continuum or rigid"},
                {file, "Water/Method=pressures", "Model/Bedrock=triangles"});
-  expect_option_error("Water/Line file=" + path("none.csv"), {"none.csv", "cannot be read"});
+  expect_option_error("Water/Line file=" + path("none.csv"), {"none.csv", "there is no file"});
   write("level.csv", "0,3\n0,1\n");
   expect_error(write_scene(), {"level.csv:2", "time [s] = 0"}, {file, "Water/Method=submerged"});
 }

@@ -96,13 +96,16 @@ def draw_materials(section, axes):
     axes.legend(handles=entries, loc="center left", bbox_to_anchor=(1.0, 0.5), borderaxespad=0.5)
 
 
+def draw_phreatic_line(points, axes):
+    """Constant beyond its ends."""
+    x = np.unique(np.concatenate([axes.get_xlim(), points[:, 0]]))
+    axes.plot(x, np.interp(x, *points.T), color=style.WATER, lw=1.1, zorder=3, scalex=False, scaley=False)
+
+
 def draw_water(section, axes):
     """A line where the level stands in free air or in the ground, with the usual triangle at the left; the phreatic line."""
     if section.water_line is not None:
-        (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
-        x = np.unique(np.clip(np.concatenate([[left, right], section.water_line[:, 0]]), left, right))
-        y = np.interp(x, *section.water_line.T)
-        axes.plot(x, np.where((y > bottom) & (y < top), y, np.nan), color=style.WATER, lw=1.1, zorder=3)
+        draw_phreatic_line(section.water_line, axes)
     if section.water is None or section.water < section.low[1] - 1e3:
         return
     left, right = axes.get_xlim()

@@ -9,7 +9,7 @@ from matplotlib.patches import Patch
 
 from hybrid_run.geometry import chains
 from hybrid_tools import style
-from hybrid_tools.plot.section_view import HALO
+from hybrid_tools.plot.section_view import HALO, draw_phreatic_line
 
 ARTIFICIAL = "#1f7a5c"
 GROUND = "#4a4a4a"
@@ -107,10 +107,7 @@ def draw_water(scene, axes):
 def draw_water_line(scene, axes):
     if scene.water_line is None:
         return []
-    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
-    x = np.unique(np.clip(np.concatenate([[left, right], scene.water_line[:, 0]]), left, right))
-    y = np.interp(x, *scene.water_line.T)
-    axes.plot(x, np.where((y > low) & (y < high), y, np.nan), color=style.WATER, lw=1.1, zorder=3)
+    draw_phreatic_line(scene.water_line, axes)
     return [Line2D([], [], color=style.WATER, lw=1.1, label="phreatic line")]
 
 
