@@ -41,7 +41,7 @@ WAVE = ["Initial wave/Direction=90", "Initial wave/Frequency=200", "Initial wave
 MAXWELL = ["Maxwell damping/Lowest frequency=2", "Maxwell damping/Highest frequency=30", "Maxwell damping/Branches=4"]
 EDGE = ["Edge loads/Start=0.01", "Edge loads/Rise time=0.02"]
 POINT = ["Point loads/Frequency=20", "Point loads/Start=0.001"]
-HELD = {"energy/edge_load_work", "energy/water_work", "section/water_levels", "interface/water_force", "section/water_line"}  # recorded because the effect is on
+HELD = {"energy/edge_load_work", "energy/water_work", "interface/water_force", "section/water_levels", "section/water_line"}  # recorded because the effect is on
 
 # effect: (scene, switched off, on with nothing to do or None, on)
 EFFECTS = {

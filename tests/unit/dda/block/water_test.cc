@@ -249,7 +249,7 @@ TEST(Water, surface_carries_the_pressure_below_a_line)
   const Eigen::VectorXd   force =
     water_on_surface(with_line(Water::Action::pressures, {{2., 3.}, {6., 1.}}), ground);
   const double area = 2. * 3. + 4. * 2. + 4. * 1.;
-  const double left = 2. * 3. * 1. + 4. * 2. * 3.8333333333333335 + 4. * 1. * 8.; // about x = 0
+  const double left = 2. * 3. * 1. + 4. * 2. * (2. + 5. / 3.) + 4. * 1. * 8.; // about x = 0
   EXPECT_NEAR(force[1] + force[3] + force[5], -unit_weight * area, 1e-9 * unit_weight);
   EXPECT_NEAR(3. * force[3] + 10. * force[5], -unit_weight * left, 1e-8 * unit_weight);
   EXPECT_EQ(force[0], 0.);
