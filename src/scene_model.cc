@@ -70,13 +70,18 @@ namespace hybrid
         make_bedrock_blocks();
         return;
       }
+    std::unique_ptr<coupling::CondensedFoundation> condensed;
     if (continuum != nullptr)
-      foundation = std::make_unique<coupling::CondensedFoundation>(*continuum);
+      condensed = std::make_unique<coupling::CondensedFoundation>(*continuum);
     else
       foundation = std::make_unique<coupling::RigidFoundation>(surface_of(mesh), motion);
-    blocks =
-      std::make_unique<dda::Model>(dda::build_model(mesh, scene, foundation->surface_nodes()));
-    blocks->initial.foundation_shares = foundation->surface_shares();
+    const coupling::Foundation &base = condensed != nullptr ? *condensed : *foundation;
+    blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, base.surface_nodes()));
+    blocks->initial.foundation_shares = base.surface_shares();
+    if (condensed == nullptr)
+      return;
+    condensed->set_water(coupling::WaterOnBedrock::make(*blocks));
+    foundation = std::move(condensed);
   }
 
 
@@ -112,6 +117,9 @@ namespace hybrid
     double end = motion.end();
     if (!scene.edge_loads.tractions.empty())
       end = std::max(end, scene.edge_loads.start + scene.edge_loads.rise_time);
+    const scene::LinearTable &level = scene.environment.water_tables.level;
+    if (!level.empty())
+      end = std::max(end, level.points.back().x());
     if (!scene.point_loads.loads.empty()) // the wavelet is even about its peak
       end = std::max(end, scene.point_loads.start + 3. / scene.point_loads.frequency);
     return end;

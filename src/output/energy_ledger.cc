@@ -35,10 +35,11 @@ namespace hybrid::output
 
 
 
-    /// Work that moving mass and rock together does on each other's account.
+    /// Work that moving mass and rock together does on each other's account, water between them
+    /// included.
     bool is_of_weight(const std::string &name)
     {
-      return name == "blocks_gravity" || name == "bedrock_static_stress";
+      return name == "blocks_gravity" || name == "water_work" || name == "bedrock_static_stress";
     }
 
 
@@ -69,6 +70,8 @@ namespace hybrid::output
         terms.push_back({"yield_loss", b.yield_loss});
       if (effects.edge_loads)
         terms.push_back({"edge_load_work", -b.edge_load_work});
+      if (effects.level_changes)
+        terms.push_back({"water_work", -b.water_work});
       if (!has_continuum)
         {
           terms.push_back({"base_work", -b.foundation_work});

@@ -82,6 +82,32 @@ namespace hybrid::output
 
 
 
+  void write_water_tables(HistoryFile &file, const scene::WaterTables &tables)
+  {
+    const auto rows = [](const scene::LinearTable &table) {
+      std::vector<double> values;
+      for (const Vec2 &point : table.points)
+        values.insert(values.end(), {point.x(), point.y()});
+      return values;
+    };
+    if (!tables.line.empty())
+      file.write_table("section/water_line",
+                       "m",
+                       rows(tables.line).data(),
+                       tables.line.points.size(),
+                       2,
+                       "phreatic line");
+    if (!tables.level.empty())
+      file.write_table("section/water_levels",
+                       "s, m",
+                       rows(tables.level).data(),
+                       tables.level.points.size(),
+                       2,
+                       "time and level of the water");
+  }
+
+
+
   Vec2
   joint_point(const dda::Geometry &initial, const dda::Joint &joint, const dda::Joint::Point &point)
   {

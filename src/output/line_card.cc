@@ -44,7 +44,7 @@ namespace hybrid::output
       if (blocks.belt_material.empty())
         return "unbonded contact with friction, as Blocks/Belt material is not set";
       const bool has_wet_belt =
-        scene.environment.water_level > -1e299 && !blocks.saturated_belt_material.empty();
+        scene.environment.has_water() && !blocks.saturated_belt_material.empty();
       return "bonded to blocks that share its edges, belt material " + blocks.belt_material +
              (has_wet_belt ? " (below the water " + blocks.saturated_belt_material + ")" : "");
     }

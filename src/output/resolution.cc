@@ -91,7 +91,7 @@ namespace hybrid::output
     {
       const scene::BlockParameters &blocks = scene.blocks;
       const double dry = scene.material(blocks.material, "Blocks/Material").s_wave_speed();
-      if (scene.environment.water_level <= -1e299 || blocks.saturated_material.empty())
+      if (!scene.environment.has_water() || blocks.saturated_material.empty())
         return dry;
       return std::min(
         dry, scene.material(blocks.saturated_material, "Blocks/Saturated material").s_wave_speed());

@@ -29,7 +29,8 @@ namespace hybrid::output
               run.scene.has_bedrock_blocks(),
               bedding.has_planes(),
               !run.scene.edge_loads.tractions.empty(),
-              run.blocks != nullptr && run.blocks->blocks_yield})
+              run.blocks != nullptr && run.blocks->blocks_yield,
+              run.blocks != nullptr && run.blocks->water.changes()})
     , last_flush(std::chrono::steady_clock::now())
   {
     file.set_attribute("/", "title", parts.scene.title);
@@ -42,6 +43,7 @@ namespace hybrid::output
       {
         write_heterogeneity(file, parts.scene.heterogeneity, *parts.blocks);
         write_water(file, *parts.blocks);
+        write_water_tables(file, parts.scene.environment.water_tables);
       }
     add_monitors();
     add_boreholes();
@@ -375,10 +377,9 @@ namespace hybrid::output
                      peak_displacement.size(),
                      1,
                      "largest magnitude relative to the base");
-    if (parts.scene.environment.water_level > -1e299)
-      file.set_attribute("section",
-                         "water_level",
-                         std::vector<double>{parts.scene.environment.water_level});
+    const scene::EnvironmentParameters &around = parts.scene.environment;
+    if (around.has_level())
+      file.set_attribute("section", "water_level", std::vector<double>{around.water_level});
   }
 
 

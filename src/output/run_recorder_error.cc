@@ -123,6 +123,8 @@ namespace hybrid::output
       return "Time/Dynamic coefficient damps step by step";
     if (parts.blocks != nullptr && !scene.edge_loads.tractions.empty())
       return "edge loads set the pace";
+    if (parts.blocks != nullptr && parts.blocks->water.changes())
+      return "the level of the water sets the pace";
     if (parts.blocks != nullptr && !parts.blocks->moving_blocks.empty())
       return "blocks fly";
     if (lost(ledger, "bedding_loss") > 0.)

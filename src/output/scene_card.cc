@@ -167,6 +167,31 @@ namespace hybrid::output
 
 
 
+    void describe_water(const scene::EnvironmentParameters &around, std::string &text)
+    {
+      const char               *methods[] = {"paper", "submerged", "pressures"};
+      const char               *method    = methods[static_cast<int>(around.water_method)];
+      const scene::WaterTables &tables    = around.water_tables;
+      if (!around.has_water())
+        text += line("  water              off");
+      else if (around.has_level())
+        text += line("  water              on   level %g m, %s", around.water_level, method);
+      else
+        text += line("  water              on   %s", method);
+      if (!tables.level.empty())
+        text += line("  level of the water on   from %g to %g m, until %g s",
+                     tables.level.lowest(),
+                     tables.level.highest(),
+                     tables.level.points.back().x());
+      if (!tables.line.empty())
+        text += line("  phreatic line      on   %zu points, from %g to %g m",
+                     tables.line.points.size(),
+                     tables.line.lowest(),
+                     tables.line.highest());
+    }
+
+
+
     void describe_environment(const scene::SceneParameters &scene, std::string &text)
     {
       text += line("  gravity            %s  %g m/s2",
@@ -180,12 +205,7 @@ namespace hybrid::output
           line("  pseudo-static      on   %g times weight along +x", scene.environment.horizontal);
       if (scene.strength_reduction != 1.)
         text += line("  strengths          divided by %g", scene.strength_reduction);
-      const bool  water     = scene.environment.water_level > -1e299;
-      const char *methods[] = {"paper", "submerged", "pressures"};
-      text += water ? line("  water              on   level %g m, %s",
-                           scene.environment.water_level,
-                           methods[static_cast<int>(scene.environment.water_method)])
-                    : line("  water              off");
+      describe_water(scene.environment, text);
     }
 
 

@@ -108,8 +108,8 @@ namespace hybrid::output
         std::vector<double> material;
         for (const auto &edge : line->second)
           {
-            const double y = 0.5 * (mesh.nodes[edge[0]].y() + mesh.nodes[edge[1]].y());
-            material.push_back(number(of_mass(true, y < scene.environment.water_level)));
+            const Vec2 x = 0.5 * (mesh.nodes[edge[0]] + mesh.nodes[edge[1]]);
+            material.push_back(number(of_mass(true, x.y() < scene.environment.water_at(x.x()))));
           }
         const std::vector<double> ends = coordinates(line->second);
         file.write_table(

@@ -18,6 +18,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENE = ROOT / "parameters/majiagou/badong.prm"
+HERE = pathlib.Path(__file__).resolve().parent
 PAGE = ROOT / "doc/effects.md"
 STEPS, REPETITIONS = 400, 5
 BEGIN, END = "<!-- table by tests/benchmarks/effects_cost.py -->", "<!-- end of the table -->"
@@ -47,6 +48,10 @@ ROWS = [
     ("water, `paper`", BARE, ["Water/Level=175", "Water/Method=paper", "Materials/body_saturated/Density=1320"]),
     ("water, `submerged`", BARE, WATER + ["Water/Method=submerged"]),
     ("water, `pressures`", BARE, WATER + ["Water/Method=pressures"]),
+    ("water, `submerged`, with a phreatic line", BARE, WATER + ["Water/Method=submerged",
+                                                                 "Water/Line file=%s" % (HERE / "majiagou_water_line.csv")]),
+    ("water, `pressures`, with a level in time", BARE, WATER[1:] + ["Water/Level=none", "Water/Method=pressures",
+                                                             "Water/Level file=%s" % (HERE / "majiagou_water_level.csv")]),
     ("heterogeneity", BARE, ["Heterogeneity/Modulus shape=8", "Heterogeneity/Strength shape=8"]),
     ("block damping", BARE, ["Blocks/Damping ratio=0.05"]),
     ("Maxwell damping of blocks", BARE, ["Maxwell damping/Block ratio=0.05"]),

@@ -46,7 +46,7 @@ NONSENSE = [
     ("Materials/*/Young modulus", "1e300"), ("Materials/*/Poisson ratio", "0.5"), ("Materials/*/Poisson ratio", "-1"),
     ("Materials/*/Cohesion", "-1"), ("Materials/*/Friction angle", "90"), ("Materials/*/Friction angle", "-5"),
     ("Continuum/Rayleigh stiffness", "1e308"), ("Continuum/Rayleigh mass", "1e308"),
-    ("Materials/*/Tensile strength", "-1"), ("Water/Level", "1e9"), ("Point loads/Forces", "P: 10, 5, 0, -1e300"),
+    ("Materials/*/Tensile strength", "-1"), ("Water/Level", "1e9"), ("Water/Line file", "none.csv"), ("Point loads/Forces", "P: 10, 5, 0, -1e300"),
     ("Edge loads/Tractions", "T: 0, 30, 0, 30, 0, -1e30"),
     ("Blocks/Initial velocities", "v: -1e9, 1e9, -1e9, 1e9, nan, 0, 0"), ("Blocks/Initial velocities", "v: 0, 1, 0, 1, 1e300, 0, 0"),
     ("Initial wave/Frequency", "0"), ("Initial wave/Length", "0"),

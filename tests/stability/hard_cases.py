@@ -29,9 +29,9 @@ from vtu_file import pictures  # noqa: E402
 
 HELD = ("blocks_kinetic", "blocks_strain", "blocks_gravity", "joints_and_contacts", "bedrock_kinetic", "bedrock_strain",
         "bedrock_static_stress", "boundary_springs", "bedding_static_stress")
-WORK = ("base_work", "input_work", "edge_load_work")  # minus what was brought in
+WORK = ("base_work", "input_work", "edge_load_work", "water_work")  # minus what was brought in
 SCHEME = ("blocks_integration_loss", "bedrock_integration_loss", "spring_replacement_loss")
-WEIGHT = ("blocks_gravity", "bedrock_static_stress")
+WEIGHT = ("blocks_gravity", "water_work", "bedrock_static_stress")
 NOISE = 1e-6  # J/m, at rest: what forces balanced to 1e-8 do on ways of micrometres
 NEVER_FAILED = "joints/failure_time"  # NaN where nothing failed
 

@@ -17,6 +17,8 @@ import sys
 
 from determinism_test import differences, run
 
+SCENES = pathlib.Path(__file__).resolve().parents[2] / "parameters/verification"
+
 # The scenes: file and overrides that make them short.
 COLUMN = ["coupled_column.prm", "Time/End time=0.06"]
 WEAK = COLUMN + ["Materials/rock/Cohesion=7e4", "Materials/rock/Friction angle=20", "Gravity/Static stage=equilibrium or move"]
@@ -39,7 +41,7 @@ WAVE = ["Initial wave/Direction=90", "Initial wave/Frequency=200", "Initial wave
 MAXWELL = ["Maxwell damping/Lowest frequency=2", "Maxwell damping/Highest frequency=30", "Maxwell damping/Branches=4"]
 EDGE = ["Edge loads/Start=0.01", "Edge loads/Rise time=0.02"]
 POINT = ["Point loads/Frequency=20", "Point loads/Start=0.001"]
-HELD = {"energy/edge_load_work", "interface/water_force"}  # recorded because the effect is on
+HELD = {"energy/edge_load_work", "energy/water_work", "interface/water_force", "section/water_levels", "section/water_line"}  # recorded because the effect is on
 
 # effect: (scene, switched off, on with nothing to do or None, on)
 EFFECTS = {
@@ -52,6 +54,8 @@ EFFECTS = {
                          ["Water/Level=3", "Water/Method=submerged"]),
     "water, pressures": (COLUMN, ["Water/Density=1100"], ["Water/Level=-1000", "Water/Method=pressures"],
                          ["Water/Level=15", "Water/Method=pressures"]),
+    "phreatic line": (SLOPE, ["Water/Line file="], None, ["Water/Line file=%s" % (SCENES / "seepage_line_20.csv"), "Water/Method=submerged"]),
+    "level in time": (SLOPE, ["Water/Level file="], None, ["Water/Level file=%s" % (SCENES / "drawdown_level.csv"), "Water/Method=pressures"]),
     "heterogeneity": (COLUMN, ["Heterogeneity/Modulus shape=none", "Heterogeneity/Strength shape=none", "Heterogeneity/Seed=7"],
                       None, ["Heterogeneity/Modulus shape=4", "Heterogeneity/Seed=7"]),
     "lines": (COLUMN, ["Monitors/Line interval=0.1", "Monitors/Line points=5"], None, None),

@@ -176,8 +176,12 @@ def stop_and_resume(scene, overrides, moments):
 
 
 def check_coupled():
-    kill_and_resume(COUPLED, [], 2, 3)
-    stop_and_resume(COUPLED, [], [0.1, 0.32, 0.35, 0.38, 0.41, 0.44, 0.5, 0.6])
+    WORK.mkdir(parents=True, exist_ok=True)
+    table = WORK / "level.csv"
+    table.write_text("0,16\n0.2,16\n0.5,19\n")  # of a reservoir that rises past the blocks
+    reservoir = ["Water/Method=pressures", f"Water/Level file={table}"]
+    kill_and_resume(COUPLED, reservoir, 2, 3)
+    stop_and_resume(COUPLED, reservoir, [0.1, 0.32, 0.35, 0.38, 0.41, 0.44, 0.5, 0.6])
 
 
 def check_dda():

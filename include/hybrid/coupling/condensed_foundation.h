@@ -2,6 +2,10 @@
 #pragma once
 
 #include <hybrid/coupling/foundation.h>
+#include <hybrid/coupling/water_on_bedrock.h>
+
+#include <memory>
+#include <utility>
 
 namespace hybrid::coupling
 {
@@ -34,6 +38,12 @@ namespace hybrid::coupling
       state.continuum = continuum.initial_state();
     }
 
+    /// The water's load on the surface from now on; nullptr: it stays.
+    void set_water(std::unique_ptr<WaterOnBedrock> load)
+    {
+      water = std::move(load);
+    }
+
     const dda::FoundationResponse &predict(const CoupledState &state, double dt) override;
 
     continuum::SlipStatus
@@ -42,13 +52,11 @@ namespace hybrid::coupling
     void correct(CoupledState                  &state,
                  double                         dt,
                  const Eigen::VectorXd         &displacement,
-                 const continuum::SurfaceForce &force) override
-    {
-      continuum.correct(state.continuum, dt, displacement, force);
-    }
+                 const continuum::SurfaceForce &force) override;
 
   private:
-    continuum::Continuum   &continuum;
-    dda::FoundationResponse response;
+    continuum::Continuum           &continuum;
+    dda::FoundationResponse         response;
+    std::unique_ptr<WaterOnBedrock> water;
   };
 } // namespace hybrid::coupling

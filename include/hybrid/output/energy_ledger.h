@@ -18,6 +18,7 @@ namespace hybrid::output
     bool bedding_slip     = false;
     bool edge_loads       = false;
     bool yielding         = false; ///< blocks yield
+    bool level_changes    = false; ///< of the water
   };
 
 

@@ -24,6 +24,9 @@ namespace hybrid::output
   /// interface/water_force: load of the water on the bedrock.
   void write_water(HistoryFile &file, const dda::Model &model);
 
+  /// section/water_line and section/water_levels, where the scene has them.
+  void write_water_tables(HistoryFile &file, const scene::WaterTables &tables);
+
   /// Initial place of one end of a joint [m].
   Vec2 joint_point(const dda::Geometry     &initial,
                    const dda::Joint        &joint,

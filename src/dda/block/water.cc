@@ -1,12 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block/water.h>
+#include <hybrid/dda/block/water_pieces.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hybrid::dda
 {
   namespace
   {
+    using Polygon = std::vector<Vec2>;
+
+    /// Coordinates about a point on a piece of the surface, sheared so that this piece is y = 0:
+    /// the pressure is then -rho_w g y, areas are as before.
+    struct PieceFrame
+    {
+      Vec2   origin; ///< [m]
+      double slope;  ///< [-]
+
+      PieceFrame(const WaterPiece &piece, const double x)
+        : origin(x, piece.height(x))
+        , slope(piece.slope)
+      {}
+
+      Vec2 to(const Vec2 &place) const
+      {
+        const Vec2 r = place - origin;
+        return {r.x(), r.y() - slope * r.x()};
+      }
+
+      /// A vector from the origin.
+      Vec2 back(const Vec2 &r) const
+      {
+        return {r.x(), r.y() + slope * r.x()};
+      }
+    };
+
+
     /// Part of the edge from a to b with y <= 0; false if there is none.
     bool clip_to_water(Vec2 &a, Vec2 &b)
     {
@@ -19,6 +49,46 @@ namespace hybrid::dda
           (a.y() > 0. ? a : b) = line;
         }
       return true;
+    }
+
+
+    Vec2 at_x(const Vec2 &a, const Vec2 &b, const double x)
+    {
+      return {x, a.y() + (x - a.x()) / (b.x() - a.x()) * (b.y() - a.y())};
+    }
+
+
+    /// Part of a polygon on one side of x (side 1: to its right, -1: to its left). The cuts of a
+    /// polygon with dents lie on each other and add nothing.
+    void cut(Polygon &polygon, const double x, const double side)
+    {
+      Polygon part;
+      for (std::size_t k = 0; k < polygon.size(); ++k)
+        {
+          const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+          const bool  a_in = side * (a.x() - x) >= 0., b_in = side * (b.x() - x) >= 0.;
+          if (a_in)
+            part.push_back(a);
+          if (a_in != b_in)
+            part.push_back(at_x(a, b, x));
+        }
+      polygon.swap(part);
+    }
+
+
+    /// Part of the edge from a to b below a piece; false if there is none.
+    bool clip_to_piece(const WaterPiece &piece, Vec2 &a, Vec2 &b)
+    {
+      const Vec2 from = a, to = b;
+      for (Vec2 *end : {&a, &b})
+        {
+          const double x = std::clamp(end->x(), piece.left, piece.right);
+          if (x != end->x() && from.x() == to.x())
+            return false;
+          if (x != end->x())
+            *end = at_x(from, to, x);
+        }
+      return a != b;
     }
 
 
@@ -54,21 +124,103 @@ namespace hybrid::dda
     /// - int p n . du ds over one submerged edge, exact: both factors are linear.
     Vec6 edge_pressure(const double       unit_weight,
                        const BlockMotion &motion,
-                       const Vec2        &origin,
+                       const PieceFrame  &frame,
                        const Vec2        &a,
                        const Vec2        &b)
     {
-      const Vec2   inward(-(b - a).y(), (b - a).x()); // times the length
+      const Vec2   edge = frame.back(b - a);
+      const Vec2   inward(-edge.y(), edge.x()); // times the length
       const double gauss = 0.5 / std::sqrt(3.);
       Vec6         force = Vec6::Zero();
       for (const double s : {0.5 - gauss, 0.5 + gauss})
         {
           const Vec2 x = a + s * (b - a);
-          force += motion.gradient(origin + x, (-0.5 * unit_weight * x.y()) * inward);
+          force +=
+            motion.gradient(frame.origin + frame.back(x), (-0.5 * unit_weight * x.y()) * inward);
         }
       return force;
     }
+
+
+    /// Sums of the water's load below the pieces of its surface, of a block that has its first
+    /// area.
+    struct LoadBelow
+    {
+      const Water       &water;
+      const BlockMotion &motion;
+      double             scale; ///< first area over area [-]
+      Vec6               faces    = Vec6::Zero();
+      Vec6               buoyancy = Vec6::Zero();
+      double             moment   = 0.; ///< int y dA in the frames [m3]
+
+      /// @param corner of a polygon with @p n corners below the piece
+      template <typename Corner>
+      void add(const PieceFrame &frame, const int n, const Corner &corner)
+      {
+        SubmergedPart part;
+        const bool    by_faces = water.action == Water::Action::pressures;
+        for (int k = 0; k < n; ++k)
+          {
+            Vec2 a = frame.to(corner(k)), b = frame.to(corner((k + 1) % n));
+            if (!clip_to_water(a, b))
+              continue;
+            part.add_edge(a, b);
+            if (by_faces)
+              faces += edge_pressure(water.unit_weight, motion, frame, a, b);
+          }
+        moment += part.y;
+        if (!by_faces && part.area > 0.)
+          {
+            const double weight = scale * water.unit_weight * part.area;
+            buoyancy += motion.gradient(frame.origin + frame.back(Vec2(part.x, part.y) / part.area),
+                                        Vec2(-frame.slope * weight, weight));
+          }
+      }
+    };
+
+
+    /// Extent of an outline [m].
+    struct Extent
+    {
+      double left = 1e300, right = -1e300;
+
+      explicit Extent(const MovedOutline &outline)
+      {
+        for (int k = 0; k < outline.n; ++k)
+          {
+            const double x = outline.at(k).x();
+            left           = std::min(left, x);
+            right          = std::max(right, x);
+          }
+      }
+    };
+
+
+    /// Highest and lowest corner above a piece's line [m].
+    struct HeightAbove
+    {
+      double lowest = 1e300, highest = -1e300;
+
+      HeightAbove(const PieceFrame &frame, const MovedOutline &outline)
+      {
+        for (int k = 0; k < outline.n; ++k)
+          {
+            const double y = frame.to(outline.at(k)).y();
+            highest        = std::max(highest, y);
+            lowest         = std::min(lowest, y);
+          }
+      }
+    };
   } // namespace
+
+
+  Water Water::at(const double time) const
+  {
+    Water now = *this;
+    if (changes())
+      now.level = (*history)(std::max(time, 0.));
+    return now;
+  }
 
 
   WaterLoad water_load(const Water        &water,
@@ -77,60 +229,64 @@ namespace hybrid::dda
                        const MovedOutline &outline)
   {
     WaterLoad    load;
-    const Vec2   origin(motion.centroid.x(), water.level);
     const double w = water.unit_weight;
-
-    double highest = -1e300, lowest = 1e300;
-    for (int k = 0; k < outline.n; ++k)
+    const Extent extent(outline);
+    LoadBelow    below{water, motion, 0.};
+    WaterPieces  pieces(water, extent.left, extent.right);
+    while (const std::optional<WaterPiece> piece = pieces.next())
       {
-        const double y = outline.at(k).y();
-        highest        = std::max(highest, y);
-        lowest         = std::min(lowest, y);
-      }
-    if (lowest >= water.level)
-      return load;
-    load.full = highest <= water.level;
-    if (load.full && water.action == Water::Action::buoyancy)
-      {
-        load.force[1]  = w * first_area;
-        load.potential = w * first_area * (water.level - motion.centroid.y());
-        return load;
-      }
-
-    SubmergedPart part;
-    const bool    by_faces = water.action == Water::Action::pressures;
-    for (int k = 0; k < outline.n; ++k)
-      {
-        Vec2 a = outline.at(k) - origin, b = outline.at((k + 1) % outline.n) - origin;
-        if (!clip_to_water(a, b))
+        const PieceFrame  frame(*piece, std::clamp(motion.centroid.x(), piece->left, piece->right));
+        const HeightAbove height(frame, outline);
+        if (height.lowest >= 0.)
           continue;
-        part.add_edge(a, b);
-        if (by_faces)
-          load.force += edge_pressure(w, motion, origin, a, b);
+        const bool whole = piece->left <= extent.left && piece->right >= extent.right;
+        load.full        = whole && height.highest <= 0.;
+        load.piece       = piece->number;
+        if (load.full && water.action == Water::Action::buoyancy)
+          {
+            load.force[0]  = -frame.slope * w * first_area;
+            load.force[1]  = w * first_area;
+            load.potential = -w * first_area * frame.to(motion.centroid).y();
+            return load;
+          }
+        if (below.scale == 0.)
+          below.scale = first_area / polygon_area(outline);
+        if (whole)
+          {
+            below.add(frame, outline.n, [&](const int k) { return outline.at(k); });
+            break;
+          }
+        Polygon part;
+        for (int k = 0; k < outline.n; ++k)
+          part.push_back(outline.at(k));
+        cut(part, piece->left, 1.);
+        cut(part, piece->right, -1.);
+        below.add(frame, static_cast<int>(part.size()), [&](const int k) { return part[k]; });
       }
-    const double scale = first_area / polygon_area(outline);
-    load.potential     = -scale * w * part.y;
-    if (by_faces)
+    load.potential = -below.scale * w * below.moment;
+    if (water.action == Water::Action::pressures)
       {
-        const double pore = -w * part.y; // int p dA
+        load.force        = below.faces;
+        const double pore = -w * below.moment; // int p dA
         load.force[3] += pore * motion.ixx;
         load.force[4] += pore * motion.iyy;
         load.force[5] += pore * motion.ixy;
-        load.force *= scale;
+        load.force *= below.scale;
       }
-    else if (part.area > 0.)
-      load.force =
-        motion.gradient(origin + Vec2(part.x, part.y) / part.area, Vec2(0., scale * w * part.area));
+    else
+      load.force = below.buoyancy;
     return load;
   }
 
 
-  double potential_change(const WaterLoad &before, const WaterLoad &after, const double rise)
+  double potential_change(const WaterLoad &before, const WaterLoad &after, const Vec2 &moved)
   {
+    if (!before.full || !after.full || before.piece != after.piece)
+      return after.potential - before.potential;
     // fully submerged: the same force before and after, as the centroid moves
-    if (before.full && after.full)
-      return -after.force[1] * rise;
-    return after.potential - before.potential;
+    if (after.piece == WaterPiece::of_level)
+      return -after.force[1] * moved.y();
+    return -after.force.head<2>().dot(moved);
   }
 
 
@@ -142,20 +298,32 @@ namespace hybrid::dda
     const double gauss = 0.5 / std::sqrt(3.);
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
       {
-        const Vec2   origin(nodes[k].x(), water.level);
-        const Vec2   first = nodes[k] - origin, edge = nodes[k + 1] - nodes[k];
+        const Vec2   edge    = nodes[k + 1] - nodes[k];
         const double length2 = edge.squaredNorm();
-        Vec2         a = first, b = nodes[k + 1] - origin;
-        if (!clip_to_water(a, b))
-          continue;
-        const Vec2 into_rock((b - a).y(), -(b - a).x()); // times the length
-        for (const double s : {0.5 - gauss, 0.5 + gauss})
+        WaterPieces  pieces(water,
+                           std::min(nodes[k].x(), nodes[k + 1].x()),
+                           std::max(nodes[k].x(), nodes[k + 1].x()));
+        while (const std::optional<WaterPiece> piece = pieces.next())
           {
-            const Vec2   x      = a + s * (b - a);
-            const double second = (x - first).dot(edge) / length2;
-            const Vec2   part   = (-0.5 * water.unit_weight * x.y()) * into_rock;
-            force.segment<2>(2 * k) += (1. - second) * part;
-            force.segment<2>(2 * k + 2) += second * part;
+            const PieceFrame frame(*piece, nodes[k].x());
+            Vec2             a = nodes[k], b = nodes[k + 1];
+            if (!clip_to_piece(*piece, a, b))
+              continue;
+            a = frame.to(a);
+            b = frame.to(b);
+            if (!clip_to_water(a, b))
+              continue;
+            const Vec2 part = frame.back(b - a);
+            const Vec2 into_rock(part.y(), -part.x()); // times the length
+            const Vec2 first = nodes[k] - frame.origin;
+            for (const double s : {0.5 - gauss, 0.5 + gauss})
+              {
+                const Vec2   x        = a + s * (b - a);
+                const double second   = (frame.back(x) - first).dot(edge) / length2;
+                const Vec2   pressure = (-0.5 * water.unit_weight * x.y()) * into_rock;
+                force.segment<2>(2 * k) += (1. - second) * pressure;
+                force.segment<2>(2 * k + 2) += second * pressure;
+              }
           }
       }
     return force;

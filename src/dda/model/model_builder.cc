@@ -257,13 +257,17 @@ namespace hybrid::dda
     {
       using Method                               = scene::WaterMethod;
       const scene::EnvironmentParameters &around = scene.environment;
-      if (around.water_method == Method::paper || around.gravity == 0. ||
-          !(around.water_level > -1e299))
+      if (around.water_method == Method::paper || around.gravity == 0. || !around.has_water())
         return;
+      const auto shared = [](const scene::LinearTable &table) {
+        return table.empty() ? nullptr : std::make_shared<const scene::LinearTable>(table);
+      };
       model.water = {around.water_method == Method::submerged ? Water::Action::buoyancy
                                                               : Water::Action::pressures,
                      around.water_level,
-                     around.water_density * around.gravity};
+                     around.water_density * around.gravity,
+                     shared(around.water_tables.line),
+                     shared(around.water_tables.level)};
     }
 
 

@@ -101,7 +101,8 @@ namespace hybrid::dda
            boundary_loss,
            input_work,
            static_work,
-           edge_load_work] = energy;
+           edge_load_work,
+           water_work] = energy;
     archive(kinetic, strain, gravity, springs, friction_loss, fracture_loss, damping_loss);
     archive(integration_loss,
             spring_replacement_loss,
@@ -109,7 +110,7 @@ namespace hybrid::dda
             boundary_loss,
             input_work,
             static_work);
-    archive(edge_load_work, bedding_loss, yield_loss);
+    archive(edge_load_work, bedding_loss, yield_loss, water_work);
   }
 
 

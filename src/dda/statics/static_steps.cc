@@ -103,6 +103,7 @@ namespace hybrid::dda
     copy.damps_loose          = false;
     copy.maxwell              = {};
     copy.edge_loads.edges.clear();
+    copy.water.history = nullptr; // the level of the start
     for (BlockProperties &block : copy.blocks)
       block.damping_time = block.loose_damping_time = 0.;
     copy.newmark             = Newmark::preset("shi");

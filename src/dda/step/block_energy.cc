@@ -59,29 +59,60 @@ namespace hybrid::dda
 
 
 
-    /// Potential of the water's forces; what Newmark's weights make of their work beyond it is the
-    /// scheme's.
-    void audit_water(const StepAudit &step, BlockEnergy &energy)
+    /// Load of @p water on a block at the start of the step.
+    WaterLoad load_at_start(const StepAudit &step, const Water &water, const int b)
     {
       const Geometry &g     = step.before.geometry;
-      const double    gamma = step.model.newmark.gamma;
+      const int       first = g.offset[b];
+      return water_load(water,
+                        step.model.blocks[b].area,
+                        BlockMotion(step.before.blocks[b].centroid, Vec6::Zero()),
+                        {&g.vertices[first], nullptr, g.offset[b + 1] - first});
+    }
+
+
+
+    /// The same at its end.
+    WaterLoad load_at_end(const StepAudit &step, const Water &water, const int b)
+    {
+      const Geometry &g     = step.before.geometry;
+      const int       first = g.offset[b];
+      return water_load(water,
+                        step.model.blocks[b].area,
+                        step.trial.motion[b],
+                        {&g.vertices[first],
+                         &step.trial.displacement[first],
+                         g.offset[b + 1] - first});
+    }
+
+
+
+    /// Potential of the water's forces; what Newmark's weights make of their work beyond it is the
+    /// scheme's. Where the level changes, the mean of the potential's changes below the levels of
+    /// both ends is work from outside.
+    void audit_water(const StepAudit &step, BlockEnergy &energy)
+    {
+      const double gamma   = step.model.newmark.gamma;
+      const bool   changes = step.model.water.changes();
+      const Water  before  = step.model.water.at(step.before.time),
+                  after    = step.model.water.at(step.before.time + step.trial.dt);
       for (int b = 0; b < step.model.n_mass(); ++b)
         {
-          const int       first = g.offset[b], n = g.offset[b + 1] - first;
-          const double    area = step.model.blocks[b].area;
-          const Vec6     &d    = step.trial.increment[b];
-          const WaterLoad start =
-            water_load(step.model.water,
-                       area,
-                       BlockMotion(step.before.blocks[b].centroid, Vec6::Zero()),
-                       {&g.vertices[first], nullptr, n});
-          const WaterLoad end =
-            water_load(step.model.water,
-                       area,
-                       step.trial.motion[b],
-                       {&g.vertices[first], &step.trial.displacement[first], n});
-          const double change = potential_change(start, end, d[1]);
-          energy.gravity += change;
+          const Vec6     &d     = step.trial.increment[b];
+          const WaterLoad start = load_at_start(step, before, b), end = load_at_end(step, after, b);
+          const Vec2      moved = d.head<2>();
+          double          change;
+          if (changes)
+            {
+              change = 0.5 * (potential_change(start, load_at_end(step, before, b), moved) +
+                              potential_change(load_at_start(step, after, b), end, moved));
+              energy.water_work -= change;
+            }
+          else
+            {
+              change = potential_change(start, end, moved);
+              energy.gravity += change;
+            }
           energy.integration_loss -= change + d.dot((1. - gamma) * start.force + gamma * end.force);
         }
     }

@@ -133,14 +133,15 @@ namespace hybrid::dda
 
   void OpenCloseIteration::add_water(const Model &model, const DdaState &state)
   {
-    const Geometry &g = state.geometry;
+    const Geometry &g     = state.geometry;
+    const Water     water = model.water.at(state.time + trial.dt);
     for (const int b : islands.at_work())
       {
         if (model.is_bedrock(b))
           continue;
         const int first = g.offset[b];
         residual.segment<6>(6 * b) +=
-          water_load(model.water,
+          water_load(water,
                      model.blocks[b].area,
                      trial.motion[b],
                      {&g.vertices[first], &trial.displacement[first], g.offset[b + 1] - first})

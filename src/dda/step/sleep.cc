@@ -8,9 +8,11 @@ namespace hybrid::dda
 {
   namespace
   {
-    double load_factor(const Model &model, const double time)
+    /// What changes in time of the loads.
+    Sleep::Loads loads_at(const Model &model, const double time)
     {
-      return model.edge_loads.edges.empty() ? 0. : model.edge_loads.factor(time);
+      return {model.edge_loads.edges.empty() ? 0. : model.edge_loads.factor(time),
+              model.water.changes() ? model.water.at(time).level : 0.};
     }
   } // namespace
 
@@ -23,7 +25,7 @@ namespace hybrid::dda
   {
     return is_asleep && dt == step && foundation.prescribed &&
            foundation.displacement == state.foundation_displacement &&
-           load_factor(model, state.time) == load && load_factor(model, state.time + dt) == load;
+           loads_at(model, state.time) == loads && loads_at(model, state.time + dt) == loads;
   }
 
 
@@ -31,11 +33,11 @@ namespace hybrid::dda
   void
   Sleep::rested(const Model &model, DdaState &state, const double dt, const StepResult &step_result)
   {
-    const double now     = load_factor(model, state.time);
-    const bool   is_same = keep(state);
-    is_asleep = is_same && dt == step && now == load && load_factor(model, state.time - dt) == load;
+    const Loads now     = loads_at(model, state.time);
+    const bool  is_same = keep(state);
+    is_asleep = is_same && dt == step && now == loads && loads_at(model, state.time - dt) == loads;
     step      = dt;
-    load      = now;
+    loads     = now;
     found     = step_result;
   }
 

@@ -9,6 +9,7 @@ namespace hybrid::dda
   void start_accelerations(const Model &model, DdaState &state)
   {
     const RestForces springs(model, state);
+    const Water      water = model.water.at(state.time);
     for (int b = 0; b < model.n_blocks(); ++b)
       {
         const BlockProperties &p     = model.blocks[b];
@@ -19,11 +20,11 @@ namespace hybrid::dda
         force.tail<3>() -= p.area * block.stress;
         if (model.is_bedrock(b) && state.bedrock_static_force.size() > 0)
           force -= state.bedrock_static_force.segment<6>(6 * model.bedrock_number(b));
-        if (model.water.action != Water::Action::none && !model.is_bedrock(b))
+        if (water.action != Water::Action::none && !model.is_bedrock(b))
           {
             const Geometry &g     = state.geometry;
             const int       first = g.offset[b];
-            force += water_load(model.water,
+            force += water_load(water,
                                 p.area,
                                 BlockMotion(block.centroid, Vec6::Zero()),
                                 {&g.vertices[first], nullptr, g.offset[b + 1] - first})

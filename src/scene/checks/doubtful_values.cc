@@ -181,9 +181,8 @@ namespace hybrid::scene
     {
       const auto dry = scene.materials.find(scene.blocks.material);
       const auto wet = scene.materials.find(scene.blocks.saturated_material);
-      if (!scene.blocks.enabled || !(scene.environment.water_level > -1e299) ||
-          dry == scene.materials.end() || wet == scene.materials.end() ||
-          wet->second.density >= 0.9 * dry->second.density)
+      if (!scene.blocks.enabled || !scene.environment.has_water() || dry == scene.materials.end() ||
+          wet == scene.materials.end() || wet->second.density >= 0.9 * dry->second.density)
         return;
       const double total = wet->second.density + scene.environment.water_density;
       if (total < 0.9 * dry->second.density)

@@ -211,11 +211,13 @@ namespace hybrid::scene
                        const SceneParameters    &scene,
                        std::vector<std::string> &warnings)
     {
-      constexpr double deep  = 100.; // [m]
-      const double     level = scene.environment.water_level;
-      if (!(level > -1e299) || mesh.nodes.empty())
+      constexpr double             deep   = 100.; // [m]
+      const EnvironmentParameters &around = scene.environment;
+      if (!around.has_water() || mesh.nodes.empty())
         return;
-      const Vec2 *top = &mesh.nodes[0], *bottom = top;
+      const double level      = around.highest_water();
+      const bool   has_tables = !around.water_tables.empty();
+      const Vec2  *top = &mesh.nodes[0], *bottom = top;
       for (const Vec2 &x : mesh.nodes)
         {
           top    = x.y() > top->y() ? &x : top;
@@ -225,7 +227,8 @@ namespace hybrid::scene
         return;
       std::ostringstream text;
       text.precision(8);
-      text << "Water/Level = " << level << " m is " << level - top->y()
+      text << (has_tables ? "the water, up to " : "Water/Level = ") << level
+           << (has_tables ? " m, is " : " m is ") << level - top->y()
            << " m above the highest point of the section at " << at(*top)
            << ": everything is under water";
       warnings.push_back(text.str());

@@ -49,12 +49,14 @@ namespace hybrid::scene
                        const SceneParameters    &scene,
                        std::vector<std::string> &warnings)
     {
-      const double level = scene.environment.water_level;
-      if (!(level > -1e299))
+      const EnvironmentParameters &around = scene.environment;
+      if (!around.has_water())
         return;
+      const double       level = around.highest_water();
       std::ostringstream text;
       text.precision(8);
-      text << "Water/Level = " << level << " m has no effect, ";
+      text << (around.water_tables.empty() ? "Water/Level = " : "the water (section Water), up to ")
+           << level << " m" << (around.water_tables.empty() ? "" : ",") << " has no effect, ";
       const Vec2 *lowest = lowest_node(mesh);
       if (!scene.blocks.enabled || lowest == nullptr)
         text << "as water acts on blocks and there are none";

@@ -21,18 +21,19 @@ namespace hybrid::scene
 
 
 
-    double height_of_centroid(const std::vector<Vec2> &polygon)
+    Vec2 centroid_of(const std::vector<Vec2> &polygon)
     {
-      double area = 0., moment = 0.;
+      double area = 0.;
+      Vec2   moment(0., 0.);
       for (std::size_t k = 0; k < polygon.size(); ++k)
         {
           const Vec2 a   = polygon[k] - polygon[0],
                      b   = polygon[(k + 1) % polygon.size()] - polygon[0];
           const double c = cross(a, b);
           area += c / 2.;
-          moment += c * (a.y() + b.y()) / 6.;
+          moment += c * (a + b) / 6.;
         }
-      return polygon[0].y() + moment / area;
+      return polygon[0] + moment / area;
     }
 
 
@@ -46,21 +47,21 @@ namespace hybrid::scene
 
 
   Overburden::Overburden(const SectionMesh &mesh, const SceneParameters &scene)
+    : around(scene.environment)
   {
-    const EnvironmentParameters &around = scene.environment;
-    const double                 g      = around.gravity;
+    const double g = around.gravity;
     if (around.water_method != WaterMethod::paper)
       {
-        level           = around.water_level;
         water_weight    = around.water_density * g;
         presses_on_rock = around.water_method == WaterMethod::pressures;
       }
     const BlockParameters &blocks = scene.blocks;
     for (std::size_t b = 0; b < mesh.blocks.size() && blocks.enabled; ++b)
       {
-        std::vector<Vec2> polygon = polygon_of(mesh, mesh.blocks[b].data(), mesh.blocks[b].size());
+        std::vector<Vec2> polygon  = polygon_of(mesh, mesh.blocks[b].data(), mesh.blocks[b].size());
+        const Vec2        centroid = centroid_of(polygon);
         const bool        wet =
-          height_of_centroid(polygon) < around.water_level && !blocks.saturated_material.empty();
+          centroid.y() < around.water_at(centroid.x()) && !blocks.saturated_material.empty();
         const Material &material =
           scene.material(wet ? blocks.saturated_material : blocks.material, "Blocks/Material");
         const double weight = g * material.weighing_density();
@@ -127,10 +128,18 @@ namespace hybrid::scene
 
 
 
+  double Overburden::level(const double x) const
+  {
+    return water_weight > 0. ? around.water_at(x) : -1e300;
+  }
+
+
+
   Overburden::Column Overburden::above(const Strips &strips, const double x, const double y) const
   {
-    Column    column{0., y};
-    const int last = static_cast<int>(strips.of_strip.size()) - 1;
+    Column       column{0., y};
+    const double surface = level(x);
+    const int    last    = static_cast<int>(strips.of_strip.size()) - 1;
     for (const int s : strips.of_strip[std::clamp(static_cast<int>((x - left) / width), 0, last)])
       {
         const Solid &solid = strips.solids[s];
@@ -150,7 +159,7 @@ namespace hybrid::scene
             const double low = std::max(crossings[k], y), high = crossings[k + 1];
             if (high <= low)
               continue;
-            const double wet = std::clamp(level - low, 0., high - low);
+            const double wet = std::clamp(surface - low, 0., high - low);
             column.weight += solid.unit_weight * (high - low - wet) + solid.submerged_weight * wet;
             column.top = std::max(column.top, high);
           }
@@ -171,7 +180,7 @@ namespace hybrid::scene
   {
     const double x       = nudged(place.x(), inside.x());
     const Column of_rock = above(rock, x, place.y());
-    const double water   = presses_on_rock ? water_weight * std::max(0., level - of_rock.top) : 0.;
+    const double water = presses_on_rock ? water_weight * std::max(0., level(x) - of_rock.top) : 0.;
     return of_rock.weight + above(mass, x, place.y()).weight + water;
   }
 } // namespace hybrid::scene

@@ -76,6 +76,19 @@ namespace hybrid::scene
       ParameterRange::closed(-1e5, 1e5),
       "Elevation of the water; blocks and belt that start below it have their saturated "
       "materials.");
+    water.file(
+      "Level file",
+      environment.water_tables.level_file,
+      "a CSV file time [s],level [m]",
+      "The level in time instead of Level, linear between its rows and constant beyond them: "
+      "weights and pressures of submerged and pressures follow in the dynamic stage. The "
+      "static stage and the saturated materials have the level at 0 s.");
+    water.file(
+      "Line file",
+      environment.water_tables.line_file,
+      "a CSV file x,y [m]",
+      "Phreatic line h(x), linear between its points and constant beyond them: pore pressure "
+      "rho_w g (h - y) below it. With a level as well, the higher of the two counts.");
     water.choice<WaterMethod>(
       "Method",
       environment.water_method,
@@ -130,12 +143,46 @@ namespace hybrid::scene
 
 
 
+  void read_water(SceneParameters &scene, const ParameterTable &table)
+  {
+    constexpr double       farthest = 1e9, highest = 1e5; // [m, s], [m]
+    EnvironmentParameters &around = scene.environment;
+    WaterTables           &tables = around.water_tables;
+    if (!tables.line_file.empty())
+      tables.line = read_linear_table(tables.line_file, {"x [m]", farthest}, {"y [m]", highest});
+    if (tables.level_file.empty())
+      return;
+    if (around.has_level())
+      throw table.error("Water/Level file",
+                        "gives the level in time, and Water/Level = " +
+                          number_text(around.water_level) +
+                          " [m] another; one of the two is allowed");
+    tables.level =
+      read_linear_table(tables.level_file, {"time [s]", farthest}, {"level [m]", highest});
+    around.water_level = tables.level(0.);
+  }
+
+
+
   void check_water(const SceneParameters &scene, const ParameterTable &table)
   {
-    if (scene.environment.water_method == WaterMethod::paper)
+    const EnvironmentParameters &around = scene.environment;
+    const bool                   moves  = !around.water_tables.level.empty();
+    if (moves && around.water_method == WaterMethod::paper)
+      throw table.error("Water/Level file",
+                        "has no effect with Water/Method = paper, which only chooses materials at "
+                        "the start; set submerged or pressures");
+    if (moves && around.water_method == WaterMethod::pressures && scene.has_bedrock_blocks())
+      throw table.error(
+        "Water/Level file",
+        "with Water/Method = pressures needs Model/Bedrock = continuum or rigid: "
+        "the load of the water on a bedrock of blocks cannot change; set submerged");
+    if (around.water_method == WaterMethod::paper)
       return;
-    if (!table.is_set("Water/Level"))
-      throw table.error("Water/Method", "needs the elevation of the water in Water/Level");
+    if (!table.is_set("Water/Level") && !around.has_water())
+      throw table.error("Water/Method",
+                        "needs the elevation of the water in Water/Level, Water/Level file or "
+                        "Water/Line file");
     for (const std::string &name : {scene.blocks.material, scene.blocks.saturated_material})
       if (scene.blocks.enabled && !name.empty() &&
           scene.material(name, "Blocks/Material").weight_density >= 0.)

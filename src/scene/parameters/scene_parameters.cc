@@ -3,8 +3,28 @@
 #include <hybrid/scene/nearest_name.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
+#include <algorithm>
+
 namespace hybrid::scene
 {
+  double EnvironmentParameters::water_at(const double x) const
+  {
+    return water_tables.line.empty() ? water_level : std::max(water_level, water_tables.line(x));
+  }
+
+
+
+  double EnvironmentParameters::highest_water() const
+  {
+    double highest = water_level;
+    for (const LinearTable *table : {&water_tables.line, &water_tables.level})
+      if (!table->empty())
+        highest = std::max(highest, table->highest());
+    return highest;
+  }
+
+
+
   const Material &SceneParameters::bedrock_material(const std::string &region) const
   {
     auto found = continuum.region_material.find(region);

@@ -74,6 +74,7 @@ namespace hybrid::scene
         if (material.friction_is_given())
           material.friction_angle = material.given_friction_angle;
       resolve_scheme(scene, table);
+      read_water(scene, table);
       check(scene, table);
       resolve_initial_stress(scene, table);
       divide_strengths(scene, scene.strength_reduction);

@@ -286,7 +286,29 @@ TEST_F(SceneErrors, WaterThatActsNeedsALevelAndTotalDensities)
   expect_error(write_scene(),
                {"Materials/clay/Weight density", "is for Water/Method = paper"},
                {"Water/Method=pressures", "Water/Level=3", "Materials/clay/Weight density=1400"});
+  write("line.csv", "x,y\n0,1\n9,2\n");
+  expect_error(write_scene(),
+               {"Materials/clay/Weight density"},
+               {"Water/Method=pressures",
+                "Water/Line file=" + path("line.csv"),
+                "Materials/clay/Weight density=1400"});
   expect_option_error("Heterogeneity/Modulus shape=0", {"must be", "number > 0"});
+}
+
+TEST_F(SceneErrors, WaterHasOneLevelThatActsWhereItChanges)
+{
+  write("level.csv", "time [s],level [m]\n0,3\n10,1\n");
+  const std::string file = "Water/Level file=" + path("level.csv");
+  expect_error(write_scene(),
+               {"Water/Level file", "Water/Level = 3 [m]", "one of the two"},
+               {file, "Water/Level=3", "Water/Method=submerged"});
+  expect_error(write_scene(), {"Water/Level file", "no effect with Water/Method = paper"}, {file});
+  expect_error(write_scene(),
+               {"Water/Level file", "Water/Method = pressures", "continuum or rigid"},
+               {file, "Water/Method=pressures", "Model/Bedrock=triangles"});
+  expect_option_error("Water/Line file=" + path("none.csv"), {"none.csv", "there is no file"});
+  write("level.csv", "0,3\n0,1\n");
+  expect_error(write_scene(), {"level.csv:2", "time [s] = 0"}, {file, "Water/Method=submerged"});
 }
 
 TEST_F(SceneErrors, MotionsNeedWhatTheirTypeUses)

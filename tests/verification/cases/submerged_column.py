@@ -65,6 +65,28 @@ def check(case):
                1e-8 * np.abs(force["pressures"]).max(), "N/m")
 
 
+    rise(case)
+
+
+def rise(case):
+    """The level rises by 10 m within five periods of the column: the bedrock, and what stands on it, goes down by its compression."""
+    for method in ("pressures", "submerged"):
+        ground = case.column.ground
+        period = 4 * ground / Numbers(case.run("water")).material("ground").speed("P")
+        table = case.work.resolve() / "rising_level.csv"
+        table.write_text("%g,%g\n%.15g,%g\n" % (0, case.column.level, 5 * period, case.column.level + 10), encoding="utf-8")
+        run = case.run("rising_" + method, "Water/Method=" + method, "Water/Level=none", "Water/Level file=%s" % table,
+                       "Time/End time=%g" % (8 * period), "Time/Time step=0.001", "Output/Audit interval=0.001")
+        down = -run.history("monitors/interface/displacement")[:, 1]
+        still = run.time > 5.5 * period
+        if method == "pressures":
+            expected = 10 * case.column.water * case.column.interface / Numbers(run).material("ground").oedometer
+            case.near("level risen by 10 m: the surface of the bedrock goes down", down[still].mean(), expected, 0.01, "m")
+        else:
+            case.below("the same, submerged: it stays", np.abs(down).max(), 1e-8, "m")
+        case.below("level risen by 10 m, %s: energy residual" % method, run.summary["energy_residual"], 1e-3)
+
+
 def draw(case, figure):
     axes, column = figure.subplots(), case.column
     y = np.array([0.0, column.interface, column.ground])

@@ -2,14 +2,19 @@
 #pragma once
 
 #include <hybrid/dda/block/block_motion.h>
+#include <hybrid/scene/linear_table.h>
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <vector>
 
 namespace hybrid::dda
 {
-  /// Water at rest below a level.
+  /**
+   * Water below its surface h(x), the higher one of a level and of a phreatic line: the pressure at
+   * the height y is rho_w g (h(x) - y) (Dupuit). The level may change in time.
+   */
   struct Water
   {
     enum class Action
@@ -20,8 +25,20 @@ namespace hybrid::dda
     };
 
     Action action      = Action::none;
-    double level       = 0.; ///< [m]
+    double level       = 0.; ///< at the start, or at the time of at() [m]
     double unit_weight = 0.; ///< rho_w g [N/m3]
+
+    std::shared_ptr<const scene::LinearTable> line = {}; ///< phreatic line [m]; nullptr: none
+    std::shared_ptr<const scene::LinearTable> history =
+      {}; ///< level in time [s, m]; nullptr: stays
+
+    bool changes() const
+    {
+      return history != nullptr;
+    }
+
+    /// The same with the level of @p time [s]; before 0 that of the start.
+    Water at(double time) const;
   };
 
 
@@ -44,22 +61,24 @@ namespace hybrid::dda
   {
     Vec6   force     = Vec6::Zero(); ///< generalised [N/m, N]
     double potential = 0.;           ///< [J/m]; only differences between places of one block count
-    bool   full      = false;        ///< all of the block is below the level
+    bool   full      = false;        ///< all of the block is below one piece of the surface
+    int    piece     = -1;           ///< WaterPiece::number of this piece
   };
 
 
   /**
-   * Load of still water on a saturated block (mass and weight of the block are total: with its pore
+   * Load of water on a saturated block (mass and weight of the block are total: with its pore
    * water).
    *
-   * With pore pressure p = rho_w g (level - y) below the level and Terzaghi's effective stress the
+   * With pore pressure p = rho_w g (h - y) below the surface and Terzaghi's effective stress the
    * water's virtual work is
-   *   - int_faces p n . du ds + int_block p div(du) dA = int_submerged rho_w g du_y dA.
+   *   - int_faces p n . du ds + int_block p div(du) dA = int_submerged rho_w g (du_y - h' du_x) dA,
+   * buoyancy and, where the surface is inclined, seepage force.
    * `pressures` computes the left side, face by face (outer faces, joints, cracks and contacts
    * alike: what joints and contacts carry is effective); `buoyancy` the right side. Both refer to
    * the block's first area A_0, as a drained block takes up or gives off water while it is
    * strained; so the force has the potential
-   *   U = A_0/A int_submerged rho_w g (level - y) dA.
+   *   U = A_0/A int_submerged rho_w g (h - y) dA.
    *
    * @param first_area A_0 [m2].  @param motion of the step, from the outline's places.
    */
@@ -69,9 +88,9 @@ namespace hybrid::dda
                        const MovedOutline &outline);
 
 
-  /// U after less U before, of a block whose centroid rose by @p rise [m]: without cancellation
-  /// where it stays below the level.
-  double potential_change(const WaterLoad &before, const WaterLoad &after, double rise);
+  /// U after less U before, of a block whose centroid moved by @p moved [m], the level being the
+  /// same: without cancellation where it stays below one piece of the surface.
+  double potential_change(const WaterLoad &before, const WaterLoad &after, const Vec2 &moved);
 
 
   /// Hydrostatic force on the nodes of the bedrock's surface (x0, y0, x1, ...) [N/m].

@@ -47,7 +47,7 @@ namespace hybrid::dda
 
     bool below_water(const Vec2 &x) const
     {
-      return x.y() < scene.environment.water_level;
+      return x.y() < scene.environment.water_at(x.x());
     }
 
   private:

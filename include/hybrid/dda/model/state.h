@@ -73,6 +73,7 @@ namespace hybrid::dda
     double input_work              = 0.; ///< done by what comes in through them
     double static_work             = 0.; ///< against the static forces that the bedrock bears
     double edge_load_work          = 0.; ///< done by tractions on the blocks' edges
+    double water_work              = 0.; ///< done by water whose level changes
 
     /// Energy now held plus energy lost, less the work received: constant if nothing is created
     /// [J/m].
@@ -80,7 +81,8 @@ namespace hybrid::dda
     {
       return kinetic + strain + gravity + springs + friction_loss + yield_loss + bedding_loss +
              fracture_loss + damping_loss + integration_loss + spring_replacement_loss -
-             foundation_work + boundary_loss - input_work + static_work - edge_load_work;
+             foundation_work + boundary_loss - input_work + static_work - edge_load_work -
+             water_work;
     }
   };
 

@@ -7,6 +7,7 @@
 #include <hybrid/dda/step/step_result.h>
 
 #include <string>
+#include <utility>
 
 namespace hybrid::dda
 {
@@ -14,10 +15,11 @@ namespace hybrid::dda
    * Steps of a mass at rest that need not be computed.
    *
    * A step is a map: it makes a state of a state, of its own size, of where the base goes and of
-   * what loads the edges. A step at rest (OpenCloseIteration::is_at_rest()) changes nothing else
-   * that the solver keeps. So if two such steps, one after the other, leave the same state to the
-   * last bit, but for the time, then every further one with the same size, base and loads leaves
-   * it again. The mass sleeps until one of these changes; only the time goes on.
+   * what loads the edges and where the water stands. A step at rest
+   * (OpenCloseIteration::is_at_rest()) changes nothing else that the solver keeps. So if two such
+   * steps, one after the other, leave the same state to the last bit, but for the time, then every
+   * further one with the same size, base and loads leaves it again. The mass sleeps until one of
+   * these changes; only the time goes on.
    *
    * Nothing of it is in the state or in a checkpoint: a run that is resumed computes two steps,
    * with the same bits, and sleeps again.
@@ -25,6 +27,9 @@ namespace hybrid::dda
   class Sleep
   {
   public:
+    /// Loads that change in time: factor on the edge loads [-], level of the water [m].
+    using Loads = std::pair<double, double>;
+
     /// True if the step from @p state would only find @p state again. @pre since the step before,
     /// nothing but the time was changed in @p state.
     bool lasts(const Model              &model,
@@ -55,7 +60,7 @@ namespace hybrid::dda
 
     bool        is_asleep = false;
     double      step      = 0.; ///< size of those steps [s]
-    double      load      = 0.; ///< factor on the edge loads at their end [-]
+    Loads       loads     = {}; ///< at their end
     std::string left;           ///< bytes of the state after the last step at rest; empty: none
     StepResult  found;
   };

@@ -14,7 +14,7 @@ namespace hybrid::scene
    *
    *   sigma_v(x, y) = g int_y^top rho_w(x, y') dy'
    *
-   * rho_w is the density that gravity acts on; below the level of `submerged` and `pressures` the
+   * rho_w is the density that gravity acts on; below the water of `submerged` and `pressures` the
    * mass weighs its density less the water's, so that its stress is effective. On the bedrock lie
    * the mass and, with `pressures`, the water above the rock. Gaps between blocks weigh nothing.
    */
@@ -56,14 +56,18 @@ namespace hybrid::scene
 
     std::vector<Vec2>           corners;
     Strips                      mass, rock;
-    double                      left = 0., width = 1.;             ///< of the first strip [m]
-    double                      level = -1e300, water_weight = 0.; ///< [m], [N/m3]; 0: no buoyancy
-    bool                        presses_on_rock = false;           ///< the water
-    mutable std::vector<double> crossings;                         ///< [m]
+    double                      left = 0., width = 1.; ///< of the first strip [m]
+    EnvironmentParameters       around;
+    double                      water_weight    = 0.;    ///< [N/m3]; 0: no buoyancy
+    bool                        presses_on_rock = false; ///< the water
+    mutable std::vector<double> crossings;               ///< [m]
 
     void add(Strips &strips, std::vector<Vec2> polygon, double weight, double submerged);
     void sort_into_strips(Strips &strips, int n_strips) const;
 
     Column above(const Strips &strips, double x, double y) const;
+
+    /// Of the water that acts [m].
+    double level(double x) const;
   };
 } // namespace hybrid::scene

@@ -91,7 +91,11 @@ namespace hybrid::scene
   /// Materials of blocks and belt, initial velocities.
   void check_blocks(const SceneParameters &scene, const ParameterTable &table);
 
-  /// Water method against level and materials.
+  /// Reads the tables of section "Water", which the level at the start may come from.
+  /// @throws InputError where Level is given twice.
+  void read_water(SceneParameters &scene, const ParameterTable &table);
+
+  /// Water method against level, line and materials.
   void check_water(const SceneParameters &scene, const ParameterTable &table);
 
   /// What a bedrock of blocks cannot do.

@@ -10,6 +10,7 @@
 #include <hybrid/scene/parameters/load_parameters.h>
 #include <hybrid/scene/parameters/motion_parameters.h>
 #include <hybrid/scene/parameters/start_parameters.h>
+#include <hybrid/scene/parameters/water_parameters.h>
 #include <hybrid/scene/types.h>
 
 #include <map>
@@ -148,14 +149,6 @@ namespace hybrid::scene
     int seed = 1;
   };
 
-  /// What the water below its level does: section "Water", parameter "Method".
-  enum class WaterMethod
-  {
-    paper,     ///< nothing but the saturated materials, whose weight is as given
-    submerged, ///< buoyancy of the submerged part of each block
-    pressures  ///< hydrostatic pressure on all faces and in all joints; the bedrock carries it too
-  };
-
   /// Section "Water" and section "Gravity".
   struct EnvironmentParameters
   {
@@ -165,11 +158,27 @@ namespace hybrid::scene
     StaticStage static_stage    = StaticStage::equilibrium;
     bool        reset_softening = true; ///< slip at rest takes nothing of strengths
     std::string initial_stress =
-      "elastic";                 ///< before the static stage, see resolve_initial_stress()
-    double water_level = -1e300; ///< elevation [m]; below it the saturated materials hold (initial
-                                 ///< position of the block)
+      "elastic";                      ///< before the static stage, see resolve_initial_stress()
+    double      water_level = -1e300; ///< of the reservoir at the start [m]; none: below -1e299
+    WaterTables water_tables;
     WaterMethod water_method  = WaterMethod::paper;
     double      water_density = 1000.; ///< [kg/m3], > 0
+
+    bool has_level() const
+    {
+      return water_level > -1e299;
+    }
+
+    bool has_water() const
+    {
+      return has_level() || !water_tables.line.empty();
+    }
+
+    /// Elevation of the water at the start, the higher one of level and line [m]; below it the
+    /// saturated materials hold (initial position of the block).
+    double water_at(double x) const;
+
+    double highest_water() const; ///< at any place and time [m]
 
     /// The section begins with stresses: Material::lateral_ratio() of the overburden's.
     bool has_initial_stress() const

@@ -30,6 +30,7 @@ class Section:
         self.peak = self.magnitude(run, "section/blocks_peak_displacement")
         self.outline = run.get("section/outline") if run.has("section/outline") else None
         self.surface = run.get("section/surface") if run.has("section/surface") else None
+        self.water_line = run.get("section/water_line") if run.has("section/water_line") else None
         self.water = run.attribute("section", "water_level")
         if self.water is not None:
             self.water = float(np.ravel(self.water)[0])
@@ -95,8 +96,16 @@ def draw_materials(section, axes):
     axes.legend(handles=entries, loc="center left", bbox_to_anchor=(1.0, 0.5), borderaxespad=0.5)
 
 
+def draw_phreatic_line(points, axes):
+    """Constant beyond its ends."""
+    x = np.unique(np.concatenate([axes.get_xlim(), points[:, 0]]))
+    axes.plot(x, np.interp(x, *points.T), color=style.WATER, lw=1.1, zorder=3, scalex=False, scaley=False)
+
+
 def draw_water(section, axes):
-    """A line where the level stands in free air or in the ground, with the usual triangle at the left."""
+    """A line where the level stands in free air or in the ground, with the usual triangle at the left; the phreatic line."""
+    if section.water_line is not None:
+        draw_phreatic_line(section.water_line, axes)
     if section.water is None or section.water < section.low[1] - 1e3:
         return
     left, right = axes.get_xlim()

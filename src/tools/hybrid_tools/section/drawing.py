@@ -9,7 +9,7 @@ from matplotlib.patches import Patch
 
 from hybrid_run.geometry import chains
 from hybrid_tools import style
-from hybrid_tools.plot.section_view import HALO
+from hybrid_tools.plot.section_view import HALO, draw_phreatic_line
 
 ARTIFICIAL = "#1f7a5c"
 GROUND = "#4a4a4a"
@@ -36,6 +36,7 @@ class Scene:
             self.belt = run.get("section/belt").reshape(-1, 2, 2)
         self.planes = [name.strip() for name in self.parameters.get("Bedding planes/Names", "").split(",") if name.strip()]
         self.water = run.attribute("section", "water_level")
+        self.water_line = run.get("section/water_line") if run.has("section/water_line") else None
         self.monitors = {name: monitor.position for name, monitor in run.monitors.items()}
         self.boreholes = {n: np.reshape(run.attribute("profiles/" + n, "position"), (2, 2)) for n in run.names("profiles")}
         self.has_bedrock = self.parameters.get("Model/Bedrock", "continuum") != "rigid"
@@ -100,6 +101,17 @@ def draw_lines(scene, axes):
 
 
 def draw_water(scene, axes):
+    return draw_level(scene, axes) + draw_water_line(scene, axes)
+
+
+def draw_water_line(scene, axes):
+    if scene.water_line is None:
+        return []
+    draw_phreatic_line(scene.water_line, axes)
+    return [Line2D([], [], color=style.WATER, lw=1.1, label="phreatic line")]
+
+
+def draw_level(scene, axes):
     if scene.water is None:
         return []
     level = float(np.ravel(scene.water)[0])

@@ -28,12 +28,14 @@ namespace
         displacements.push_back(motion.displacement(v));
     }
 
+    WaterLoad load(const Water &water) const
+    {
+      return water_load(water, moments.area, motion, {vertices.data(), displacements.data(), 4});
+    }
+
     WaterLoad load(const Water::Action action, const double level) const
     {
-      return water_load({action, level, unit_weight},
-                        moments.area,
-                        motion,
-                        {vertices.data(), displacements.data(), 4});
+      return load(Water{action, level, unit_weight});
     }
   };
 
@@ -42,6 +44,32 @@ namespace
     Vec6 d;
     d << 0.3, -0.2, 0.4, 0.02, -0.03, 0.05;
     return d;
+  }
+
+  Water with_line(const Water::Action action, const std::vector<Vec2> &points)
+  {
+    Water water{action, -1e300, unit_weight};
+    water.line = std::make_shared<const scene::LinearTable>(scene::LinearTable{points});
+    return water;
+  }
+
+  /// Surfaces that bend, rise and fall within the block of Moved, or lie above or below it; some
+  /// of them with a level that meets the line there.
+  std::vector<Water> below_lines(const Water::Action action)
+  {
+    std::vector<Water> all;
+    for (const std::vector<Vec2> &points :
+         {std::vector<Vec2>{{-1., 1.}, {5., 2.}},
+          {{0.9, 0.4}, {2.1, 2.4}},
+          {{0.5, 1.}, {1.1, 0.2}, {1.6, 1.9}, {2.4, 1.2}, {3.1, 3.}},
+          {{-9., 5.}, {1.5, 6.}, {9., 5.}},
+          {{1.2, -9.}}})
+      for (const double level : {-1e300, 0.9, 1.4})
+        {
+          all.push_back(with_line(action, points));
+          all.back().level = level;
+        }
+    return all;
   }
 
   const double levels[] = {-3., -0.4, 0., 0.7, 1.5, 2.2, 2.5, 5.};
@@ -115,8 +143,116 @@ TEST(Water, change_of_potential_of_a_block_that_stays_below)
   const Moved  before((Vec6::Zero())), after(d);
   const double change = potential_change(before.load(Water::Action::buoyancy, 1e4),
                                          after.load(Water::Action::buoyancy, 1e4),
-                                         d[1]);
+                                         d.head<2>());
   EXPECT_NEAR(change / (-unit_weight * before.moments.area * 1e-9), 1., 1e-12);
+}
+
+
+
+TEST(Water, below_a_line_pressures_on_faces_and_in_pores_are_buoyancy_and_seepage)
+{
+  const Moved block(some_motion());
+  for (const Water &water : below_lines(Water::Action::pressures))
+    {
+      Water other         = water;
+      other.action        = Water::Action::buoyancy;
+      const WaterLoad one = block.load(water), two = block.load(other);
+      EXPECT_LT((one.force - two.force).norm(), 1e-9 * unit_weight);
+      EXPECT_NEAR(one.potential - two.potential, 0., 1e-9 * unit_weight);
+    }
+}
+
+
+
+TEST(Water, below_a_line_force_is_the_gradient_of_the_potential)
+{
+  const double h = 1e-6;
+  for (const Water &water : below_lines(Water::Action::buoyancy))
+    {
+      const Vec6 force = Moved(some_motion()).load(water).force;
+      for (int i = 0; i < 6; ++i)
+        {
+          Vec6 up = some_motion(), down = some_motion();
+          up[i] += h;
+          down[i] -= h;
+          const double slope =
+            (Moved(up).load(water).potential - Moved(down).load(water).potential) / (2. * h);
+          EXPECT_NEAR(force[i], -slope, 1e-4 * unit_weight) << i;
+        }
+    }
+}
+
+
+
+TEST(Water, seepage_pushes_along_the_fall_of_the_line)
+{
+  const Moved     block((Vec6::Zero()));
+  const double    area = block.moments.area, slope = -0.2;
+  const WaterLoad full =
+    block.load(with_line(Water::Action::buoyancy, {{-10., 9.}, {90., 9. + 100. * slope}}));
+  EXPECT_TRUE(full.full);
+  EXPECT_NEAR(full.force[0], -slope * unit_weight * area, 1e-9 * unit_weight);
+  EXPECT_NEAR(full.force[1], unit_weight * area, 1e-9 * unit_weight);
+  EXPECT_EQ(full.force.tail<4>(), Eigen::Vector4d::Zero());
+}
+
+
+
+TEST(Water, line_that_lies_level_is_a_level)
+{
+  const Moved block(some_motion());
+  for (const double level : levels)
+    {
+      const Water     line = with_line(Water::Action::pressures, {{0.2, level}, {1.7, level}});
+      const WaterLoad one = block.load(line), two = block.load(Water::Action::pressures, level);
+      EXPECT_LT((one.force - two.force).norm(), 1e-9 * unit_weight) << level;
+      EXPECT_NEAR(one.potential - two.potential, 0., 1e-9 * unit_weight) << level;
+    }
+}
+
+
+
+TEST(Water, change_of_potential_below_a_line_is_that_of_the_force)
+{
+  Vec6 d             = Vec6::Zero();
+  d[0]               = 2e-9;
+  d[1]               = 1e-9;
+  const Water  water = with_line(Water::Action::buoyancy, {{-100., 1e4}, {100., 1.001e4}});
+  const double slope = 10. / 200.;
+  const Moved  before((Vec6::Zero())), after(d);
+  const double change = potential_change(before.load(water), after.load(water), d.head<2>());
+  EXPECT_NEAR(change / (-unit_weight * before.moments.area * (d[1] - slope * d[0])), 1., 1e-12);
+}
+
+
+
+TEST(Water, level_follows_its_history)
+{
+  Water water{Water::Action::buoyancy, 3., unit_weight};
+  EXPECT_FALSE(water.changes());
+  EXPECT_EQ(water.at(7.).level, 3.);
+  water.history =
+    std::make_shared<const scene::LinearTable>(scene::LinearTable{{{-2., 1.}, {2., 5.}, {4., 0.}}});
+  EXPECT_TRUE(water.changes());
+  EXPECT_EQ(water.at(-1.).level, 3.); // as at the start
+  EXPECT_EQ(water.at(1.).level, 4.);
+  EXPECT_EQ(water.at(3.).level, 2.5);
+  EXPECT_EQ(water.at(9.).level, 0.);
+}
+
+
+
+TEST(Water, surface_carries_the_pressure_below_a_line)
+{
+  // level ground below a line that falls from 3 m over it to 1 m
+  const std::vector<Vec2> ground = {{0., 0.}, {3., 0.}, {10., 0.}};
+  const Eigen::VectorXd   force =
+    water_on_surface(with_line(Water::Action::pressures, {{2., 3.}, {6., 1.}}), ground);
+  const double area = 2. * 3. + 4. * 2. + 4. * 1.;
+  const double left = 2. * 3. * 1. + 4. * 2. * (2. + 5. / 3.) + 4. * 1. * 8.; // about x = 0
+  EXPECT_NEAR(force[1] + force[3] + force[5], -unit_weight * area, 1e-9 * unit_weight);
+  EXPECT_NEAR(3. * force[3] + 10. * force[5], -unit_weight * left, 1e-8 * unit_weight);
+  EXPECT_EQ(force[0], 0.);
 }
 
 

@@ -147,6 +147,25 @@ TEST(Sleep, load_that_rises_wakes_it)
 
 
 
+TEST(Sleep, level_that_changes_wakes_it)
+{
+  const auto level = [](FixedBaseRun &run, const int k) {
+    if (k > 0)
+      return;
+    // from below the wall to its middle
+    run.model.water         = {Water::Action::buoyancy, -9., 9810.};
+    run.model.water.history = std::make_shared<const scene::LinearTable>(
+      scene::LinearTable{{{20.5 * dt, -9.}, {50. * dt, 1.5}}});
+  };
+  Wall         sleeper(true), other(false);
+  const Counts counts = compare(sleeper, other, 80, level);
+  EXPECT_GT(counts.asleep, 10);
+  for (int k = 20; k < 50; ++k)
+    EXPECT_FALSE(counts.slept[k]) << "step " << k;
+}
+
+
+
 TEST(Sleep, base_that_moves_wakes_it)
 {
   const auto shake = [](FixedBaseRun &run, const int k) {

@@ -76,6 +76,21 @@ TEST(Overburden, of_a_place_on_an_outline_is_that_of_the_body)
 
 
 
+TEST(Overburden, weighs_less_below_a_phreatic_line)
+{
+  SceneParameters scene                      = parameters();
+  scene.environment.water_method             = WaterMethod::pressures;
+  scene.environment.water_tables.line.points = {{0., 6.}, {2., 8.}}; // 7 m at x = 1
+  const Overburden line(section(), scene);
+  EXPECT_NEAR(line.in_mass({1., 6.5}, {1., 7.}), g * (1.5 * soil - 0.5 * water), 1e-4);
+  EXPECT_NEAR(line.in_mass({0.5, 6.}, {0.5, 6.5}), g * (2. * soil - 0.5 * water), 1e-4);
+  scene.environment.water_level = 7.5; // the higher one counts
+  const Overburden both(section(), scene);
+  EXPECT_NEAR(both.in_mass({1., 6.5}, {1., 7.}), g * (1.5 * soil - water), 1e-4);
+}
+
+
+
 TEST(Overburden, weighs_less_below_the_water)
 {
   SceneParameters scene           = parameters();
