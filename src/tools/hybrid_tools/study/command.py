@@ -151,6 +151,8 @@ def read_study(words):
         study = plan.from_json(dict(content, directory=os.path.abspath(words.what)))
     else:
         study = make_study(words)
+        if study.seeds is None:  # those that an earlier run of the command found necessary
+            study.seeds = read_json(os.path.join(study.directory, "plan.json")).get("seeds")
     if words.tolerance:
         study.tolerance = plan.parse_tolerance(words.tolerance)
     if words.quantities:

@@ -55,11 +55,12 @@ def draw(analysis, directory):
     names = [n for n in run.names("profiles") if run.has("profiles/%s/displacement" % n)]
     if not names:
         return
-    figure, axes = plt.subplots(1, len(names), figsize=(max(3.8 * len(names), 5), 6), squeeze=False, constrained_layout=True)
+    figure, axes = plt.subplots(1, len(names), figsize=(max(4.2 * len(names), 5), 6), squeeze=False)
+    figure.subplots_adjust(wspace=0.3)
     for axis, name in zip(axes[0], names):
         draw_borehole(axis, found, name)
     axes[0, 0].set_ylabel("depth [m]")
-    axes[0, 0].legend(loc="upper left", bbox_to_anchor=(0.0, -0.12), ncol=2)
+    axes[0, 0].legend(loc="upper left", bbox_to_anchor=(0.0, -0.1), ncol=2)
     style.title(figure, "What is left: " + (analysis.study.base.get("Title") or os.path.basename(analysis.study.directory)))
     style.save(figure, directory, "profile_bands")
 

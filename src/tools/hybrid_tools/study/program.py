@@ -52,5 +52,5 @@ def memory(scene, overrides=()):
 def version():
     """{"version": ..., "commit": ...} of the program."""
     text = ask("--version")
-    commit = re.search(r"commit (\S+)", text)
+    commit = re.search(r"commit (\w+)", text)
     return {"version": text.splitlines()[0].strip(), "commit": commit.group(1) if commit else ""}
