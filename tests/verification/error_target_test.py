@@ -9,6 +9,7 @@ the same bits; a run whose error is not estimated says so.
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import time
@@ -35,6 +36,7 @@ def step_of(directory):
 
 def killed_in_repetition(binary, scene, directory, overrides):
     """Start a run, kill it in its repetition once there is a checkpoint, and resume it. @return whether the kill came in time"""
+    shutil.rmtree(directory, ignore_errors=True)
     environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
     words = [binary, str(scene), "-s", "Output/Directory=%s" % directory]
     for override in [*overrides, "Checkpoint/Step interval=100"]:
