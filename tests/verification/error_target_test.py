@@ -43,7 +43,14 @@ def killed_in_repetition(binary, scene, directory, overrides):
         words += ["-s", override]
     process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=environment)
     log, state = directory / "log.txt", directory / "checkpoint/state.bin"
-    while process.poll() is None and not (log.exists() and "Repeated" in log.read_text(encoding="utf-8") and state.exists()):
+
+    def is_repeating():
+        try:
+            return "Repeated" in log.read_text(encoding="utf-8") and state.exists()
+        except FileNotFoundError:  # not yet, or just being replaced
+            return False
+
+    while process.poll() is None and not is_repeating():
         time.sleep(0.002)
     in_time = process.poll() is None
     process.kill()
