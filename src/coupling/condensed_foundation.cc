@@ -47,7 +47,7 @@ namespace hybrid::coupling
         continuum.correct(state.continuum, dt, displacement, force);
         return;
       }
-    continuum::SurfaceForce with_water = force;
+    with_water = force;
     with_water.all += water->force();
     continuum.correct(state.continuum, dt, displacement, with_water);
     state.blocks.energy.water_work += water->work(displacement);

@@ -24,9 +24,11 @@ namespace hybrid::coupling
   void
   WaterOnBedrock::begin(const double time, const double dt, const Eigen::VectorXd &displacement)
   {
-    at_start = water_on_surface(water.at(time), nodes) - at_rest;
-    at_end   = water_on_surface(water.at(time + dt), nodes) - at_rest;
-    moved    = displacement;
+    water_on_surface(water.at(time), nodes, at_start);
+    water_on_surface(water.at(time + dt), nodes, at_end);
+    at_start -= at_rest;
+    at_end -= at_rest;
+    moved = displacement;
   }
 
 

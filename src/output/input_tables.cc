@@ -84,26 +84,18 @@ namespace hybrid::output
 
   void write_water_tables(HistoryFile &file, const scene::WaterTables &tables)
   {
-    const auto rows = [](const scene::LinearTable &table) {
-      std::vector<double> values;
+    const auto write = [&](const std::string        &name,
+                           const std::string        &unit,
+                           const scene::LinearTable &table,
+                           const std::string        &meaning) {
+      std::vector<double> rows;
       for (const Vec2 &point : table.points)
-        values.insert(values.end(), {point.x(), point.y()});
-      return values;
+        rows.insert(rows.end(), {point.x(), point.y()});
+      if (!table.empty())
+        file.write_table("section/" + name, unit, rows.data(), table.points.size(), 2, meaning);
     };
-    if (!tables.line.empty())
-      file.write_table("section/water_line",
-                       "m",
-                       rows(tables.line).data(),
-                       tables.line.points.size(),
-                       2,
-                       "phreatic line");
-    if (!tables.level.empty())
-      file.write_table("section/water_levels",
-                       "s, m",
-                       rows(tables.level).data(),
-                       tables.level.points.size(),
-                       2,
-                       "time and level of the water");
+    write("water_line", "m", tables.line, "phreatic line");
+    write("water_levels", "s, m", tables.level, "time and level of the water");
   }
 
 

@@ -15,7 +15,7 @@ from conftest import ROOT
 
 from hybrid_run import UserError, convergence
 from hybrid_run.parameters import parse_parameters
-from hybrid_tools.study import analysis, axes, command, page, plan, program, quantities, report, runner, stated, study_file, tables
+from hybrid_tools.study import analysis, axes, command, page, plan, profile_bands, program, quantities, report, runner, stated, study_file, tables
 from hybrid_tools.study.run_directory import RunDirectory, reason_of
 
 SCENES = ROOT / "parameters/verification"
@@ -486,6 +486,26 @@ def test_a_page_without_the_marks_is_refused(tmp_path):
     path.write_text("nothing\n")
     with pytest.raises(UserError, match="study bar"):
         page.check(path, study)
+
+
+def test_bands_along_a_borehole_keep_the_jump_at_the_sliding_surface():
+    depth, x = np.array([0.0, 10.0, 20.0, 20.0, 30.0]), np.array([5.0, 4.0, 3.0, 1.0, 0.0])
+    wanted, found = profile_bands.resampled(depth, x, 20.0)
+    above = wanted[: profile_bands.POINTS]
+    assert above[-1] == 20.0 and found[profile_bands.POINTS - 1] == 3.0 and found[profile_bands.POINTS] == 1.0
+    assert found[: profile_bands.POINTS] == pytest.approx(5 - above / 10) and (found[0], found[-1]) == (5.0, 0.0)
+    wanted, found = profile_bands.resampled(depth[[0, 1, 4]], x[[0, 1, 4]], None)
+    assert found == pytest.approx(np.interp(wanted, [0, 10, 30], [5, 4, 0]))
+
+
+def test_seeds_that_a_study_needed_stay_when_its_file_is_read_again(monkeypatch, tmp_path):
+    monkeypatch.setattr(command, "check", lambda study: None)
+    words = command.arguments().read([str(ROOT / "parameters/studies/incline.toml"), "--directory", str(tmp_path)])
+    assert command.read_study(words).seeds is None
+    (tmp_path / "plan.json").write_text('{"seeds": 3}')
+    assert command.read_study(words).seeds == 3
+    words.seeds = 0
+    assert command.read_study(words).seeds == 0
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "parameters/studies").glob("*.toml")), ids=lambda path: path.stem)

@@ -58,5 +58,6 @@ namespace hybrid::coupling
     continuum::Continuum           &continuum;
     dda::FoundationResponse         response;
     std::unique_ptr<WaterOnBedrock> water;
+    continuum::SurfaceForce         with_water; ///< of the last step, kept for its memory alone
   };
 } // namespace hybrid::coupling

@@ -9,8 +9,6 @@ namespace hybrid::dda
 {
   namespace
   {
-    using Polygon = std::vector<Vec2>;
-
     /// Coordinates about a point on a piece of the surface, sheared so that this piece is y = 0:
     /// the pressure is then -rho_w g y, areas are as before.
     struct PieceFrame
@@ -58,28 +56,13 @@ namespace hybrid::dda
     }
 
 
-    /// Part of a polygon on one side of x (side 1: to its right, -1: to its left). The cuts of a
-    /// polygon with dents lie on each other and add nothing.
-    void cut(Polygon &polygon, const double x, const double side)
-    {
-      Polygon part;
-      for (std::size_t k = 0; k < polygon.size(); ++k)
-        {
-          const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-          const bool  a_in = side * (a.x() - x) >= 0., b_in = side * (b.x() - x) >= 0.;
-          if (a_in)
-            part.push_back(a);
-          if (a_in != b_in)
-            part.push_back(at_x(a, b, x));
-        }
-      polygon.swap(part);
-    }
-
-
-    /// Part of the edge from a to b below a piece; false if there is none.
-    bool clip_to_piece(const WaterPiece &piece, Vec2 &a, Vec2 &b)
+    /// Part of the edge from a to b below a piece; false if there is none. A vertical edge where
+    /// two pieces meet is below the second. @param last end of the pieces that are looked at [m]
+    bool clip_to_piece(const WaterPiece &piece, const double last, Vec2 &a, Vec2 &b)
     {
       const Vec2 from = a, to = b;
+      if (from.x() == to.x() && from.x() == piece.right && piece.right < last)
+        return false;
       for (Vec2 *end : {&a, &b})
         {
           const double x = std::clamp(end->x(), piece.left, piece.right);
@@ -93,17 +76,28 @@ namespace hybrid::dda
 
 
     /// Moments of the submerged part of a polygon about a point on the water's line. The closing
-    /// edges lie on the line and add nothing (simplex integration).
+    /// edges lie on the line and add nothing.
     struct SubmergedPart
     {
       double area = 0., x = 0., y = 0.; ///< [m2], [m3]
 
+      /// Simplex integration (Shi 1988).
       void add_edge(const Vec2 &a, const Vec2 &b)
       {
         const double c = a.x() * b.y() - a.y() * b.x();
         area += c / 2.;
         x += c * (a.x() + b.x()) / 6.;
         y += c * (a.y() + b.y()) / 6.;
+      }
+
+      /// Of the part below a piece: integrals over x, to which the vertical cuts at its ends add
+      /// nothing (Green's theorem: - int y dx, - int x y dx, - int y^2/2 dx).
+      void add_cut_edge(const Vec2 &a, const Vec2 &b)
+      {
+        const Vec2 d = b - a;
+        area -= d.x() * (a.y() + b.y()) / 2.;
+        x -= d.x() * (a.x() * a.y() + (a.x() * d.y() + a.y() * d.x()) / 2. + d.x() * d.y() / 3.);
+        y -= d.x() * (a.y() * a.y() + a.y() * b.y() + b.y() * b.y()) / 6.;
       }
     };
 
@@ -153,19 +147,29 @@ namespace hybrid::dda
       Vec6               buoyancy = Vec6::Zero();
       double             moment   = 0.; ///< int y dA in the frames [m3]
 
-      /// @param corner of a polygon with @p n corners below the piece
-      template <typename Corner>
-      void add(const PieceFrame &frame, const int n, const Corner &corner)
+      /// The part of an outline, which ends at x = @p right, below a piece, or all of it.
+      void add(const WaterPiece   &piece,
+               const PieceFrame   &frame,
+               const MovedOutline &outline,
+               const double        right,
+               const bool          whole)
       {
         SubmergedPart part;
         const bool    by_faces = water.action == Water::Action::pressures;
-        for (int k = 0; k < n; ++k)
+        for (int k = 0; k < outline.n; ++k)
           {
-            Vec2 a = frame.to(corner(k)), b = frame.to(corner((k + 1) % n));
+            Vec2 a = outline.at(k), b = outline.at((k + 1) % outline.n);
+            if (!whole && !clip_to_piece(piece, right, a, b))
+              continue;
+            a = frame.to(a);
+            b = frame.to(b);
             if (!clip_to_water(a, b))
               continue;
-            part.add_edge(a, b);
-            if (by_faces)
+            if (whole)
+              part.add_edge(a, b);
+            else
+              part.add_cut_edge(a, b);
+            if (by_faces) // water on the cuts is within the block
               faces += edge_pressure(water.unit_weight, motion, frame, a, b);
           }
         moment += part.y;
@@ -251,17 +255,7 @@ namespace hybrid::dda
           }
         if (below.scale == 0.)
           below.scale = first_area / polygon_area(outline);
-        if (whole)
-          {
-            below.add(frame, outline.n, [&](const int k) { return outline.at(k); });
-            break;
-          }
-        Polygon part;
-        for (int k = 0; k < outline.n; ++k)
-          part.push_back(outline.at(k));
-        cut(part, piece->left, 1.);
-        cut(part, piece->right, -1.);
-        below.add(frame, static_cast<int>(part.size()), [&](const int k) { return part[k]; });
+        below.add(*piece, frame, outline, extent.right, whole);
       }
     load.potential = -below.scale * w * below.moment;
     if (water.action == Water::Action::pressures)
@@ -290,24 +284,23 @@ namespace hybrid::dda
   }
 
 
-  Eigen::VectorXd water_on_surface(const Water &water, const std::vector<Vec2> &nodes)
+  void water_on_surface(const Water &water, const std::vector<Vec2> &nodes, Eigen::VectorXd &force)
   {
-    Eigen::VectorXd force = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(nodes.size()));
+    force.setZero(2 * static_cast<Eigen::Index>(nodes.size()));
     if (water.action != Water::Action::pressures)
-      return force;
+      return;
     const double gauss = 0.5 / std::sqrt(3.);
     for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
       {
         const Vec2   edge    = nodes[k + 1] - nodes[k];
         const double length2 = edge.squaredNorm();
-        WaterPieces  pieces(water,
-                           std::min(nodes[k].x(), nodes[k + 1].x()),
-                           std::max(nodes[k].x(), nodes[k + 1].x()));
+        const double right   = std::max(nodes[k].x(), nodes[k + 1].x());
+        WaterPieces  pieces(water, std::min(nodes[k].x(), nodes[k + 1].x()), right);
         while (const std::optional<WaterPiece> piece = pieces.next())
           {
             const PieceFrame frame(*piece, nodes[k].x());
             Vec2             a = nodes[k], b = nodes[k + 1];
-            if (!clip_to_piece(*piece, a, b))
+            if (!clip_to_piece(*piece, right, a, b))
               continue;
             a = frame.to(a);
             b = frame.to(b);
@@ -326,6 +319,13 @@ namespace hybrid::dda
               }
           }
       }
+  }
+
+
+  Eigen::VectorXd water_on_surface(const Water &water, const std::vector<Vec2> &nodes)
+  {
+    Eigen::VectorXd force;
+    water_on_surface(water, nodes, force);
     return force;
   }
 } // namespace hybrid::dda

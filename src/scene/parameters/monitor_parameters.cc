@@ -183,8 +183,8 @@ namespace hybrid::scene
       "Measured",
       "'name: depth, displacement, error; ...' [m, mm downhill, mm]",
       [&monitors](const std::string &text) { add_measured_values(text, monitors); },
-      "Measured values that are drawn beside the computed profiles, with their error either way, which may be left out; nothing else "
-      "uses them.");
+      "Measured values that are drawn beside the computed profiles, with their error either way, "
+      "which may be left out; nothing else uses them.");
   }
 
   void check(const MonitorParameters &monitors, const ParameterTable &table)

@@ -2,6 +2,7 @@
 """Block on an incline, rapid drawdown: T = g (rho A - rho_w A_1) sin th, N' = g (rho A - rho_w A_1) cos th - g rho_w A_2 / cos th."""
 
 import numpy as np
+import water_methods_figure
 from scene_numbers import Numbers
 
 INCLINE = np.radians(20)  # of block_incline_20.csv
@@ -95,10 +96,4 @@ def check(case):
 
 
 def draw(case, figure):
-    axes = figure.subplots()
-    for method, (time, s, closed) in shown.items():
-        axes.plot(time, s, lw=3 if method == "submerged" else 1.2, alpha=0.6, label="program, " + method)
-    axes.plot(time, closed, "k--", lw=0.9, label="closed form")
-    axes.set_xlabel("time [s]")
-    axes.set_ylabel("slip [m]")
-    axes.legend()
+    water_methods_figure.draw(figure, shown, "slip [m]")

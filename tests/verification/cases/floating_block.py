@@ -2,6 +2,7 @@
 """Heave of a floating block: w^2 = rho_w g / (rho h)."""
 
 import numpy as np
+import water_methods_figure
 from scene_numbers import Numbers
 
 HEIGHT, BOTTOM = 1.0, -0.6  # of floating_block.csv [m]
@@ -48,10 +49,4 @@ def check(case):
 
 
 def draw(case, figure):
-    axes = figure.subplots()
-    for method, (t, y, closed) in shown.items():
-        axes.plot(t, y, lw=3 if method == "submerged" else 1.2, alpha=0.7, label="program, " + method)
-    axes.plot(t, closed, "k--", lw=0.9, label="closed form")
-    axes.set_xlabel("time [s]")
-    axes.set_ylabel("heave [m]")
-    axes.legend(loc="upper right")
+    water_methods_figure.draw(figure, shown, "heave [m]")

@@ -2,6 +2,7 @@
 """Pushed block in a rising reservoir: slides from h_c = rho/rho_w H (1 - k / tan phi) on, s'' = g tan phi rho_w / (rho H) (h - h_c)."""
 
 import numpy as np
+import water_methods_figure
 from scene_numbers import Numbers
 
 HEIGHT = 1.0  # of block_level.csv [m]
@@ -55,10 +56,4 @@ def check(case):
 
 
 def draw(case, figure):
-    axes = figure.subplots()
-    for method, (time, s, closed) in shown.items():
-        axes.plot(time, s, lw=3 if method == "submerged" else 1.2, alpha=0.6, label="program, " + method)
-    axes.plot(time, closed, "k--", lw=0.9, label="closed form")
-    axes.set_xlabel("time [s]")
-    axes.set_ylabel("slip [m]")
-    axes.legend()
+    water_methods_figure.draw(figure, shown, "slip [m]")

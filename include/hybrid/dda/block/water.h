@@ -95,4 +95,7 @@ namespace hybrid::dda
 
   /// Hydrostatic force on the nodes of the bedrock's surface (x0, y0, x1, ...) [N/m].
   Eigen::VectorXd water_on_surface(const Water &water, const std::vector<Vec2> &nodes);
+
+  /// The same into @p force, which allocates nothing if it has its size.
+  void water_on_surface(const Water &water, const std::vector<Vec2> &nodes, Eigen::VectorXd &force);
 } // namespace hybrid::dda

@@ -213,7 +213,8 @@ def show_plan(study, runs):
 
 
 def needs_seeds(study, settings):
-    from hybrid_tools.study import collection
+    """Whether copies of the finest run would tell what its levels cannot."""
+    from hybrid_tools.study import collection  # only now: it draws
 
     return collection.needs_seeds(study, settings)
 

@@ -37,13 +37,13 @@ def profile(run, name):
 
 def resampled(depth, x, slip_depth):
     """At POINTS depths on each side of the sliding surface, so that profiles of other meshes have the same ones."""
-    cut = slip_depth if slip_depth is not None else 0.5 * (depth[0] + depth[-1])
-    above, below = depth <= cut, depth >= cut
-    if slip_depth is not None and np.count_nonzero(depth == cut) == 2:  # the jump: each side has its own end
-        k = int(np.flatnonzero(depth == cut)[0])
-        above, below = np.arange(len(depth)) <= k, np.arange(len(depth)) > k
-    wanted = np.linspace(depth[0], cut, POINTS), np.linspace(cut, depth[-1], POINTS)
-    return np.concatenate(wanted), np.concatenate([np.interp(w, depth[side], x[side]) for w, side in zip(wanted, (above, below))])
+    jump = np.flatnonzero(depth == slip_depth) if slip_depth is not None else []
+    if len(jump) != 2:
+        wanted = np.linspace(depth[0], depth[-1], 2 * POINTS)
+        return wanted, np.interp(wanted, depth, x)
+    sides = slice(0, jump[1]), slice(jump[1], None)
+    wanted = [np.linspace(depth[side][0], depth[side][-1], POINTS) for side in sides]
+    return np.concatenate(wanted), np.concatenate([np.interp(w, depth[side], x[side]) for w, side in zip(wanted, sides)])
 
 
 def draw(analysis, directory):

@@ -164,6 +164,26 @@ TEST(Water, below_a_line_pressures_on_faces_and_in_pores_are_buoyancy_and_seepag
 
 
 
+TEST(Water, vertical_faces_below_bends_of_a_line_count_once)
+{
+  const std::vector<Vec2> step    = {{0., 0.}, {2., 0.}, {2., 1.}, {1., 1.}, {1., 2.}, {0., 2.}};
+  const PolygonMoments    moments = polygon_moments(step.data(), 6);
+  const BlockMotion       rest(moments.centroid, Vec6::Zero());
+  for (const std::vector<Vec2> &points : {std::vector<Vec2>{{0., 1.5}, {1., 1.8}, {2., 0.7}},
+                                          {{1., 1.2}, {3., 1.9}},
+                                          {{0., 9.}, {1., 8.}}})
+    {
+      const auto load = [&](const Water::Action action) {
+        return water_load(with_line(action, points), moments.area, rest, {step.data(), nullptr, 6});
+      };
+      const WaterLoad one = load(Water::Action::pressures), two = load(Water::Action::buoyancy);
+      EXPECT_LT((one.force - two.force).norm(), 1e-9 * unit_weight);
+      EXPECT_GT(two.force[1], 0.9 * unit_weight);
+    }
+}
+
+
+
 TEST(Water, below_a_line_force_is_the_gradient_of_the_potential)
 {
   const double h = 1e-6;
