@@ -17,7 +17,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SCENE = ROOT / "parameters/majiagou/badong.prm"
+SCENE = ROOT / "parameters/majiagou/badong_long_periods.prm"
 HERE = pathlib.Path(__file__).resolve().parent
 PAGE = ROOT / "doc/effects.md"
 STEPS, REPETITIONS = 400, 5

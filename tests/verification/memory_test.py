@@ -13,7 +13,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FACTOR, BONDED = 1.5, 1.15
-BADONG = ROOT / "parameters/majiagou/badong.prm"
+BADONG = ROOT / "parameters/majiagou/badong_long_periods.prm"
 
 # What dominates: blocks and condensed bedrock; slip of bedding planes; blocks alone; histories.
 SCENES = {

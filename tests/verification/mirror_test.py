@@ -29,7 +29,7 @@ def mesh_section(binary, source, work):
     """The mesh of the section as gmsh makes it, in ASCII."""
     (work / "save.geo").write_text('h = 8;\nInclude "%s";\nMesh.MshFileVersion = 2.2;\nMesh 2;\nSave "%s";\n'
                                    % (source / "meshes/majiagou.geo", work / "left.msh"))
-    subprocess.run([binary, "--check", source / "parameters/majiagou/badong.prm", "-s", f"Mesh/File={work / 'save.geo'}",
+    subprocess.run([binary, "--check", source / "parameters/majiagou/badong_long_periods.prm", "-s", f"Mesh/File={work / 'save.geo'}",
                     "-s", "Mesh/Numbers="], check=True, stdout=subprocess.DEVNULL)
 
 
@@ -62,7 +62,7 @@ def run(binary, source, work, side):
     directory, factor = work / side, -1 if side == "right" else 1
     mirror_points(source / "meshes/majiagou_section.csv", work / "right.csv")
     points = work / "right.csv" if side == "right" else source / "meshes/majiagou_section.csv"
-    subprocess.run([binary, source / "parameters/majiagou/badong.prm", "-s", f"Mesh/File={work / (side + '.msh')}",
+    subprocess.run([binary, source / "parameters/majiagou/badong_long_periods.prm", "-s", f"Mesh/File={work / (side + '.msh')}",
                     "-s", "Mesh/Numbers=", "-s", f"Motion/Angle={180 if side == 'right' else 0}", "-s", "Motion/Duration=2",
                     "-s", f"Monitors/File={points}",
                     "-s", "Boreholes/Lines=" + BOREHOLES % (factor * 288, factor * 288, factor * 334, factor * 334),

@@ -34,6 +34,7 @@ LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_
         "free_field": ((4, 1), []), "rayleigh_decrement": ((4, 1), []), "elastic_joints": ((4, 1), []), "joint_bands": ((4, 1), []),
         "canyon": ((4, 1), []), "step": ((4, 1), []), "lamb": ((4, 1), []), "wave_packet": ((4, 1), []),
         "oblique_joints": ((4, 1), []), "soft_layer": ((16, 4), []), "badong": ((4, 2, 1), BADONG),
+        "badong_long_periods": ((4, 2, 1), BADONG),
         "shaken_base": ((4,), []), "incline": ((4,), []), "rocking": ((4,), []), "free_flight": ((4,), []),
         "brittle_release": ((4,), []), "direct_shear": ((4,), []), "infinite_slope": ((4,), []), "coulomb_joint": ((4,), []),
         "opening_plane": ((4,), []), "opening_blocks": ((4,), []), "bedding_slip_layers": ((4,), []), "restart_coupled": ((4,), []),
@@ -45,15 +46,21 @@ MESH = {"wave_packet": ("Width = 12.5; Height = 1000;", (12.5, 6.25), 3.125),
         "free_field": ("Width = 100; Height = 100; Layer height = 40;", (20, 10), 5),
         "rayleigh_decrement": ("Width = 10; Height = 50;", (25, 10), 2.5)}
 
+LABELS = {"badong": "Badong, h = 8 m", "badong_long_periods": "Badong, long periods, h = 8 m"}
+
 
 def scene_file(source, name):
-    place = "majiagou" if name == "badong" else "verification"
+    place = "majiagou" if name.startswith("badong") else "verification"
     return source / "parameters" / place / (name.split()[0] + ".prm")
 
 
 def own_step(file):
-    found = re.search(r"set Time step\s*=\s*([0-9.e-]+)", file.read_text())
-    return float(found.group(1)) if found else 1e-3  # the default
+    text = file.read_text()
+    found = re.search(r"set Time step\s*=\s*([0-9.e-]+)", text)
+    if found:
+        return float(found.group(1))
+    included = re.search(r"^include (.+)$", text, re.MULTILINE)
+    return own_step(file.parent / included.group(1)) if included else 1e-3  # the default
 
 
 def compute(binary, source, work, name, factor, settings):
@@ -167,7 +174,7 @@ def write(binary, source, work, page):
     rows, mesh_rows = [], []
     for name, (factors, settings) in LONG.items():
         for step, true, estimated, said in compare(binary, source, work, name, factors, settings):
-            label = name if name != "badong" else "Badong, h = 8 m"
+            label = LABELS.get(name, name)
             if estimated is None:
                 rows.append("| %s | %g | %s | %s | |" % (label, 1e3 * step, percent(true), "not estimated: " + said["reason"]))
             else:

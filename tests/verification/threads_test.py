@@ -53,7 +53,7 @@ def main():
     others = [multiprocessing.Process(target=busy, daemon=True) for _ in range(2)]
     for other in others:
         other.start()
-    good = any(compare(binary, source / "parameters/majiagou/badong.prm", work) for _ in range(ATTEMPTS))
+    good = any(compare(binary, source / "parameters/majiagou/badong_long_periods.prm", work) for _ in range(ATTEMPTS))
     for other in others:
         other.terminate()
     if not good:
