@@ -70,6 +70,23 @@ namespace hybrid
 
 
 
+  void RunReport::lifts(const dda::LiftResult &result) const
+  {
+    char text[200];
+    std::snprintf(
+      text,
+      sizeof(text),
+      "Lifts: %d with blocks; largest displacement of a block since its lift was placed "
+      "%.3g m, at (%.2f, %.2f)",
+      result.lifts,
+      result.largest_displacement,
+      result.place.x(),
+      result.place.y());
+    log.info(text);
+  }
+
+
+
   void RunReport::static_stage(const dda::StaticResult &settled,
                                const dda::DdaState     &state,
                                const bool               has_failed) const

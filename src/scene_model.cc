@@ -3,6 +3,7 @@
 #include <hybrid/coupling/condensed_foundation.h>
 #include <hybrid/coupling/rigid_foundation.h>
 #include <hybrid/dda/model/model_builder.h>
+#include <hybrid/dda/statics/lifts.h>
 #include <hybrid/dda/step/initial_state.h>
 #include <hybrid/output/mesh_progress.h>
 #include <hybrid/output/probes.h>
@@ -58,6 +59,8 @@ namespace hybrid
       continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
     if (scene.has_blocks())
       make_blocks();
+    if (scene.environment.is_staged())
+      dda::check_lifts(*blocks);
     check_points();
   }
 

@@ -50,9 +50,11 @@ namespace hybrid
     auto &[cuts, retries, moved_too_far, unconverged] = summary.wasted;
     archive(summary.steps, summary.iterations, summary.timings, summary.stages);
     archive(cuts, retries, moved_too_far, unconverged);
-    auto &[settled_blocks, equilibrium, planes_hold, residual, iterations, displacement] =
-      summary.static_stage;
-    archive(settled_blocks, equilibrium, planes_hold, residual, iterations, displacement);
+    auto
+      &[settled_blocks, equilibrium, planes_hold, residual, iterations, displacement, lifts_moved] =
+        summary.static_stage;
+    archive(
+      settled_blocks, equilibrium, planes_hold, residual, iterations, displacement, lifts_moved);
     archive(run.recorder, run.energy, run.rest);
     if (!archive.is_reading())
       return;

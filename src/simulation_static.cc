@@ -37,6 +37,11 @@ namespace hybrid
                                   static_cast<int>(model.mesh.block_region_names.size()),
                                   *model.blocks,
                                   state.blocks);
+    if (model.scene.environment.is_staged())
+      {
+        lifts = dda::place_in_lifts(*model.blocks, model.scene.environment.lifts, state.blocks);
+        run_report.lifts(lifts);
+      }
     output::StaticProgressLine line(std::cout, output::standard_output_is_terminal());
     settled = dda::settle(
       *model.blocks,
@@ -93,7 +98,8 @@ namespace hybrid
             planes_at_rest.equilibrium,
             settled.residual,
             settled.iterations,
-            settled.largest_displacement};
+            settled.largest_displacement,
+            lifts.largest_displacement};
   }
 
 

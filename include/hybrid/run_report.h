@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/statics/lifts.h>
 #include <hybrid/dda/statics/static_stage.h>
 #include <hybrid/dda/step/open_close_iteration.h>
 #include <hybrid/output/summary.h>
@@ -24,6 +25,9 @@ namespace hybrid
     /// What a run will take of the machine's memory. Only a warning belongs in the log of a run:
     /// the numbers differ a little between equal runs.
     void memory(bool warning_only) const;
+
+    /// Of a mass that was placed in lifts.
+    void lifts(const dda::LiftResult &result) const;
 
     /// @param has_failed the run ends for what the stage found.
     void static_stage(const dda::StaticResult &result,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/coupling/coupled_state.h>
+#include <hybrid/dda/statics/lifts.h>
 #include <hybrid/dda/statics/static_stage.h>
 #include <hybrid/interruption.h>
 #include <hybrid/restart/checkpoint_file.h>
@@ -50,6 +51,7 @@ namespace hybrid
     output::Log                   &log;
     const SceneModel               model;
     const RunReport                run_report;
+    dda::LiftResult                lifts;
     dda::StaticResult              settled;
     continuum::StaticSlip          planes_at_rest;
     coupling::CoupledState         state;

@@ -200,6 +200,9 @@ namespace hybrid::output
       if (scene.environment.has_initial_stress())
         text += line("  initial stress     on   horizontal over vertical: %s",
                      scene.environment.initial_stress.c_str());
+      if (scene.environment.is_staged())
+        text +=
+          line("  initial stress     on   of a mass placed in %d lifts", scene.environment.lifts);
       if (scene.environment.horizontal != 0.)
         text +=
           line("  pseudo-static      on   %g times weight along +x", scene.environment.horizontal);

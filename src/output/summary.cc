@@ -49,11 +49,14 @@ namespace hybrid::output
     {
       if (!stage.settled)
         return nullptr;
-      return {{"equilibrium", stage.equilibrium},
-              {"planes_hold", stage.planes_hold},
-              {"residual", stage.residual},
-              {"iterations", stage.iterations},
-              {"largest_displacement_m", stage.displacement}};
+      Json result = {{"equilibrium", stage.equilibrium},
+                     {"planes_hold", stage.planes_hold},
+                     {"residual", stage.residual},
+                     {"iterations", stage.iterations},
+                     {"largest_displacement_m", stage.displacement}};
+      if (stage.lifts_moved > 0.)
+        result["largest_displacement_of_lifts_m"] = stage.lifts_moved;
+      return result;
     }
 
 

@@ -78,6 +78,7 @@ EFFECTS = {
     "gravity": (COLUMN + ["Gravity/Acceleration=0"], ["Gravity/Static stage=held"], ["Gravity/Static stage=none"],
                 ["Gravity/Acceleration=9.81"]),
     "initial stress": (COLUMN, ["Gravity/Initial stress=elastic"], None, ["Gravity/Initial stress=0.8"]),
+    "lifts": (COLUMN, ["Gravity/Lifts=3"], None, ["Gravity/Initial stress=staged", "Gravity/Lifts=3"]),
     "repeated motion": (COLUMN, ["Motion/Repetitions=1", "Motion/Repetition interval=0.02"],
                         ["Motion/Repetitions=2", "Motion/Repetition interval=1"],
                         ["Motion/Repetitions=2", "Motion/Repetition interval=0.02"]),

@@ -73,6 +73,7 @@ namespace hybrid::output
       double residual     = 0.;    ///< [-]
       int    iterations   = 0;
       double displacement = 0.; ///< largest, of a block [m]
+      double lifts_moved  = 0.; ///< largest, of a block since its lift was placed [m]; 0: no lifts
     };
 
     /// Work of the dynamic stage that came to nothing: steps that were rolled back.

@@ -37,17 +37,14 @@ namespace hybrid::dda
 
 
 
-  bool is_whole(const Model &model, const DdaState &state)
+  std::vector<char> held_to_ground(const Model &model, const std::vector<char> &present)
   {
     const int                     ground = model.n_blocks();
     std::vector<std::vector<int>> held_to(ground + 1);
-    for (std::size_t j = 0; j < model.joints.size(); ++j)
+    for (const Joint &joint : model.joints)
       {
-        const Joint &joint = model.joints[j];
         if (joint.within_bedrock())
           continue;
-        if (state.joints[j].failure != FailureKind::none)
-          return false;
         const bool on_ground = joint.other == foundation_body || model.is_bedrock(joint.other);
         const int  other     = on_ground ? ground : joint.other;
         held_to[joint.block].push_back(other);
@@ -61,12 +58,23 @@ namespace hybrid::dda
         const int body = next.back();
         next.pop_back();
         for (const int other : held_to[body])
-          if (!std::exchange(reached[other], 1))
+          if ((other == ground || present[other]) && !std::exchange(reached[other], 1))
             next.push_back(other);
       }
-    return model.n_mass() > 0 && std::all_of(reached.begin(),
-                                             reached.begin() + model.n_mass(),
-                                             [](const char r) { return r != 0; });
+    reached.resize(model.n_mass());
+    return reached;
+  }
+
+
+
+  bool is_whole(const Model &model, const DdaState &state)
+  {
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+      if (!model.joints[j].within_bedrock() && state.joints[j].failure != FailureKind::none)
+        return false;
+    const std::vector<char> held = held_to_ground(model, std::vector<char>(model.n_mass(), 1));
+    return model.n_mass() > 0 &&
+           std::all_of(held.begin(), held.end(), [](const char h) { return h != 0; });
   }
 
 

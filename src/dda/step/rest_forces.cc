@@ -3,17 +3,24 @@
 
 namespace hybrid::dda
 {
-  Springs springs_at_rest(const Model &model, const DdaState &state)
+  Trial trial_at_rest(const DdaState &state)
   {
-    Trial trial; // nothing moves
+    Trial trial;
     trial.dt = 1.;
     trial.displacement.assign(state.geometry.vertices.size(), Vec2::Zero());
     trial.foundation = state.foundation_displacement;
     for (const BlockState &block : state.blocks)
       trial.motion.emplace_back(block.centroid, Vec6::Zero());
+    return trial;
+  }
+
+
+
+  Springs springs_at_rest(const Model &model, const DdaState &state)
+  {
     Springs springs;
     springs.collect(model, state);
-    springs.evaluate(model, state, trial);
+    springs.evaluate(model, state, trial_at_rest(state));
     return springs;
   }
 

@@ -9,8 +9,9 @@ namespace hybrid::scene
   namespace
   {
     const char *const jaky                  = "1 - sin phi";
-    const char *const initial_stress_values = "elastic, a number >= 0 and <= 10, 1 - sin phi, or "
-                                              "'material: one of these; ...'";
+    const char *const initial_stress_values = "elastic, a number >= 0 and <= 10, 1 - sin phi, "
+                                              "'material: one of these; ...', or staged";
+    const char *const initial_stress_path   = "Gravity/Initial stress";
     constexpr double  largest_ratio         = 10.;
 
 
@@ -25,6 +26,22 @@ namespace hybrid::scene
         material.initial_ratio = 1. - std::sin(material.friction_angle * M_PI / 180.);
       return number ? *number >= 0. && *number <= largest_ratio
                     : value == jaky || value == "elastic";
+    }
+
+
+
+    /// Lifts are carried by joints, and have weight.
+    void check_staged(const SceneParameters &scene, const ParameterTable &table)
+    {
+      const auto needs = [&](const char *what) {
+        return table.error(initial_stress_path, std::string("needs ") + what);
+      };
+      if (!scene.blocks.enabled || !scene.blocks.bonded)
+        throw needs("a bonded mass that is placed in lifts: Model/Blocks = bonded");
+      if (scene.blocks.belt_material.empty())
+        throw needs("Blocks/Belt material: joints have to hold the lifts to the ground");
+      if (scene.environment.gravity == 0.)
+        throw needs("gravity; Gravity/Acceleration is 0");
     }
   } // namespace
 
@@ -67,7 +84,15 @@ namespace hybrid::scene
       "equilibrium with strengths active. elastic: that of gravity switched on, nu/(1 - nu) "
       "on level ground; a number: K0 of the overburden's stress, in blocks and bedrock; "
       "1 - sin phi: K0 by each material's Friction angle, elastic if it has none; by "
-      "material: those that are not named are elastic.");
+      "material: those that are not named are elastic; staged: the mass is placed in Lifts, "
+      "each without stress on those below, bonds intact, and the bedrock is elastic.");
+    gravity.integer(
+      "Lifts",
+      environment.lifts,
+      {1, 1000},
+      "Horizontal lifts, equally high, in which the mass is placed from below; a block "
+      "belongs to that of its centroid. Without Initial stress = staged it has no "
+      "effect.");
     ParameterSection water(table, {"Water"});
     water.number_or(
       "Level",
@@ -109,11 +134,16 @@ namespace hybrid::scene
   void resolve_initial_stress(SceneParameters &scene, const ParameterTable &table)
   {
     const EnvironmentParameters &around = scene.environment;
-    const char *const            path   = "Gravity/Initial stress";
-    if (!around.has_initial_stress())
+    const char *const            path   = initial_stress_path;
+    if (!around.has_initial_stress() && !around.is_staged())
       return;
     if (around.static_stage == StaticStage::none)
       throw table.error(path, "needs a static stage; Gravity/Static stage is none");
+    if (around.is_staged())
+      {
+        check_staged(scene, table);
+        return;
+      }
     const auto refuse = [&] {
       return table.error(path, std::string("must be ") + initial_stress_values);
     };

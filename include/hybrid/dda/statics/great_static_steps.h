@@ -3,8 +3,15 @@
 
 #include <hybrid/dda/statics/static_steps.h>
 
+#include <vector>
+
 namespace hybrid::dda
 {
+  /// Blocks of the sliding mass that joints hold, by way of others, to the ground, whatever has
+  /// failed; one entry for each. @param present only these are looked at, likewise
+  std::vector<char> held_to_ground(const Model &model, const std::vector<char> &present);
+
+
   /// True if joints that have not failed hold every block of the sliding mass, by way of others, to
   /// the ground.
   bool is_whole(const Model &model, const DdaState &state);

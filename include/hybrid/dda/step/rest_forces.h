@@ -5,6 +5,9 @@
 
 namespace hybrid::dda
 {
+  /// The trial in which nothing moves.
+  Trial trial_at_rest(const DdaState &state);
+
   /// Springs of @p state and what they carry while nothing moves.
   Springs springs_at_rest(const Model &model, const DdaState &state);
 

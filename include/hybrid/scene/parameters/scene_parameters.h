@@ -7,10 +7,10 @@
 #include <hybrid/scene/newmark.h>
 #include <hybrid/scene/parameters/bedrock_model.h>
 #include <hybrid/scene/parameters/checkpoint_parameters.h>
+#include <hybrid/scene/parameters/environment_parameters.h>
 #include <hybrid/scene/parameters/load_parameters.h>
 #include <hybrid/scene/parameters/motion_parameters.h>
 #include <hybrid/scene/parameters/start_parameters.h>
-#include <hybrid/scene/parameters/water_parameters.h>
 #include <hybrid/scene/types.h>
 
 #include <map>
@@ -131,15 +131,6 @@ namespace hybrid::scene
     std::vector<InitialVelocity> initial_velocities; ///< of blocks that do not start from rest
   };
 
-  /// What happens before the dynamic stage.
-  enum class StaticStage
-  {
-    equilibrium, ///< blocks settle with their strengths active, and the run ends if they cannot
-    move,        ///< the same, but what cannot stand starts from where it has got to
-    held,        ///< blocks settle with unlimited friction and bonds, which become active at t = 0
-    none         ///< the dynamic stage starts unloaded
-  };
-
   /// Section "Heterogeneity": factors of mean 1 with Weibull's distribution.
   struct HeterogeneityParameters
   {
@@ -147,44 +138,6 @@ namespace hybrid::scene
     double strength_shape =
       0.; ///< m of the joints' cohesion and tensile strength [-], > 0; 0: uniform
     int seed = 1;
-  };
-
-  /// Section "Water" and section "Gravity".
-  struct EnvironmentParameters
-  {
-    double gravity    = 9.81; ///< downward acceleration [m/s2], >= 0
-    double horizontal = 0.;   ///< pseudo-static coefficient k, of a lasting force k m g
-                              ///< along +x [-]
-    StaticStage static_stage    = StaticStage::equilibrium;
-    bool        reset_softening = true; ///< slip at rest takes nothing of strengths
-    std::string initial_stress =
-      "elastic";                      ///< before the static stage, see resolve_initial_stress()
-    double      water_level = -1e300; ///< of the reservoir at the start [m]; none: below -1e299
-    WaterTables water_tables;
-    WaterMethod water_method  = WaterMethod::paper;
-    double      water_density = 1000.; ///< [kg/m3], > 0
-
-    bool has_level() const
-    {
-      return water_level > -1e299;
-    }
-
-    bool has_water() const
-    {
-      return has_level() || !water_tables.line.empty();
-    }
-
-    /// Elevation of the water at the start, the higher one of level and line [m]; below it the
-    /// saturated materials hold (initial position of the block).
-    double water_at(double x) const;
-
-    double highest_water() const; ///< at any place and time [m]
-
-    /// The section begins with stresses: Material::lateral_ratio() of the overburden's.
-    bool has_initial_stress() const
-    {
-      return initial_stress != "elastic";
-    }
   };
 
   /// A named point whose motion is recorded.
