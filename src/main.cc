@@ -166,12 +166,15 @@ namespace
         const std::string            size = scene::number_text(*choice.step);
         const scene::SceneParameters scene =
           read_scene_of_run(directory, {"Time/Time step=" + size});
+        if (simulation->record_for_repetition())
+          output::write_step_record(step_record_file(directory),
+                                    *simulation->record_for_repetition());
         simulation.reset(); // its memory
         output::Log log(std::cout, output::standard_output_is_terminal());
         simulation = make_simulation(directory, scene, log);
         prepare_directory(scene, true, log);
         log.info("Repeated in steps of " + size +
-                 " s: the probable error of longer ones is above Time/Error target");
+                 " s: the error of longer ones is above Time/Error target, or not known");
         simulation->report().card();
         const RunStatus status = simulation->run(interruption);
         if (status != RunStatus::finished)
@@ -206,6 +209,8 @@ namespace
     const Interruption interruption; // before anything is written
     if (command.action != Action::check)
       prepare_directory(scene, force, log);
+    if (command.action == Action::run)
+      forget_step_record(scene.output.directory);
     simulation->report().card();
     simulation->report().memory(command.action != Action::check);
     if (command.action == Action::check)

@@ -116,6 +116,20 @@ namespace hybrid
 
 
 
+  std::string step_record_file(const std::string &directory)
+  {
+    return directory + "/checkpoint/longer_steps.bin";
+  }
+
+
+
+  void forget_step_record(const std::string &directory)
+  {
+    remove_versions(step_record_file(directory));
+  }
+
+
+
   std::string resume_command(const std::string &directory)
   {
     const bool plain =

@@ -2,6 +2,7 @@
 #include <hybrid/dda/step/initial_state.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/resolution.h>
+#include <hybrid/output/step_difference.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/simulation_run.h>
 
@@ -222,11 +223,23 @@ namespace hybrid
 
 
 
+  void Simulation::measure_step_error(const Run &run, output::Summary &summary)
+  {
+    if (model.scene.time.error_target == 0. || !summary.probable_error.runs_would_do)
+      return;
+    record = run.recorder.step_record(summary.first_failure_time);
+    if (const auto longer = output::read_step_record(step_record_file(directory())))
+      output::measure_error(*longer, *record, summary.probable_error);
+  }
+
+
+
   RunStatus Simulation::finish(Run &run, RunStatus status)
   {
     output::Summary &summary = run.summary;
     run.end_steps();
     run.recorder.finish(state, summary);
+    measure_step_error(run, summary);
     status                 = judge_energy(run, status);
     summary.title          = model.scene.title;
     summary.finished       = status == RunStatus::finished;

@@ -23,6 +23,8 @@ namespace hybrid
   {
     constexpr int    most_halvings = 4;
     constexpr double second_order  = 0.25;
+    if (!error.reason.empty() && error.runs_would_do)
+      return {"", 0.5 * time_step};
     if (!error.reason.empty())
       return {"the error is not estimated, " + error.reason, {}};
     const double now = largest(error.step), half = largest(error.half_step);
@@ -30,6 +32,8 @@ namespace hybrid
       return {};
     if (!(half < now))
       return {"half the step would not be nearer to it", {}};
+    if (!std::isnan(error.measured_from))
+      return {"", 0.5 * time_step}; // its difference to this one tells the order
     const double gain     = std::max(second_order, half / now);
     int          halvings = 1;
     for (double left = half; left > target && halvings < most_halvings; left *= gain)

@@ -9,6 +9,12 @@
 
 namespace hybrid
 {
+  /// What a repetition of the run in @p directory is compared with (Time/Error target).
+  std::string step_record_file(const std::string &directory);
+
+  /// It is compared with nothing: a run that begins.
+  void forget_step_record(const std::string &directory);
+
   /// What to type to go on with the run in @p directory.
   std::string resume_command(const std::string &directory);
 

@@ -5,6 +5,7 @@
 #include <hybrid/dda/statics/lifts.h>
 #include <hybrid/dda/statics/static_stage.h>
 #include <hybrid/interruption.h>
+#include <hybrid/output/step_record.h>
 #include <hybrid/restart/checkpoint_file.h>
 #include <hybrid/run_report.h>
 #include <hybrid/run_status.h>
@@ -40,6 +41,12 @@ namespace hybrid
     /// What Time/Error target calls for after a run that has finished.
     StepChoice next_step_size() const;
 
+    /// What a repetition in shorter steps is compared with; empty: it is not.
+    const std::optional<output::StepRecord> &record_for_repetition() const
+    {
+      return record;
+    }
+
     const std::string &directory() const
     {
       return model.scene.output.directory;
@@ -48,14 +55,15 @@ namespace hybrid
   private:
     struct Run; ///< what changes while the scene runs, besides the state of its parts
 
-    output::Log                   &log;
-    const SceneModel               model;
-    const RunReport                run_report;
-    dda::LiftResult                lifts;
-    dda::StaticResult              settled;
-    continuum::StaticSlip          planes_at_rest;
-    coupling::CoupledState         state;
-    output::Summary::ProbableError step_error; ///< of the run that has finished
+    output::Log                      &log;
+    const SceneModel                  model;
+    const RunReport                   run_report;
+    dda::LiftResult                   lifts;
+    dda::StaticResult                 settled;
+    continuum::StaticSlip             planes_at_rest;
+    coupling::CoupledState            state;
+    output::Summary::ProbableError    step_error; ///< of the run that has finished
+    std::optional<output::StepRecord> record;     ///< of it
 
     /// The static stage. @return false if the user has ended it.
     bool settle(const Interruption &interruption);
@@ -76,6 +84,9 @@ namespace hybrid
 
     /// The time loop. @return how it ended, after a checkpoint if it was interrupted.
     RunStatus advance(Run &run, const Interruption &interruption);
+
+    /// The error from the difference to the run before, which Time/Error target has repeated.
+    void measure_step_error(const Run &run, output::Summary &summary);
 
     /// Last records and the summary. @return the status after the last audit.
     RunStatus finish(Run &run, RunStatus status);

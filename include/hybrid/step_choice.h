@@ -21,7 +21,8 @@ namespace hybrid
 
   /// The largest step whose probable error of displacements and velocities is at most @p target
   /// [-]. That of half the step is estimated; further halvings gain what the first one has gained,
-  /// but no more than a factor of four (second order). At most four halvings at a time.
+  /// but no more than a factor of four (second order). At most four halvings at a time. Where the
+  /// difference of two runs tells the error, or would, half the step.
   StepChoice
   choose_step(const output::Summary::ProbableError &error, double time_step, double target);
 } // namespace hybrid

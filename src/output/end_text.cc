@@ -186,11 +186,15 @@ namespace hybrid::output
       if (summary.monitors.empty())
         return "";
       if (!error.reason.empty())
-        return "\nError     of the time step: not estimated, " + error.reason;
+        return "\nError     of the time step: not estimated, " + error.reason +
+               (error.runs_would_do ? "; Time/Error target finds it by runs in shorter steps" : "");
       const std::string until =
         std::isnan(error.until) ? "" : format(", until a joint failed at %.3g s", error.until);
-      const std::array<double, 3> &half = error.half_step.part;
-      return "\nError     of the time step, probably" + until + ": " + peaks_text(error.step) +
+      const std::array<double, 3> &half   = error.half_step.part;
+      const std::string            source = std::isnan(error.measured_from)
+                                              ? "probably"
+                                              : format("by the run in steps of %.4g s", error.measured_from);
+      return "\nError     of the time step, " + source + until + ": " + peaks_text(error.step) +
              "; with half the step " + percent(half[0]) + ", " + percent(half[1]) + ", " +
              percent(half[2]) + " %";
     }

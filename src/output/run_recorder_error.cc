@@ -156,7 +156,11 @@ namespace hybrid::output
     Summary::ProbableError &error = summary.probable_error;
     error.reason                  = why_no_error(!record.monitors.empty());
     if (!error.reason.empty())
-      return;
+      {
+        error.runs_would_do = times.size() >= least_rows && !monitors.empty() &&
+                              parts.scene.time.dynamic_coefficient >= 1.;
+        return;
+      }
     error.until = record.until;
     if (error.until <= record.time[least_rows - 1])
       {
@@ -174,5 +178,21 @@ namespace hybrid::output
       error.mesh = mesh_error(parts, estimate);
     if (std::isnan(error.step.part[1]))
       error.reason = "nothing moves";
+  }
+
+
+
+  StepRecord RunRecorder::step_record(const double until) const
+  {
+    StepRecord record;
+    record.step   = parts.scene.time.time_step;
+    record.time   = times;
+    record.base   = base_monitor;
+    record.corner = parts.scene.monitors.filter_frequency;
+    record.until  = until;
+    for (const MonitorSeries &monitor : monitors)
+      record.monitors.push_back(
+        {monitor.name, {{monitor.histories[0], monitor.histories[1], monitor.histories[2]}}});
+    return record;
   }
 } // namespace hybrid::output

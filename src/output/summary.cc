@@ -92,6 +92,7 @@ namespace hybrid::output
       if (!error.reason.empty())
         return {{"estimated", false}, {"reason", error.reason}};
       return {{"estimated", true},
+              {"measured_from_time_step_s", error.measured_from},
               {"until_s", error.until},
               {"time_step", error_part(error.step)},
               {"half_the_step", error_part(error.half_step)},

@@ -40,6 +40,11 @@ LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_
         "opening_plane": ((4,), []), "opening_blocks": ((4,), []), "bedding_slip_layers": ((4,), []), "restart_coupled": ((4,), []),
         "floating_block": ((4,), []), "dynamic_coefficient": ((4,), []), "unit_squares": ((4,), [])}
 
+# What two runs tell where one does not.
+RUNS = {"shaken_base": [], "rocking": [], "brittle_release": [], "coulomb_joint": [], "opening_plane": [], "bedding_slip_layers": [],
+        "restart_coupled": [], "floating_block": [], "sliding_column": [], "badong": BADONG}
+SHORT_RUNS = ("shaken_base", "floating_block")
+
 # Mesh of the bedrock: numbers of the mesh, sizes of its cells [m] and the reference's
 MESH = {"wave_packet": ("Width = 12.5; Height = 1000;", (12.5, 6.25), 3.125),
         "soft_layer": ("Width = 40; Height = 500; Layer height = 400;", (80, 40), 20),
@@ -122,8 +127,36 @@ def compare(binary, source, work, name, factors, settings):
         said = json.loads((place / "summary.json").read_text())["probable_error"]
         order = 1 if "dissipative" in name else 2
         true = true_errors(place, reference, 4 * factor / min(factors), order, said.get("until_s"))
-        estimated = [said["time_step"][q]["part_of_peak"] for q in QUANTITIES] if said["estimated"] else None
+        estimated = parts_of(said) if said["estimated"] else None
         yield factor * own_step(scene_file(source, name)), true, estimated, said
+
+
+def parts_of(said):
+    return [said["time_step"][q]["part_of_peak"] for q in QUANTITIES]
+
+
+def measured_run(binary, source, work, name, settings, factor):
+    """A run with Time/Error target that begins with so many times the scene's step and ends with half of it. @return its directory."""
+    place = work / ("%s-halved-%g" % (name, factor))
+    if not (place / "summary.json").exists():
+        words = [binary, scene_file(source, name), "-s", "Output/Directory=%s" % place, "-s", "Output/Picture interval=0",
+                 "-s", "Time/Time step=%.10g" % (factor * own_step(scene_file(source, name))), "-s", "Time/Error target=100"]
+        for setting in settings:
+            words += ["-s", setting]
+        subprocess.run(words, check=True, cwd=source, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return place
+
+
+def compare_runs(binary, source, work, name, settings):
+    """What the run before with twice the step tells: step, true errors and measured ones."""
+    reference = compute(binary, source, work, name, 0.25, settings)
+    for factor in (4, 2):
+        place = measured_run(binary, source, work, name, settings, factor)
+        said = json.loads((place / "summary.json").read_text())["probable_error"]
+        step = 0.5 * factor * own_step(scene_file(source, name))
+        if said.get("measured_from_time_step_s") is None:
+            sys.exit("%s, from %g s: not measured: %s" % (name, 2 * step, said.get("reason", "it is estimated")))
+        yield step, true_errors(place, reference, 2 * factor, 1, said["until_s"]), parts_of(said)
 
 
 def compare_meshes(binary, source, work, name):
@@ -157,6 +190,9 @@ def short(binary, source, work):
             if estimated is None:
                 sys.exit("%s: not estimated: %s" % (name, said["reason"]))
             bad += not judge(name, "%g s" % step, true, estimated)
+    for name in SHORT_RUNS:
+        for step, true, measured in compare_runs(binary, source, work, name, []):
+            bad += not judge(name, "%g s, two runs" % step, true, measured)
     sys.exit(1 if bad else 0)
 
 
@@ -171,7 +207,7 @@ def row(label, size_of_it, true, estimated):
 
 
 def write(binary, source, work, page):
-    rows, mesh_rows = [], []
+    rows, mesh_rows, run_rows = [], [], []
     for name, (factors, settings) in LONG.items():
         for step, true, estimated, said in compare(binary, source, work, name, factors, settings):
             label = LABELS.get(name, name)
@@ -182,8 +218,11 @@ def write(binary, source, work, page):
     for name in MESH:
         for cells, true, estimated in compare_meshes(binary, source, work, name):
             mesh_rows.append(row(name, cells, true, estimated))
+    for name, settings in RUNS.items():
+        for step, true, measured in compare_runs(binary, source, work, name, settings):
+            run_rows.append(row(LABELS.get(name, name), 1e3 * step, true, measured))
     text = page.read_text()
-    for lines, mark in ((rows, "steps"), (mesh_rows, "meshes")):
+    for lines, mark in ((rows, "steps"), (mesh_rows, "meshes"), (run_rows, "runs")):
         begin, end = "<!-- %s -->\n" % mark, "\n<!-- end -->"
         first = text.index(begin)
         head = text.index("|---|---|---|---|---|\n", first) + len("|---|---|---|---|---|\n")

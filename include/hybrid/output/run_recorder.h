@@ -10,6 +10,7 @@
 #include <hybrid/output/pictures.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/output/slip_recorder.h>
+#include <hybrid/output/step_record.h>
 #include <hybrid/output/summary.h>
 #include <hybrid/scene/mesh/section_mesh.h>
 #include <hybrid/scene/motion/ground_motion.h>
@@ -57,6 +58,9 @@ namespace hybrid::output
 
     /// Last picture, joints, section, and what the histories say for the summary.
     void finish(const coupling::CoupledState &state, Summary &summary);
+
+    /// For the difference to a run in other steps. @param until what is later does not count [s]
+    StepRecord step_record(double until) const;
 
     const EnergyLedger &energy() const
     {

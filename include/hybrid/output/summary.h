@@ -105,13 +105,16 @@ namespace hybrid::output
     /// What finer steps would change, as far as it is estimated.
     struct ProbableError
     {
-      std::string reason = "there is no monitor";   ///< why it is not estimated; empty: it is
-      double      until  = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all
-      ErrorPart   step;                             ///< of the time step
-      ErrorPart   half_step;                        ///< what would be left of it with half the step
-      ErrorPart   mesh; ///< of the finite elements, at monitors in them; NaN: none are
-      double cost = MonitorSummary::unknown; ///< of half the step: processor time that comes on
-                                             ///< top, at most [s]
+      std::string reason        = "there is no monitor"; ///< why it is not estimated; empty: it is
+      bool        runs_would_do = false; ///< it is not, but the difference to another run tells it
+      double measured_from = MonitorSummary::unknown; ///< told by a run in steps of this [s]; NaN:
+                                                      ///< estimated from this run
+      double    until = MonitorSummary::unknown;      ///< estimated up to here [s]; NaN: all
+      ErrorPart step;                                 ///< of the time step
+      ErrorPart half_step; ///< what would be left of it with half the step
+      ErrorPart mesh;      ///< of the finite elements, at monitors in them; NaN: none are
+      double    cost = MonitorSummary::unknown; ///< of half the step: processor time that comes on
+                                                ///< top, at most [s]
     };
 
     std::string title;

@@ -23,9 +23,10 @@ namespace hybrid::scene
       time.error_target_has_unit,
       {{"%", 1.}},
       {0., 100., false, true},
-      "Largest probable error of the time step, of the displacements and velocities of monitors over their peaks. "
-      "A run that ends with a larger one is repeated from the beginning with Time step over 2, 4, 8 or 16, as the "
-      "estimate says; none: it stands.");
+      "Largest error of the time step, of the displacements and velocities of monitors over their peaks. "
+      "A run that ends with a larger probable one is repeated from the beginning with Time step over 2, 4, 8 or 16, as "
+      "the estimate says. Where there is no estimate (slip, flight) it is repeated with half the step until the "
+      "difference of two runs meets it; none: the run stands.");
     section.number_or(
       "Rest speed",
       {"none", time.rest_speed},

@@ -65,6 +65,19 @@ TEST(StepChoice, one_quantity_is_enough)
 
 
 
+TEST(StepChoice, halves_where_two_runs_tell_the_error)
+{
+  Summary::ProbableError error = estimated(0.04, 0.01);
+  error.measured_from          = 8e-3;
+  EXPECT_DOUBLE_EQ(*choose_step(error, 4e-3, 1e-6).step, 2e-3);
+  EXPECT_FALSE(choose_step(error, 4e-3, 0.05).step);
+  error.reason        = "blocks fly";
+  error.runs_would_do = true;
+  EXPECT_DOUBLE_EQ(*choose_step(error, 4e-3, 1.).step, 2e-3);
+}
+
+
+
 TEST(StepChoice, says_what_it_cannot_know)
 {
   Summary::ProbableError error = estimated(0.04, 0.01);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/output/step_record.h>
+#include <hybrid/output/summary.h>
+
+namespace hybrid::output
+{
+  /**
+   * Largest difference of two runs of one scene at any time, over the peak of the same monitor in
+   * the run in @p shorter steps.
+   *
+   * Displacements (relative to the base), velocities and accelerations of all monitors that both
+   * have, after the low-pass that peaks are taken after, until the first of the two ends or has
+   * its first failed joint. Monitors that move less than a thousandth of the one that moves most
+   * are left out.
+   */
+  Summary::ErrorPart step_difference(const StepRecord &longer, const StepRecord &shorter);
+
+  /**
+   * The error of the run in @p shorter steps from its difference d to the one in longer steps:
+   * d / (r^p - 1), with r the ratio of the steps and p the order (Richardson 1911).
+   *
+   * p is 1, and less if the difference to a third run says so; what is of second order is
+   * overestimated by r + 1. If the differences fall by less than a factor of r^(1/4) the runs do
+   * not converge, and the error stays unknown.
+   *
+   * @param shorter its difference is set.
+   */
+  void measure_error(const StepRecord &longer, StepRecord &shorter, Summary::ProbableError &error);
+} // namespace hybrid::output

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/step_difference.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    /// A run of 2 s in steps of @p step in which "point" moves by sin(2 pi t) (1 + error) relative
+    /// to "base", and along.
+    StepRecord run_with(const double step, const double error)
+    {
+      StepRecord record;
+      record.step     = step;
+      record.corner   = 25.;
+      record.base     = 1;
+      record.monitors = {{"point", {}}, {"base", {}}};
+      for (int i = 1; i * step < 2. + 1e-9; ++i)
+        {
+          const double t = i * step, w = 2. * M_PI, base = 0.3 * std::sin(5. * t);
+          const double motion[] = {std::sin(w * t), w * std::cos(w * t), -w * w * std::sin(w * t)};
+          record.time.push_back(t);
+          for (int q = 0; q < 3; ++q)
+            for (auto [monitor, x] : {std::make_pair(0, (1. + error) * motion[q]), {1, 0.}})
+              {
+                auto &history = record.monitors[monitor].histories[q];
+                history.insert(history.end(), {x + (q == 0 ? base : 0.), 0.});
+              }
+        }
+      return record;
+    }
+
+
+
+    Summary::ProbableError unknown_error()
+    {
+      Summary::ProbableError error;
+      error.reason        = "friction takes 30 % of the energy that is lost";
+      error.runs_would_do = true;
+      return error;
+    }
+
+
+
+    TEST(StepDifference, is_the_largest_over_the_peak)
+    {
+      const Summary::ErrorPart difference =
+        step_difference(run_with(4e-3, 0.03), run_with(2e-3, 0.01));
+      EXPECT_NEAR(difference.part[0], 0.02 / 1.01, 1e-4);
+      EXPECT_EQ(difference.where[0], "point");
+    }
+
+
+
+    TEST(StepDifference, of_one_run_with_itself_is_zero)
+    {
+      const Summary::ErrorPart difference = step_difference(run_with(4e-3, 0.), run_with(4e-3, 0.));
+      for (int q = 0; q < 3; ++q)
+        EXPECT_EQ(difference.part[q], 0.);
+    }
+
+
+
+    TEST(StepDifference, ends_with_the_first_failure)
+    {
+      StepRecord longer = run_with(4e-3, 0.), shorter = run_with(2e-3, 0.);
+      for (std::size_t i = 0; i < shorter.time.size(); ++i)
+        if (shorter.time[i] > 1.2)
+          shorter.monitors[0].histories[0][2 * i] += 1.;
+      EXPECT_GT(step_difference(longer, shorter).part[0], 0.3);
+      longer.until = 1.;
+      EXPECT_LT(step_difference(longer, shorter).part[0], 1e-3);
+    }
+
+
+
+    TEST(StepDifference, of_two_runs_is_the_error_at_first_order)
+    {
+      StepRecord             shorter = run_with(2e-3, 0.02);
+      Summary::ProbableError error   = unknown_error();
+      measure_error(run_with(4e-3, 0.04), shorter, error);
+      EXPECT_EQ(error.reason, "");
+      EXPECT_EQ(error.measured_from, 4e-3);
+      EXPECT_NEAR(error.step.part[0], 0.02, 5e-4);
+      EXPECT_NEAR(error.half_step.part[0], 0.01, 3e-4);
+    }
+
+
+
+    TEST(StepDifference, of_three_runs_tells_an_order_below_one)
+    {
+      const double p      = 0.5;
+      const auto   at     = [&](const double step) { return 0.01 * std::pow(step / 2e-3, p); };
+      StepRecord   middle = run_with(4e-3, at(4e-3)), shorter = run_with(2e-3, at(2e-3));
+      Summary::ProbableError error = unknown_error();
+      measure_error(run_with(8e-3, at(8e-3)), middle, error);
+      measure_error(middle, shorter, error);
+      EXPECT_NEAR(error.step.part[0], 0.01, 1e-3);
+      EXPECT_NEAR(error.half_step.part[0], 0.01 * std::sqrt(0.5), 1e-3);
+    }
+
+
+
+    TEST(StepDifference, that_does_not_fall_tells_nothing)
+    {
+      StepRecord             middle = run_with(4e-3, 0.01), shorter = run_with(2e-3, 0.04);
+      Summary::ProbableError error = unknown_error();
+      measure_error(run_with(8e-3, 0.04), middle, error);
+      error = unknown_error();
+      measure_error(middle, shorter, error);
+      EXPECT_NE(error.reason.find("do not come closer"), std::string::npos);
+      EXPECT_FALSE(error.runs_would_do);
+    }
+
+
+
+    TEST(StepDifference, of_what_does_not_move_ends_the_search)
+    {
+      StepRecord longer = run_with(4e-3, 0.), shorter = run_with(2e-3, 0.);
+      for (StepRecord *record : {&longer, &shorter})
+        for (StepRecord::Monitor &monitor : record->monitors)
+          for (auto &history : monitor.histories)
+            history.assign(history.size(), 0.);
+      Summary::ProbableError error = unknown_error();
+      measure_error(longer, shorter, error);
+      EXPECT_NE(error.reason, "");
+      EXPECT_FALSE(error.runs_would_do);
+    }
+
+
+
+    TEST(StepDifference, with_the_record_of_the_same_steps_changes_nothing)
+    {
+      StepRecord             same  = run_with(4e-3, 0.);
+      Summary::ProbableError error = unknown_error();
+      measure_error(run_with(4e-3, 0.1), same, error);
+      EXPECT_TRUE(error.runs_would_do);
+      EXPECT_EQ(error.reason, unknown_error().reason);
+    }
+  } // namespace
+} // namespace hybrid::output
