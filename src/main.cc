@@ -173,8 +173,7 @@ namespace
         output::Log log(std::cout, output::standard_output_is_terminal());
         simulation = make_simulation(directory, scene, log);
         prepare_directory(scene, true, log);
-        log.info("Repeated in steps of " + size +
-                 " s: the error of longer ones is above Time/Error target, or not known");
+        log.info("Repeated in steps of " + size + " s: " + choice.why);
         simulation->report().card();
         const RunStatus status = simulation->run(interruption);
         if (status != RunStatus::finished)

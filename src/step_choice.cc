@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace hybrid
 {
@@ -12,6 +14,19 @@ namespace hybrid
     double largest(const output::Summary::ErrorPart &error)
     {
       return std::fmax(error.part[0], error.part[1]); // one of them may be unknown
+    }
+
+
+
+    /// What an error that is known up to a time leaves open; nothing if it is known to the end.
+    std::string holds_until(const double until)
+    {
+      if (std::isnan(until))
+        return "";
+      std::ostringstream text;
+      text << std::setprecision(3) << "it is met until a joint failed at " << until
+           << " s, and what follows is not known";
+      return text.str();
     }
   } // namespace
 
@@ -24,20 +39,21 @@ namespace hybrid
     constexpr int    most_halvings = 4;
     constexpr double second_order  = 0.25;
     if (!error.reason.empty() && error.runs_would_do)
-      return {"", 0.5 * time_step};
+      return {"", 0.5 * time_step, "two runs tell the error that one does not"};
     if (!error.reason.empty())
-      return {"the error is not estimated, " + error.reason, {}};
+      return {"the error is not estimated, " + error.reason, {}, ""};
     const double now = largest(error.step), half = largest(error.half_step);
     if (now <= target)
-      return {};
+      return {holds_until(error.until), {}, ""};
     if (!(half < now))
-      return {"half the step would not be nearer to it", {}};
+      return {"half the step would not be nearer to it", {}, ""};
+    const std::string why = "the error of longer ones is above Time/Error target";
     if (!std::isnan(error.measured_from))
-      return {"", 0.5 * time_step}; // its difference to this one tells the order
+      return {"", 0.5 * time_step, why}; // its difference to this one tells the order
     const double gain     = std::max(second_order, half / now);
     int          halvings = 1;
     for (double left = half; left > target && halvings < most_halvings; left *= gain)
       ++halvings;
-    return {"", std::ldexp(time_step, -halvings)};
+    return {"", std::ldexp(time_step, -halvings), why};
   }
 } // namespace hybrid

@@ -16,6 +16,8 @@ namespace hybrid
 
     /// Step to run the scene with again: the one there was over a power of two [s].
     std::optional<double> step;
+
+    std::string why; ///< to run it again
   };
 
 

@@ -11,7 +11,7 @@ namespace hybrid::output
   namespace
   {
     constexpr std::size_t least_rows       = 20;
-    constexpr double      largest_friction = 0.1; ///< of all that was lost [-]
+    constexpr double      largest_friction = 0.05; ///< of all that was lost [-]
 
 
 

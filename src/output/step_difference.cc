@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace hybrid::output
 {
@@ -119,27 +118,6 @@ namespace hybrid::output
 
 
 
-    double in_percent(const double part)
-    {
-      return 100. * part;
-    }
-
-
-
-    std::string no_convergence_text(const std::array<double, 3> &difference)
-    {
-      char text[160];
-      std::snprintf(text,
-                    sizeof(text),
-                    "runs in shorter steps do not come closer to each other (displacements still "
-                    "differ by %.2g %%, velocities by %.2g %%)",
-                    in_percent(difference[0]),
-                    in_percent(difference[1]));
-      return text;
-    }
-
-
-
     /// Displacement or velocity, whichever is farther off; one of them may be unknown.
     double deciding(const std::array<double, 3> &part)
     {
@@ -192,16 +170,12 @@ namespace hybrid::output
         return;
       }
     const double order = std::log(deciding(longer.difference) / now) / std::log(ratio);
-    if (order < least_order) // NaN: there is no third run yet
-      {
-        error.reason        = no_convergence_text(difference.part);
-        error.runs_would_do = false;
-        return;
-      }
     error.reason.clear();
     error.measured_from = longer.step;
     error.until         = std::fmin(longer.until, shorter.until);
     error.step = error.half_step = difference;
+    if (order < least_order) // NaN: there is no third run yet
+      return;
     for (int q = 0; q < 3; ++q)
       {
         const double found = std::log(longer.difference[q] / difference.part[q]) / std::log(ratio);

@@ -23,7 +23,7 @@ namespace hybrid::output
    *
    * p is 1, and less if the difference to a third run says so; what is of second order is
    * overestimated by r + 1. If the differences fall by less than a factor of r^(1/4) the runs do
-   * not converge, and the error stays unknown.
+   * not converge: d tells how far they scatter, and half the step would leave as much.
    *
    * @param shorter its difference is set.
    */

@@ -104,15 +104,15 @@ namespace hybrid::output
 
 
 
-    TEST(StepDifference, that_does_not_fall_tells_nothing)
+    TEST(StepDifference, that_does_not_fall_is_how_far_runs_scatter)
     {
       StepRecord             middle = run_with(4e-3, 0.01), shorter = run_with(2e-3, 0.04);
       Summary::ProbableError error = unknown_error();
       measure_error(run_with(8e-3, 0.04), middle, error);
       error = unknown_error();
       measure_error(middle, shorter, error);
-      EXPECT_NE(error.reason.find("do not come closer"), std::string::npos);
-      EXPECT_FALSE(error.runs_would_do);
+      EXPECT_NEAR(error.step.part[0], 0.03 / 1.04, 1e-3);
+      EXPECT_EQ(error.half_step.part[0], error.step.part[0]);
     }
 
 

@@ -78,6 +78,17 @@ TEST(StepChoice, halves_where_two_runs_tell_the_error)
 
 
 
+TEST(StepChoice, says_that_what_follows_a_failure_is_open)
+{
+  Summary::ProbableError error = estimated(0.009, 0.002);
+  error.until                  = 0.456;
+  EXPECT_FALSE(choose_step(error, 4e-3, 0.01).step);
+  EXPECT_NE(choose_step(error, 4e-3, 0.01).unmet.find("until a joint failed at 0.456 s"),
+            std::string::npos);
+}
+
+
+
 TEST(StepChoice, says_what_it_cannot_know)
 {
   Summary::ProbableError error = estimated(0.04, 0.01);

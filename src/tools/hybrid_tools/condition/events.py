@@ -7,6 +7,7 @@ import numpy as np
 
 WINDOW = 2.0  # mean over so much at the end of an event is what it leaves [s], at most a tenth of the event
 NOTHING = 1e-9  # an event that adds less has left nothing [m]
+NOTHING_PART = 1e-5  # likewise, of the largest displacement in it: the ground still swings by as much
 
 
 @dataclass
@@ -38,14 +39,19 @@ class Event:
         """What has to become small: displacement left and mean slip [m]."""
         return [self.added[0] if self.points else 0.0, abs(self.slip or 0.0)]
 
+    @property
+    def nothing(self):
+        """What counts as nothing [m]."""
+        return max([NOTHING] + [NOTHING_PART * point.peak for point in self.points.values()])
+
 
 def is_conditioned(first, last, part):
     """An event adds at most a part of what the first one has left, in displacement and in slip."""
-    return all(now <= max(part * before, NOTHING) for now, before in zip(last.sizes(), first.sizes()))
+    return all(now <= max(part * before, last.nothing) for now, before in zip(last.sizes(), first.sizes()))
 
 
 def leaves_nothing(event):
-    return max(event.sizes()) <= NOTHING
+    return max(event.sizes()) <= event.nothing
 
 
 class Events:
