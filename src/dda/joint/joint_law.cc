@@ -103,8 +103,11 @@ namespace hybrid::dda
           at.cohesion_by_gap = residual_cohesion / (fade.end - fade.begin);
       }
     const PlasticSlip slip{history.softening, 0., kinematics.duration};
-    const double      limit = strength.rule == nullptr ? softened_strength(at, history.softening)
-                                                       : strength_by_rule(at, slip);
+    r.mohr_coulomb =
+      mohr_coulomb(at,
+                   strength.rule == nullptr ? strength.after_linear(history.softening)
+                                            : strength.after(slip));
+    const double limit = std::max(0., r.mohr_coulomb);
     if (!sticks && std::abs(trial) > limit)
       {
         slide(trial, spring, at, slip, r);
@@ -294,7 +297,7 @@ namespace hybrid::dda
 
   double JointLaw::contact_fraction(const JointHistory &history) const
   {
-    return history.held > 0. ? std::min(history.damage, 1. - history.held / strength.tensile)
+    return history.held > 0. ? std::min(history.damage, tension().damage_at_tension(history.held))
                              : history.damage;
   }
 

@@ -6,14 +6,6 @@
 
 namespace hybrid::dda
 {
-  double JointLaw::strength_by_rule(const Strain &at, const PlasticSlip &slip) const
-  {
-    const SoftenedStrength softened = strength.after(slip);
-    return shear_strength(at, softened.tan_phi, softened.cohesion);
-  }
-
-
-
   JointLaw::Sliding JointLaw::slide_by_rule(const double  trial,
                                             const double  spring,
                                             const Strain &at,
@@ -26,7 +18,7 @@ namespace hybrid::dda
       {
         const double           x     = from.slip.added;
         const SoftenedStrength there = strength.after(from.slip);
-        const double           now   = shear_strength(at, there.tan_phi, there.cohesion);
+        const double           now   = std::max(0., mohr_coulomb(at, there));
         const double           above = std::abs(trial) - spring * x - now;
         (above > 0. ? low : high)    = x;
         from.fall =

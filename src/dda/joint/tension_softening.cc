@@ -53,6 +53,16 @@ namespace hybrid::dda
 
 
 
+  double TensionSoftening::damage_at_tension(const double tension) const
+  {
+    const double elastic  = tensile / k_n;
+    const double critical = std::max(elastic, critical_opening());
+    const double opening  = critical - tension / tensile * (critical - elastic);
+    return 1. - tension / (k_n * opening);
+  }
+
+
+
   double TensionSoftening::loss(const double damage) const
   {
     if (damage <= 0. || tensile <= 0.)

@@ -7,6 +7,45 @@
 
 namespace hybrid::dda
 {
+  InteriorContacts::Point InteriorContacts::point(const Model   &model,
+                                                  const Springs &springs,
+                                                  const double   dt,
+                                                  const int      number)
+  {
+    const Springs::Spring &spring  = springs.springs[number];
+    const JointHistory    &history = spring.old.history;
+    double                 ratio   = 0.;
+    if (spring.joint >= 0)
+      ratio = (model.joints[spring.joint].within_bedrock() ? model.bedrock_damping_time
+                                                           : model.joint_damping_time) /
+              dt;
+    const double mu = spring.law->friction(history);
+    Point        p;
+    p.spring  = number;
+    p.length  = spring.length;
+    p.is_bond = !spring.coulomb;
+    p.slides  = std::isfinite(mu);
+    p.mu      = p.slides ? mu : 0.;
+    p.k_n     = spring.law->normal_stiffness();
+    p.k_s     = (1. + ratio) * spring.law->shear_stiffness();
+    p.origin =
+      history.plastic_slip + ratio / (1. + ratio) * (spring.old.slip - history.plastic_slip);
+    return p;
+  }
+
+
+
+  bool InteriorContacts::may_begin(const Springs::Spring &spring, const Springs::Response &response)
+  {
+    if (spring.settled || spring.length <= 0.)
+      return false;
+    const double mu = spring.law->friction(spring.old.history);
+    return spring.coulomb || (spring.joint >= 0 && response.now.state != ContactState::open &&
+                              mu > 0. && std::isfinite(response.mohr_coulomb));
+  }
+
+
+
   void InteriorContacts::begin(const Model   &model,
                                const Springs &springs,
                                const double   dt,
@@ -19,33 +58,20 @@ namespace hybrid::dda
     points.reserve(springs.springs.size());
     for (std::size_t s = 0; s < springs.springs.size(); ++s)
       {
-        const Springs::Spring &spring = springs.springs[s];
-        if (!spring.coulomb || spring.settled || spring.length <= 0.)
+        const Springs::Spring   &spring   = springs.springs[s];
+        const Springs::Response &response = springs.responses[s];
+        if (!may_begin(spring, response))
           continue;
-        const JointHistory &history = spring.old.history;
-        double              ratio   = 0.;
-        if (spring.joint >= 0)
-          ratio = (model.joints[spring.joint].within_bedrock() ? model.bedrock_damping_time
-                                                               : model.joint_damping_time) /
-                  dt;
-        Point p;
-        p.spring = static_cast<int>(s);
-        p.length = spring.length;
-        p.mu     = spring.law->friction(history);
-        p.slides = std::isfinite(p.mu);
-        p.mu     = p.slides ? p.mu : 0.;
-        p.k_n    = spring.law->normal_stiffness();
-        p.k_s    = (1. + ratio) * spring.law->shear_stiffness();
-        p.origin =
-          history.plastic_slip + ratio / (1. + ratio) * (spring.old.slip - history.plastic_slip);
+        Point        p     = point(model, springs, dt, static_cast<int>(s));
         const double least = energy / p.length, traction = force / p.length;
-        Variables   &at = p.at;
+        const double pressed = p.is_bond ? response.mohr_coulomb / p.mu : spring.old.normal;
+        Variables   &at      = p.at;
         // All products are the same: where it pressed the parting follows, else the force.
-        at.normal  = std::max(spring.old.normal, least_force * traction);
+        at.normal  = std::max(pressed, least_force * traction);
         at.parting = least / at.normal;
-        if (spring.old.normal <= 0.)
+        if (pressed <= 0.)
           {
-            at.parting = std::max(at.parting, springs.responses[s].now.gap);
+            at.parting = std::max(at.parting, p.gap(response));
             at.normal  = least / at.parting;
           }
         at.shear = spring.old.shear;
@@ -57,9 +83,9 @@ namespace hybrid::dda
             at.forward  = least / std::max(p.strength_forward, 1e-300);
             at.backward = least / std::max(p.strength_backward, 1e-300);
             p.slides    = p.mu > 0.;
+            if (!p.slides)
+              p.k_s = 0.; // frictionless
           }
-        if (!p.slides && p.mu == 0. && std::isfinite(spring.law->friction(history)))
-          p.k_s = 0.; // frictionless
         points.push_back(p);
       }
   }
@@ -72,6 +98,13 @@ namespace hybrid::dda
                                 points.end(),
                                 [&](const Point &p) { return springs.springs[p.spring].settled; }),
                  points.end());
+  }
+
+
+
+  double InteriorContacts::Point::gap(const Springs::Response &response) const
+  {
+    return is_bond ? -response.mohr_coulomb / (mu * k_n) : response.now.gap;
   }
 
 
@@ -89,6 +122,8 @@ namespace hybrid::dda
     const double n = at.normal + fraction * direction.normal;
     const double t = at.shear + fraction * direction.shear;
     Products     now;
+    if (!acts)
+      return now;
     now.parting = n * (at.parting + fraction * direction.parting);
     if (slides)
       {
@@ -108,7 +143,7 @@ namespace hybrid::dda
       {
         const Products now = p.products_after(fraction);
         sum += p.length * (now.parting + now.forward + now.backward);
-        n += p.slides ? 3 : 1;
+        n += !p.acts ? 0 : p.slides ? 3 : 1;
       }
     return sum / std::max(n, 1);
   }
@@ -239,16 +274,23 @@ namespace hybrid::dda
       {
         Point             &p        = points[i];
         Springs::Response &response = springs.responses[p.spring];
-        p.parting_left              = response.now.gap + p.at.normal / p.k_n - p.at.parting;
-        p.slip_left = response.now.slip - p.origin + (p.k_s > 0. ? p.at.shear / p.k_s : 0.);
+        p.acts                      = !p.is_bond || response.now.state != ContactState::open;
+        if (!p.acts)
+          continue;
+        p.gap_by_opening = p.is_bond ? response.k_nn / p.k_n : 1.;
+        p.parting_left   = p.gap(response) + p.at.normal / p.k_n - p.at.parting;
+        p.slip_left      = response.now.slip - p.origin + (p.k_s > 0. ? p.at.shear / p.k_s : 0.);
         if (p.slides)
           p.slip_left += p.at.forward - p.at.backward;
         p.eliminate();
-        response.now.normal    = p.at.normal + p.normal_part;
+        if (!p.is_bond)
+          {
+            response.now.normal = p.at.normal + p.normal_part;
+            response.k_nn       = p.k_nn;
+          }
         response.now.shear     = p.at.shear + p.shear_part;
-        response.k_nn          = p.k_nn;
         response.shear_by_slip = p.k_tt;
-        response.k_tn          = p.k_tn;
+        response.k_tn          = p.k_tn * p.gap_by_opening;
         springs.set_forces(trial, p.spring);
       }
   }
@@ -265,9 +307,12 @@ namespace hybrid::dda
             : longest) if (is_worth_sharing(points.size()))
     for (std::size_t i = 0; i < points.size(); ++i)
       {
-        const Vec2 moved = stiffness.displacement_jump(springs, points[i].spring, update);
-        points[i].follow(moved[0], moved[1]);
-        longest = std::min(longest, points[i].longest_step());
+        Point &p = points[i];
+        if (!p.acts)
+          continue;
+        const Vec2 moved = stiffness.displacement_jump(springs, p.spring, update);
+        p.follow(p.gap_by_opening * moved[0], moved[1]);
+        longest = std::min(longest, p.longest_step());
       }
     return longest;
   }
@@ -292,8 +337,10 @@ namespace hybrid::dda
 
   Condition InteriorContacts::Point::condition() const
   {
+    if (!acts)
+      return Condition::law;
     if (at.normal <= k_n * at.parting)
-      return Condition::open;
+      return is_bond ? Condition::law : Condition::open; // no strength, no direction
     if (slides && k_s * at.forward > strength_forward)
       return Condition::slides_forward;
     if (slides && k_s * at.backward > strength_backward)

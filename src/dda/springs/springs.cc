@@ -44,6 +44,7 @@ namespace hybrid::dda
       now.elastic_normal      = r.elastic_normal;
       now.elastic_shear       = r.elastic_shear;
       response.shear_strength = r.shear_strength;
+      response.mohr_coulomb   = r.mohr_coulomb;
       response.k_nn           = r.k_nn;
       response.shear_by_slip  = r.shear_by_slip;
       response.k_tn           = r.k_tn;
@@ -217,6 +218,8 @@ namespace hybrid::dda
       return Condition::open;
     if (now.state == ContactState::locked)
       return Condition::sticks;
+    if (now.shear == 0.)
+      return Condition::law; // no strength, no direction
     return now.shear > 0. ? Condition::slides_forward : Condition::slides_backward;
   }
 

@@ -174,20 +174,18 @@ namespace hybrid::dda
       double damage_by_gap;     ///< while it cracks [1/m]
     };
 
-    static double shear_strength(const Strain &at, const double tan_phi, const double cohesion)
+    /// c + N tan(phi), negative beyond the apex [Pa].
+    static double mohr_coulomb(const Strain &at, const SoftenedStrength &softened)
     {
-      const double bond = cohesion * (1. - at.damage);
-      return std::max(0., bond + at.residual_cohesion + at.normal * tan_phi);
+      const double bond = softened.cohesion * (1. - at.damage);
+      return bond + at.residual_cohesion + at.normal * softened.tan_phi;
     }
 
     /// After linear softening.
     double softened_strength(const Strain &at, const double softening) const
     {
-      return shear_strength(at, strength.friction_at(softening), strength.bond_cohesion(softening));
+      return std::max(0., mohr_coulomb(at, strength.after_linear(softening)));
     }
-
-    /// By the strength's own rule, apart from the others for their speed.
-    double strength_by_rule(const Strain &at, const PlasticSlip &slip) const;
 
     /// Normal traction, damage and normal tangent without damping.
     void normal_response(double gap, JointResponse &response) const;

@@ -56,15 +56,16 @@ namespace hybrid::dda
   /// Tractions of a joint point and the tangent that the iteration uses.
   struct JointResponse
   {
-    double       normal         = 0.; ///< total [Pa], compression positive
-    double       shear          = 0.; ///< total [Pa], opposes the elastic slip
-    double       elastic_normal = 0.; ///< without damping [Pa]
-    double       elastic_shear  = 0.; ///< without damping [Pa]
-    double       shear_strength = 0.; ///< that the shear may reach now [Pa]
-    double       k_nn           = 0.; ///< tangent -dN/dg [Pa/m]; negative on the softening branch
-    double       shear_by_slip  = 0.; ///< tangent -dT/ds [Pa/m]; negative while the strength falls
-    double       k_tn           = 0.; ///< tangent -dT/dg [Pa/m]: friction follows the normal force
-    ContactState state          = ContactState::open;
+    double normal         = 0.; ///< total [Pa], compression positive
+    double shear          = 0.; ///< total [Pa], opposes the elastic slip
+    double elastic_normal = 0.; ///< without damping [Pa]
+    double elastic_shear  = 0.; ///< without damping [Pa]
+    double shear_strength = 0.; ///< that the shear may reach now [Pa]
+    double mohr_coulomb   = 0.; ///< c + N tan(phi) after the slip, negative beyond the apex [Pa]
+    double k_nn           = 0.; ///< tangent -dN/dg [Pa/m]; negative on the softening branch
+    double shear_by_slip  = 0.; ///< tangent -dT/ds [Pa/m]; negative while the strength falls
+    double k_tn           = 0.; ///< tangent -dT/dg [Pa/m]: friction follows the normal force
+    ContactState state    = ContactState::open;
     JointHistory history; ///< what is remembered if the step is accepted
   };
 } // namespace hybrid::dda

@@ -53,7 +53,8 @@ namespace hybrid::dda
 
     r.shear_by_slip                 = -slope * spring / (spring - slope);
     const SoftenedStrength softened = strength.after(sliding.slip);
-    const double           by_gap   = r.shear == 0. ? 0.
+    r.mohr_coulomb                  = mohr_coulomb(at, softened);
+    const double by_gap             = r.shear == 0. ? 0.
                                                     : softened.tan_phi * r.k_nn + at.cohesion_by_gap +
                                             softened.cohesion * at.damage_by_gap;
     r.k_tn                          = std::copysign(spring / (spring - slope) * by_gap, trial);

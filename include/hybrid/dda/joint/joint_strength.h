@@ -85,13 +85,16 @@ namespace hybrid::dda
       return (cohesion - residual_cohesion) * (1. - softened_fraction(slip));
     }
 
-    /// By the rule, or by linear softening (without derivatives, which its closed form has no use
-    /// for).
+    /// By linear softening, without derivatives, which its closed form has no use for.
+    SoftenedStrength after_linear(const double slip) const
+    {
+      return {friction_at(slip), bond_cohesion(slip)};
+    }
+
+    /// By the rule, or by linear softening.
     SoftenedStrength after(const PlasticSlip &slip) const
     {
-      if (rule != nullptr)
-        return rule(*this, slip);
-      return {friction_at(slip.before + slip.added), bond_cohesion(slip.before + slip.added)};
+      return rule != nullptr ? rule(*this, slip) : after_linear(slip.before + slip.added);
     }
   };
 } // namespace hybrid::dda

@@ -26,6 +26,9 @@ namespace hybrid::dda
     /// Tension that a bond with this damage bears [Pa]: F_t, or what is left of it.
     double tensile_strength(double damage) const;
 
+    /// Damage with which the softening branch bears this tension [-], at most F_t.
+    double damage_at_tension(double tension) const;
+
     /// Energy that damage has consumed per area so far [J/m2], from 0 to G_f.
     double loss(double damage) const;
   };

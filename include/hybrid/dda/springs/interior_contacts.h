@@ -26,7 +26,13 @@ namespace hybrid::dda
    * friction in this form Kanno, Martins and Pinto da Costa 2006). N, W, T, p and q are eliminated
    * from Newton's equations spring by spring: what is left is a force and a stiffness like that of
    * any spring, in the same places of the matrix. Friction is that of the full law, which makes the
-   * stiffness unsymmetric; springs of other laws (Spring::coulomb) follow their law.
+   * stiffness unsymmetric.
+   *
+   * A joint that holds still slides at c + N tan(phi). That is the friction of a contact which is
+   * pressed by N + c / tan(phi), with the gap -(N + c / tan(phi)) / k_n beyond the apex of the
+   * Mohr-Coulomb cone. So it is on the path with this contact in place of its normal force, which
+   * stays that of its law. What slip and damage take from c is what its law says in the trial.
+   * Contacts with cohesion, and bonds without friction, follow their laws.
    */
   class InteriorContacts
   {
@@ -103,10 +109,13 @@ namespace hybrid::dda
     struct Point
     {
       int       spring;
-      bool      slides;       ///< its friction is limited
-      double    length;       ///< [m]
-      double    mu, k_n, k_s; ///< friction [-], stiffness [Pa/m]
-      double    origin;       ///< slip at which the shear spring bears nothing [m]
+      bool      slides;              ///< its friction is limited
+      bool      is_bond;             ///< the normal force is that of its law
+      bool      acts = true;         ///< a bond that is torn and open in the trial does not
+      double    length;              ///< [m]
+      double    mu, k_n, k_s;        ///< friction [-], stiffness [Pa/m]
+      double    gap_by_opening = 1.; ///< derivative of gap(), see there [-]
+      double    origin;              ///< slip at which the shear spring bears nothing [m]
       Variables at, direction, kept;
       Products  target;
       double    parting_left, slip_left;             ///< of both compatibility conditions [m]
@@ -114,6 +123,9 @@ namespace hybrid::dda
       double    normal_part, shear_part;             ///< of the direction without motion [Pa]
       double    strength_forward, strength_backward; ///< mu N - T, mu N + T [Pa]
 
+      /// Where it would press with N = -k_n gap [m]: of a bond that of its cone, whose apex is at
+      /// N = 0.
+      double    gap(const Springs::Response &response) const;
       void      set_strengths();
       void      eliminate();
       void      follow(double gap, double slip);
@@ -123,5 +135,11 @@ namespace hybrid::dda
     };
 
     std::vector<Point> points;
+
+    /// Whether a spring can be on the path.
+    static bool may_begin(const Springs::Spring &spring, const Springs::Response &response);
+
+    /// A spring's fixed data.
+    static Point point(const Model &model, const Springs &springs, double dt, int number);
   };
 } // namespace hybrid::dda

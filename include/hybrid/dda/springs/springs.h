@@ -105,6 +105,7 @@ namespace hybrid::dda
       double      edge_position = 0.;       ///< projection on the contact's edge [-]
       SpringState now;                      ///< if the step is accepted
       double      shear_strength = 0.;      ///< that its shear may reach [Pa]
+      double      mohr_coulomb   = 0.;      ///< see JointResponse [Pa]
       Forces      force;                    ///< without sense if there is no traction
       double      k_nn = 0., shear_by_slip = 0., k_tn = 0.; ///< tangents [Pa/m]
     };

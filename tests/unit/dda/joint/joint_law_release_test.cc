@@ -53,6 +53,41 @@ TEST(JointLawRelease, a_brittle_bond_lets_go_over_its_release_time)
 
 
 
+// Held by its release in one step, by its softening in the next: neither traction nor strength
+// knows.
+TEST(JointLawRelease, takes_over_from_softening_without_a_jump)
+{
+  Material m;
+  m.friction_angle    = 30.;
+  m.cohesion          = cohesion;
+  m.tensile_strength  = tension;
+  m.residual_cohesion = 0.;
+  const JointLaw law =
+    JointLaw(bond_strength(m, 5. * tension * gap, std::numeric_limits<double>::infinity()),
+             k_n,
+             k_s)
+      .letting_go_in(1e-2);
+  const double       critical = 10. * gap;
+  const JointHistory cracked  = law.respond({2. * gap, 0., 1., 1e-6}, {}).history;
+  ASSERT_GT(cracked.held, 0.);
+  constexpr int steps   = 4000;
+  bool          is_held = false, softens = false;
+  JointResponse before = law.respond({2. * gap, 1., 1., 5e-3}, cracked);
+  for (int k = 1; k <= steps; ++k)
+    {
+      const double        open = 2. * gap + k * (0.9 * critical - 2. * gap) / steps;
+      const JointResponse now  = law.respond({open, 1., 1., 5e-3}, cracked);
+      EXPECT_NEAR(now.normal, before.normal, 1e-3 * tension) << open / gap;
+      EXPECT_NEAR(now.shear, before.shear, 1e-3 * cohesion) << open / gap;
+      (now.history.held > 0. ? is_held : softens) = true;
+      before                                      = now;
+    }
+  EXPECT_TRUE(is_held);
+  EXPECT_TRUE(softens);
+}
+
+
+
 TEST(JointLawRelease, a_bond_that_lets_go_closes_and_opens_within_what_it_holds)
 {
   const JointLaw      law  = brittle().letting_go_in(1.);

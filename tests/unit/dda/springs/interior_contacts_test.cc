@@ -14,18 +14,36 @@ namespace
   constexpr double energy = 1e-3; ///< J/m
   constexpr double force  = 1e3;  ///< N/m
 
-  /// Two loose squares that are held where a motion has brought them.
+  /// Two squares that are held where a motion has brought them.
   struct Held
   {
-    SpringScene      scene{false};
+    SpringScene      scene;
     SpringStiffness  stiffness;
     InteriorContacts path;
 
-    /// @param right, up motion of both [m]
+    /// Loose ones. @param right, up motion of both [m]
     Held(const double right, const double up)
+      : scene(false)
     {
       Eigen::VectorXd d = Eigen::VectorXd::Zero(20);
       d.segment<2>(0) = d.segment<2>(6) = Vec2(right, up);
+      begin(d);
+    }
+
+    /// Bonded ones, with joints of this strength. @param moved motion of the second [m]
+    Held(const JointStrength &strength, const Vec2 &moved)
+      : scene(true)
+    {
+      for (Joint &joint : scene.model.joints)
+        joint.law = joint.law.with(strength);
+      scene.springs.collect(scene.model, scene.state);
+      Eigen::VectorXd d = Eigen::VectorXd::Zero(20);
+      d.segment<2>(6)   = moved;
+      begin(d);
+    }
+
+    void begin(const Eigen::VectorXd &d)
+    {
       scene.move(d);
       path.begin(scene.model, scene.springs, scene.trial.dt, energy, force);
     }
@@ -99,6 +117,42 @@ TEST(InteriorContacts, end_at_the_law)
             }
           EXPECT_LT((Vec2(now.normal, now.shear) - traction[s]).norm(), 1e-3 * force) << s;
         }
+    }
+}
+
+
+
+// Likewise joints that hold still, whether they slide, stick or have no strength left beyond the
+// apex of the Mohr-Coulomb cone: there the normal force stays, and slip has no direction.
+TEST(InteriorContacts, bonds_end_at_the_law)
+{
+  struct Case
+  {
+    double       right, up; ///< [m]
+    ContactState state;     ///< of the joint's first end
+    Condition    end;       ///< likewise, at the end of the path
+  };
+  JointStrength strength;
+  strength.tensile = 1e7; // Pa
+  strength.tan_phi = strength.residual_tan_phi = 0.5;
+  strength.cohesion                            = 1e5;
+  strength.softening_slip                      = 0.1;
+  for (const Case &motion : {Case{-1e-5, 2e-4, ContactState::sliding, Condition::slides_backward},
+                             Case{-1e-5, -2e-4, ContactState::sliding, Condition::slides_forward},
+                             Case{-1e-5, 1e-7, ContactState::locked, Condition::sticks},
+                             Case{3e-4, 1e-5, ContactState::sliding, Condition::law}})
+    {
+      Held held(strength, Vec2(motion.right, motion.up));
+      ASSERT_EQ(held.springs().springs[0].joint, 0);
+      const SpringState law = held.springs().responses[0].now;
+      ASSERT_EQ(law.state, motion.state);
+      held.follow();
+      const SpringState &end = held.springs().responses[0].now;
+      EXPECT_EQ(end.normal, law.normal);
+      EXPECT_NEAR(end.shear, law.shear, 1e-3 * force);
+      std::vector<Condition> conditions(held.springs().springs.size(), Condition::open);
+      held.path.conditions(conditions);
+      EXPECT_EQ(conditions[0], motion.end) << motion.right << " " << motion.up;
     }
 }
 

@@ -220,3 +220,17 @@ TEST(Springs, a_joint_sticks_where_it_shall)
   EXPECT_EQ(now.state, ContactState::locked);
   EXPECT_GT(now.shear / sliding, 5.);
 }
+
+
+
+// Slip without strength has no direction that could turn round.
+TEST(Springs, what_slides_without_shear_follows_its_law)
+{
+  SpringState now;
+  now.state = ContactState::sliding;
+  EXPECT_EQ(Springs::condition_of(now), Condition::law);
+  now.shear = 1.;
+  EXPECT_EQ(Springs::condition_of(now), Condition::slides_forward);
+  now.shear = -1.;
+  EXPECT_EQ(Springs::condition_of(now), Condition::slides_backward);
+}
