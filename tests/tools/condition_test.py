@@ -62,7 +62,8 @@ def test_a_block_slides_the_same_in_every_event_as_newmark_says(hybrid, tmp_path
 
 @pytest.mark.parametrize("words, part", [
     (["nowhere.prm"], "'nowhere.prm' is no parameter file"), ([SLAB, "--events", "1"], "--events is 1"), ([SLAB, "--part", "1"], "--part is 1"),
-    ([SLAB, "--quiet", "-1"], "--quiet is -1"), ([BLOCK], "has no motion"), ([SLAB, "-s", "Motion/Repetitions=2"], "is set by hybrid condition"),
+    ([SLAB, "--quiet", "-1"], "--quiet is -1"), ([BLOCK], "has no motion"), ([SLAB, "-s", "Motion/Repetitions=2"], "is set by hybrid condition: see its option --events"),
+    ([SLAB, "-s", "Output/Directory=elsewhere"], "see its option --output"),
     ([SLAB, "-s", "Time/No=1"], "Time/No")])
 def test_mistakes_are_one_line(hybrid, tmp_path, words, part):
     result = hybrid("condition", *words, "--output", "out", cwd=tmp_path)

@@ -7,7 +7,8 @@ import subprocess
 from hybrid_run import Run, UserError
 from hybrid_run.parameters import parse_parameters
 
-OWN = ("Motion/Repetitions", "Motion/Repetition interval")  # what this tool sets itself
+# What this tool sets itself, and by which option.
+OWN = {"Motion/Repetitions": "--events", "Motion/Repetition interval": "--quiet", "Output/Directory": "--output"}
 
 
 def call(words):
@@ -28,7 +29,7 @@ class Repetition:
 
     def __init__(self, scene, overrides, quiet, events, directory):
         if refused := [path for path in (pair.split("=")[0].strip() for pair in overrides) if path in OWN]:
-            raise UserError("%s is set by hybrid condition: see its options --events and --quiet" % refused[0])
+            raise UserError("%s is set by hybrid condition: see its option %s" % (refused[0], OWN[refused[0]]))
         self.scene, self.overrides, self.directory = scene, [word for pair in overrides for word in ("-s", pair)], directory
         values = parse_parameters(call(["--print-parameters", scene] + self.overrides).splitlines())
         if values["Motion/Type"] == "none":
