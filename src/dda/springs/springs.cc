@@ -49,9 +49,6 @@ namespace hybrid::dda
       response.shear_by_slip  = r.shear_by_slip;
       response.k_tn           = r.k_tn;
     }
-
-
-
   } // namespace
 
 

@@ -58,16 +58,12 @@ namespace
 
 TEST(JointLaw, no_strength_beyond_the_apex_of_the_cone)
 {
-  const double   apex = 2e4 / tan_deg(30.); // tension [Pa]
-  const JointLaw law =
-    JointLaw(bond_strength(rock(), 10., 1e-3), k_n, k_s).without_tensile_failure();
-  const JointResponse r = law.respond({1.5 * apex / k_n, 1e-4}, {});
+  const double        apex = 2e4 / tan_deg(30.); // tension [Pa]
+  const JointResponse r =
+    softening().without_tensile_failure().respond({1.5 * apex / k_n, 1e-4}, {});
   EXPECT_EQ(r.shear, 0.);
   EXPECT_EQ(r.shear_strength, 0.);
-  EXPECT_EQ(r.state, ContactState::sliding);
   EXPECT_LT(r.mohr_coulomb, -0.4 * 2e4);
-  const JointResponse pressed = law.respond({-1e-5, 0.}, {});
-  EXPECT_NEAR(pressed.mohr_coulomb, 2e4 + 2e4 * tan_deg(30.), 1e-9 * 2e4);
 }
 
 
