@@ -123,8 +123,7 @@ namespace hybrid::dda
       double    normal_part, shear_part;             ///< of the direction without motion [Pa]
       double    strength_forward, strength_backward; ///< mu N - T, mu N + T [Pa]
 
-      /// Where it would press with N = -k_n gap [m]: of a bond that of its cone, whose apex is at
-      /// N = 0.
+      /// Its gap in a trial [m]; of a bond that of the contact which has its friction.
       double    gap(const Springs::Response &response) const;
       void      set_strengths();
       void      eliminate();
