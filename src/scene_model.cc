@@ -10,6 +10,7 @@
 #include <hybrid/output/sample_line.h>
 #include <hybrid/scene/checks/mesh_check.h>
 #include <hybrid/scene/mesh/edge_chain.h>
+#include <hybrid/scene/parameters/time_integrator.h>
 #include <hybrid/scene_model.h>
 
 #include <algorithm>
@@ -48,8 +49,8 @@ namespace hybrid
   SceneModel::SceneModel(const scene::SceneParameters &parameters,
                          output::Log                  &log,
                          MPI_Comm                      communicator)
-    : scene(parameters)
-    , mesh(output::read_section_mesh(parameters.mesh, log))
+    : mesh(output::read_section_mesh(parameters.mesh, log))
+    , scene(scene::with_time_integrator(parameters, mesh))
     , input(scene::make_input_motion(parameters.motion, parameters.time))
     , motion(input.motion, parameters.motion)
   {

@@ -28,8 +28,8 @@ namespace hybrid
     /// When the motion has ended, edge loads have risen and point loads have passed [s].
     double end_of_loads() const;
 
-    const scene::SceneParameters          scene;
     scene::SectionMesh                    mesh;
+    const scene::SceneParameters          scene;
     const scene::InputMotion              input; ///< as given
     const scene::GroundMotion             motion;
     std::unique_ptr<continuum::Continuum> continuum;  ///< the bedrock of finite elements, or null

@@ -234,6 +234,16 @@ namespace hybrid::continuum
   }
 
 
+  std::vector<Eigen::Matrix2d> BoundaryForces::nodal_dashpots() const
+  {
+    std::vector<Eigen::Matrix2d> result(nodes.size(), Eigen::Matrix2d::Zero());
+    for (const auto &face : faces)
+      for (std::size_t i = 0; i < face.nodes.size(); ++i)
+        result[face.nodes[i]] += face.length * line.mass()(i, i) * face.impedance;
+    return result;
+  }
+
+
   std::size_t BoundaryForces::n_column_unknowns() const
   {
     std::size_t sum = 0;

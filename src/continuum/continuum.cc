@@ -90,6 +90,29 @@ namespace hybrid::continuum
     m.rayleigh_mass      = scene.continuum.rayleigh_mass;
     m.rayleigh_stiffness = scene.continuum.rayleigh_stiffness;
     m.rock               = split_bedding_planes(mesh, scene.bedding.names);
+    const auto make_boundary = [&] {
+      m.boundary =
+        std::make_unique<BoundaryForces>(m.rock, *m.nodes, m.cell_material, mesh, scene, motion);
+    };
+    if (scene.continuum.is_explicit)
+      {
+        const ElementSpace space(
+          m.rock, mesh, scene.continuum.degree, MPI_COMM_SELF, MassQuadrature::lobatto);
+        m.nodes = std::make_unique<ElementNodes>(space.nodes);
+        make_boundary();
+        m.add_point_loads(scene.point_loads);
+        m.waves = std::make_unique<ExplicitWaves>(
+          m.rock,
+          space,
+          m.cell_material,
+          JointStiffness{scene.bedding.normal_stiffness, scene.bedding.shear_stiffness},
+          m.point_loads,
+          *m.boundary,
+          m.rayleigh_mass,
+          communicator);
+        m.add_wave(scene.initial_wave, mesh);
+        return;
+      }
     {
       const ElementSpace space(m.rock, mesh, scene.continuum.degree, communicator);
       m.nodes    = std::make_unique<ElementNodes>(space.nodes);
@@ -99,8 +122,7 @@ namespace hybrid::continuum
                                     {scene.bedding.normal_stiffness, scene.bedding.shear_stiffness},
                                     m.newmark.corrected_step);
     }
-    m.boundary =
-      std::make_unique<BoundaryForces>(m.rock, *m.nodes, m.cell_material, mesh, scene, motion);
+    make_boundary();
     m.left_nodes  = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"left"}));
     m.right_nodes = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"right"}));
     m.base_nodes  = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"base"}));
@@ -279,6 +301,8 @@ namespace hybrid::continuum
 
   double Continuum::estimated_memory() const
   {
+    if (impl->waves != nullptr)
+      return impl->waves->memory();
     double numbers = static_cast<double>(impl->matrices.stiffness.size() +
                                          impl->matrices.inertia_correction.size());
     if (impl->slip != nullptr)

@@ -268,17 +268,20 @@ namespace hybrid::continuum
     const auto         &m      = *impl;
     ContinuumEnergy     energy = state.energy;
     const std::size_t   n      = m.n_dofs();
-    std::vector<double> product(n);
-    const auto          form = [&](const std::vector<double> &x) {
-      double sum = 0.;
-      for (std::size_t i = 0; i < n; ++i)
-        sum += x[i] * product[i];
-      return 0.5 * sum;
-    };
-    m.matrices.multiply_inertia(state.velocity.data(), product.data());
-    energy.kinetic = form(state.velocity);
-    m.matrices.multiply_stiffness(state.displacement.data(), product.data());
-    energy.strain = form(state.displacement);
+    if (m.waves == nullptr) // it keeps both with the state
+      {
+        std::vector<double> product(n);
+        const auto          form = [&](const std::vector<double> &x) {
+          double sum = 0.;
+          for (std::size_t i = 0; i < n; ++i)
+            sum += x[i] * product[i];
+          return 0.5 * sum;
+        };
+        m.matrices.multiply_inertia(state.velocity.data(), product.data());
+        energy.kinetic = form(state.velocity);
+        m.matrices.multiply_stiffness(state.displacement.data(), product.data());
+        energy.strain = form(state.displacement);
+      }
     if (m.maxwell.is_on())
       energy.strain += m.maxwell.stored_energy(state.maxwell, state.displacement.data());
     if (m.slip != nullptr)

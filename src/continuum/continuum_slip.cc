@@ -169,6 +169,8 @@ namespace hybrid::continuum
   bool Continuum::step(ContinuumState &state, const double dt)
   {
     auto &m = *impl;
+    if (m.waves != nullptr)
+      return m.waves->step(state, dt);
     m.predict(state, dt);
     m.factorisation->backward(*m.step_matrix(dt).factor, m.solution);
     SlipStatus status = m.slip == nullptr ? SlipStatus::settled : m.update_slip(state, dt);

@@ -139,7 +139,10 @@ namespace hybrid::continuum
               state.velocity[2 * node + c] += motion.velocity[c];
             }
       }
-    impl->find_acceleration(state);
+    if (impl->waves != nullptr)
+      impl->waves->start(state);
+    else
+      impl->find_acceleration(state);
   }
 
 

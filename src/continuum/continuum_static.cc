@@ -52,6 +52,8 @@ namespace hybrid::continuum
                                            const double           horizontal)
   {
     auto               &m    = *impl;
+    if (m.waves != nullptr)
+      return {};
     std::vector<double> load = weight_load(*m.nodes, m.cell_material, gravity, horizontal);
     for (std::size_t k = 0; k < m.surface.size() && surface_force.size() > 0; ++k)
       for (int c = 0; c < 2; ++c)

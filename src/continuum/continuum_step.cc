@@ -298,6 +298,21 @@ namespace hybrid::continuum
   }
 
 
+  int Continuum::parts_of_step(const double dt) const
+  {
+    return impl->waves != nullptr ? impl->waves->parts(dt) : 1;
+  }
+
+
+
+  void Continuum::collect(ContinuumState &state) const
+  {
+    if (impl->waves != nullptr)
+      impl->waves->collect(state);
+  }
+
+
+
   double Continuum::factor_time() const
   {
     return impl->factor_time;

@@ -36,7 +36,8 @@ namespace hybrid::continuum
   ElementSpace::ElementSpace(const RockMesh           &rock,
                              const scene::SectionMesh &section,
                              const int                 degree,
-                             const MPI_Comm            communicator)
+                             const MPI_Comm            communicator,
+                             const MassQuadrature      of_mass)
     : triangulation(communicator,
                     Triangulation<2>::none,
                     /*allow_artificial_cells*/ false,
@@ -44,7 +45,7 @@ namespace hybrid::continuum
     , scalar_fe(degree)
     , fe(scalar_fe, 2)
     , dof_handler(triangulation)
-    , nodes(degree)
+    , nodes(degree, of_mass)
   {
     std::vector<Point<2>> vertices;
     for (const Vec2 &node : rock.nodes)

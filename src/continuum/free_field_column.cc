@@ -147,6 +147,8 @@ namespace hybrid::continuum
                              const double       dt,
                              const Input       &in)
   {
+    if (model.newmark.beta == 0.)
+      return step_explicitly(old, next, dt, in);
     const double  beta = model.newmark.beta, gamma = model.newmark.gamma;
     const double  to_rate = gamma / (beta * dt), to_acceleration = 1. / (beta * dt * dt);
     const double  filter = model.newmark.filter_in(dt, old.last_step);
@@ -198,6 +200,42 @@ namespace hybrid::continuum
           }
         if (next.branch != nullptr)
           advance(old, next, dt, c);
+      }
+  }
+
+
+
+  void FreeFieldColumn::step_explicitly(const ConstMotion &old,
+                                        const Motion      &next,
+                                        const double       dt,
+                                        const Input       &in)
+  {
+    const double half = 0.5 * dt;
+    for (int c = 0; c < 2; ++c)
+      {
+        for (int i = 0; i < n; ++i)
+          {
+            const int k  = 2 * i + c;
+            rate[i]      = old.v[k] + half * old.a[k];
+            predicted[i] = old.u[k] + dt * rate[i];
+          }
+        rhs.setZero();
+        add_product(-1., stiffness[c], predicted, rhs);
+        for (int i = 0; i < n; ++i)
+          {
+            const int    k       = 2 * i + c;
+            const double inertia = mass(0, i), drag = model.rayleigh_mass * inertia;
+            double       force = rhs[i] - drag * rate[i], resisting = inertia + half * drag;
+            if (i == 0 && model.foot == Foot::impedance)
+              {
+                force += model.foot_impedance[c] * (2. * in.wave_velocity[c] - rate[0]);
+                resisting += half * model.foot_impedance[c];
+              }
+            next.u[k] = predicted[i];
+            next.a[k] = i == 0 && model.foot == Foot::prescribed ? in.acceleration[c] :
+                                                                   force / resisting;
+            next.v[k] = rate[i] + half * next.a[k];
+          }
       }
   }
 

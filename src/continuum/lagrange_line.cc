@@ -3,7 +3,7 @@
 
 namespace hybrid::continuum
 {
-  LagrangeLine::LagrangeLine(const int degree)
+  LagrangeLine::LagrangeLine(const int degree, const MassQuadrature of_mass)
     : gauss(degree + 1)
   {
     const int                      n = degree + 1;
@@ -23,6 +23,12 @@ namespace hybrid::continuum
               k(i, j) += w * derivative(i, x) * derivative(j, x);
               b(i, j) += w * value(i, x) * derivative(j, x);
             }
+      }
+    if (of_mass == MassQuadrature::lobatto)
+      {
+        m.setZero();
+        for (int i = 0; i < n; ++i)
+          m(i, i) = lobatto.weight(i);
       }
   }
 

@@ -21,6 +21,15 @@ namespace hybrid::continuum
   }
 
 
+  PointLoads PointLoads::on_places(const std::function<int(int)> &place_of_node) const
+  {
+    PointLoads result = *this;
+    for (Share &share : result.shares)
+      share.node = place_of_node(share.node);
+    return result;
+  }
+
+
   double PointLoads::factor(const double time) const
   {
     if (time < start)

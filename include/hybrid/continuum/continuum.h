@@ -89,7 +89,9 @@ namespace hybrid::continuum
   };
 
   /**
-   * The bedrock: linear elastodynamics in plane strain on deal.II finite elements,
+   * The bedrock: linear elastodynamics in plane strain on deal.II finite elements. Without blocks
+   * and slip the scene can ask for explicit integration, shared out among MPI ranks
+   * (ExplicitWaves). Else
    *   M u'' + C u' + K u = f(t) + B^T lambda,
    * integrated by Newmark's family; the unknowns of the surface that blocks
    * can touch are condensed:
@@ -185,6 +187,13 @@ namespace hybrid::continuum
     /// A whole step without blocks (lambda = 0). @return false if the slip of bedding planes was
     /// not found; the state is that of before then.
     bool step(ContinuumState &state, double dt);
+
+    /// Equal parts into which a step of @p dt [s] is divided; 1 unless it is explicit.
+    int parts_of_step(double dt) const;
+
+    /// The whole motion on the first rank: a step leaves each rank with its own part; all ranks
+    /// call it.
+    void collect(ContinuumState &state) const;
 
     /// Bedding planes that may slip; empty if the scene has none.
     const std::vector<BeddingPlane> &slipping_planes() const;

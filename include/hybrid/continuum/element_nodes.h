@@ -15,8 +15,8 @@ namespace hybrid::continuum
    */
   struct ElementNodes
   {
-    explicit ElementNodes(const int degree)
-      : line(degree)
+    explicit ElementNodes(const int degree, const MassQuadrature of_mass = MassQuadrature::gauss)
+      : line(degree, of_mass)
     {}
 
     LagrangeLine                  line;      ///< one-dimensional basis

@@ -35,7 +35,8 @@ namespace hybrid::continuum
     ElementSpace(const RockMesh           &rock,
                  const scene::SectionMesh &section,
                  int                       degree,
-                 MPI_Comm                  communicator);
+                 MPI_Comm                  communicator,
+                 MassQuadrature            of_mass = MassQuadrature::gauss);
 
     dealii::parallel::shared::Triangulation<2> triangulation;
     const dealii::FE_Q<2>                      scalar_fe;

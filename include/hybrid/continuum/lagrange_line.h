@@ -10,6 +10,14 @@
 
 namespace hybrid::continuum
 {
+  /// How the integrals of masses and dashpots are made.
+  enum class MassQuadrature
+  {
+    gauss,  ///< exactly
+    lobatto ///< on the nodes themselves: the matrix is diagonal
+  };
+
+
   /**
    * Lagrange polynomials on the Gauss-Lobatto nodes of [0, 1]: the one-dimensional
    * basis of the rock's elements, of their edges and of the free-field columns.
@@ -17,7 +25,7 @@ namespace hybrid::continuum
   class LagrangeLine
   {
   public:
-    explicit LagrangeLine(int degree);
+    explicit LagrangeLine(int degree, MassQuadrature of_mass = MassQuadrature::gauss);
 
     int degree() const
     {
@@ -41,7 +49,8 @@ namespace hybrid::continuum
       return value_and_derivative[1];
     }
 
-    /// Gauss points of [0, 1], one more than the degree: what the integrals below are made with.
+    /// Gauss points of [0, 1], one more than the degree: what the integrals below are made with, but
+    /// for a mass by Lobatto's.
     const dealii::QGauss<1> &quadrature() const
     {
       return gauss;

@@ -3,6 +3,7 @@
 
 #include <hybrid/scene/parameters/scene_parameters.h>
 
+#include <functional>
 #include <vector>
 
 namespace hybrid::continuum
@@ -22,6 +23,9 @@ namespace hybrid::continuum
 
     /// A force @p peak [N/m] shared by the nodes of a cell with these shape function values.
     void add(const std::vector<int> &nodes, const std::vector<double> &weights, const Vec2 &peak);
+
+    /// The same on other numbers of the nodes.
+    PointLoads on_places(const std::function<int(int)> &place_of_node) const;
 
     bool empty() const
     {

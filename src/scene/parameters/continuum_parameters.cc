@@ -25,6 +25,15 @@ namespace hybrid::scene
                     continuum.degree,
                     {1, 8},
                     "Polynomial degree of the finite elements.");
+    section.choice<TimeIntegrator>(
+      "Time integrator",
+      continuum.integrator,
+      {{"implicit", TimeIntegrator::implicit_steps},
+       {"explicit", TimeIntegrator::explicit_steps},
+       {"automatic", TimeIntegrator::automatic}},
+      "implicit: Newmark's steps (Time/Scheme). explicit: central differences on a diagonal mass, "
+      "for waves alone, with no matrix and in as many parts of Time/Time step as are stable; "
+      "mpirun shares the cells out. automatic: explicit where that is possible and takes less time.");
     section.value(
       "Materials",
       "a material's name, or 'region: material; region: material; ...'",

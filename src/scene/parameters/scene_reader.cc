@@ -2,6 +2,7 @@
 #include <hybrid/scene/parameters/parameter_declarations.h>
 #include <hybrid/scene/parameters/scene_reader.h>
 #include <hybrid/scene/parameters/strength_reduction.h>
+#include <hybrid/scene/parameters/time_integrator.h>
 #include <hybrid/scene/path_hint.h>
 
 #include <ostream>
@@ -74,6 +75,7 @@ namespace hybrid::scene
         if (material.friction_is_given())
           material.friction_angle = material.given_friction_angle;
       resolve_scheme(scene, table);
+      resolve_time_integrator(scene, table);
       read_water(scene, table);
       check(scene, table);
       resolve_initial_stress(scene, table);

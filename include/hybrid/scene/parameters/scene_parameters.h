@@ -56,9 +56,19 @@ namespace hybrid::scene
       surface_file; ///< CSV x,y: polyline of a rigid base instead of the mesh's; resolved path
   };
 
+  /// How the bedrock is integrated in time.
+  enum class TimeIntegrator
+  {
+    implicit_steps, ///< Newmark's
+    explicit_steps, ///< central differences on a diagonal mass, for waves alone
+    automatic       ///< explicit where that is possible and takes less time
+  };
+
   /// Section "Continuum".
   struct ContinuumParameters
   {
+    TimeIntegrator integrator  = TimeIntegrator::implicit_steps;
+    bool           is_explicit = false; ///< what the integrator stands for in this scene
     int                                degree = 2;      ///< polynomial degree of FE_Q, 1..8
     std::map<std::string, std::string> region_material; ///< region name ("bedrock") -> material
                                                         ///< name; "*": every region without its own

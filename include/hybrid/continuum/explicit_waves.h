@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/continuum/shared_nodes.h>
+#include <hybrid/continuum/wave_edges.h>
+#include <hybrid/continuum/wave_operator.h>
+
+#include <memory>
+#include <vector>
+
+namespace hybrid::continuum
+{
+  /**
+   * Waves alone by central differences, the pair beta = 0, gamma = 1/2 of Newmark:
+   *   v_h = v0 + dt/2 a0,  u1 = u0 + dt v_h,
+   *   (M + dt/2 C) a1 = f(t1) - K u1 - C v_h,  v1 = v_h + dt/2 a1.
+   * M is diagonal (WaveOperator), C too but for the 2 x 2 blocks of dashpots on slanting edges, so
+   * no system is solved. It is stable for dt <= 2 / w_max; a longer step of the run is divided into
+   * equal parts.
+   *
+   * Energy: with D the change over a part, each force does the work Du . (F_0 + F_1) / 2, and
+   *   D[1/2 v M v] = Du . (F_0 + F_1) / 2 + dt^2/8 D[a M a],  F = M a the sum of all forces,
+   * so what the scheme itself takes is a function of the state: ContinuumEnergy::integration_loss
+   * is - dt^2/8 a M a, and zero again when the rock is at rest.
+   */
+  class ExplicitWaves
+  {
+  public:
+    /// @param boundary on an edge basis by Lobatto's quadrature; must outlive this object.
+    ExplicitWaves(const RockMesh              &rock,
+                  const ElementSpace          &space,
+                  const std::vector<Material> &material,
+                  const JointStiffness        &joint_stiffness,
+                  const PointLoads            &loads,
+                  BoundaryForces              &boundary,
+                  double                       rayleigh_mass,
+                  MPI_Comm                     communicator);
+
+    /// Equal parts into which a step of @p dt [s] is divided.
+    int parts(double dt) const;
+
+    /// Acceleration and energy of a state whose displacement and velocity are given.
+    void start(ContinuumState &state);
+
+    /// One step of the run. On each rank only its own unknowns, places and columns are those of
+    /// now; collect() makes the first one's whole. @return false if the energy is not finite.
+    bool step(ContinuumState &state, double dt);
+
+    /// The whole motion on the first rank; all ranks call it.
+    void collect(ContinuumState &state);
+
+    /// What this rank holds besides the state [B].
+    double memory() const;
+
+  private:
+    /// Of the unknowns of all ranks.
+    struct Sums
+    {
+      double kinetic = 0.; ///< v M v / 2 [J/m]
+      double strain  = 0.; ///< u K u / 2, joints included [J/m]
+      double inertia = 0.; ///< a M a [N m/(s2 m)]
+      double damping = 0.; ///< what Rayleigh damping took in the step [J/m]
+    };
+
+    void find_stable_step();
+    void load(const ContinuumState &state);
+    void store(ContinuumState &state) const;
+
+    /// Force of rock and joints at the displacement u, on this rank's unknowns and on the places.
+    void find_rock_force(const std::vector<double> &u_of_places);
+
+    void   advance(ContinuumState &state, double time, double dt);
+    void   accelerate(double dt);
+    double inertia() const; ///< a M a of this rank
+    Sums   sum_up() const;
+
+    const double      damping;   ///< alpha_M [1/s]
+    const std::size_t n;         ///< unknowns of the rock
+    WaveOperator      rock_operator;
+    WaveEdges         edges;
+    SharedNodes       places;
+    double            stable_step = 0.; ///< [s]
+
+    WaveOperator::Vector u, f;
+    std::vector<double>  v, a;
+    std::vector<double>  rock_force0, rock_force1; ///< on the places [N/m]
+    std::vector<double>  work;                     ///< of places
+    double               damped = 0.; ///< of this rank, in the step [J/m]
+
+    // collect(), on the first rank
+    std::vector<int>    counts, offsets, unknown_of;
+    std::vector<double> sent, received;
+  };
+} // namespace hybrid::continuum

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/continuum/boundary_forces.h>
+#include <hybrid/continuum/continuum.h>
+#include <hybrid/continuum/joint_stiffness.h>
+#include <hybrid/continuum/point_loads.h>
+
+#include <vector>
+
+namespace hybrid::continuum
+{
+  /**
+   * What acts on the rock of ExplicitWaves besides itself: base and sides with their free-field
+   * columns, bedding planes that stay elastic, point loads. Nodes that one of these acts on have a
+   * "place", and move here: of n unknowns in the order of sqrt(n), so each rank does it for all.
+   *
+   * Edges and joints are integrated by Gauss-Lobatto quadrature, as the rock's mass.
+   */
+  class WaveEdges
+  {
+  public:
+    /// @param loads on the rock's nodes @param boundary on an edge basis by Lobatto's quadrature
+    WaveEdges(const RockMesh       &rock,
+              const ElementNodes   &nodes,
+              const JointStiffness &joint_stiffness,
+              const PointLoads     &loads,
+              BoundaryForces       &boundary,
+              double                rayleigh_mass);
+
+    /// Of the rock, in the order of places; vectors of places hold x and y of each.
+    const std::vector<int> &nodes() const
+    {
+      return list;
+    }
+
+    /// Mass of the places [kg/m].
+    void set_mass(std::vector<double> of_places);
+
+    const std::vector<double> &mass() const
+    {
+      return m;
+    }
+
+    struct Motion
+    {
+      std::vector<double> displacement, velocity, acceleration;
+    };
+
+    /// Motion of the places.
+    const Motion &motion() const
+    {
+      return now;
+    }
+
+    /// From a state whose places and columns are those of its time. @param n unknowns of the rock
+    void take(const ContinuumState &state, std::size_t n);
+
+    void put(ContinuumState &state, std::size_t n) const;
+
+    /// First half of a part of a step: velocity at its middle, displacement at its end.
+    void move(double dt);
+
+    /// Add what joints push with at the displacement @p u of the places [N/m].
+    void add_joint_forces(const std::vector<double> &u, std::vector<double> &force) const;
+
+    /// Second half: acceleration and velocity at the end, @p time. @param rock_force of rock and
+    /// joints on the places there [N/m]
+    void accelerate(double time, double dt, const std::vector<double> &rock_force);
+
+    /// Acceleration of a state that is given, at @p time.
+    void find_acceleration(double time, const std::vector<double> &rock_force);
+
+    /// Works and losses over the part of a step that has ended. @param rock_force0, rock_force1 at
+    /// its ends [N/m]; looked at only if the base moves
+    void add_energy(const std::vector<double> &rock_force0,
+                    const std::vector<double> &rock_force1,
+                    ContinuumEnergy           &energy);
+
+    /// The base is rigid and moves as prescribed.
+    bool has_moving_base() const
+    {
+      return !boundary.moving_nodes().empty();
+    }
+
+  private:
+    /// Two places on the two sides of an elastic bedding plane.
+    struct Joint
+    {
+      int             left, right;
+      Eigen::Matrix2d stiffness; ///< [N/m per m]
+    };
+
+    int  place_of(int node);
+    void add_joints(const RockMesh &, const ElementNodes &, const JointStiffness &);
+    void step_columns(double time, double dt);
+
+    /// Of boundary and loads on the places at velocity @p v [N/m].
+    void outer_forces(double                          time,
+                      const BoundaryForces::Incoming &incoming,
+                      const std::vector<double>      &v,
+                      std::vector<double>            &force) const;
+
+    Vec2 acceleration_of(int place, double time, double half_step, const Vec2 &force) const;
+
+    void add_spring_energy(ContinuumEnergy &energy);
+
+    BoundaryForces              &boundary;
+    const double                 damping; ///< alpha_M [1/s]
+    std::vector<int>             list;
+    std::vector<int>             place; ///< per node of the rock, -1: none
+    std::vector<Joint>           joints;
+    PointLoads                   point_loads; ///< on places
+    std::vector<Eigen::Matrix2d> dashpots;    ///< per place
+    std::vector<Support>         support;     ///< per unknown of the places
+    std::vector<double>          m; ///< mass
+
+    Motion                   now, before, columns, next_columns;
+    BoundaryForces::Incoming incoming0, incoming1;
+    std::vector<double>      force0, force1, change, change_free, mean, mean_free;
+  };
+} // namespace hybrid::continuum
