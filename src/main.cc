@@ -5,10 +5,12 @@
 #include <hybrid/output/version.h>
 #include <hybrid/restart/checkpoint_file.h>
 #include <hybrid/restart/write_error.h>
+#include <hybrid/processes.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/scene/parameters/scene_reader.h>
+#include <hybrid/scene/parameters/time_integrator.h>
 #include <hybrid/simulation.h>
 #include <hybrid/tool.h>
 #include <hybrid/waiting_threads.h>
@@ -27,48 +29,57 @@ namespace
 {
   using namespace hybrid;
 
-  /// Start and end of MPI, unless the caller of main() has started it.
-  struct MpiSession
+  /// What a process says: nothing, unless it is the first.
+  struct Voice
   {
-    MpiSession(int &argc, char **&argv)
-    {
-      int is_initialized = 0;
-      MPI_Initialized(&is_initialized);
-      is_owner = is_initialized == 0;
-      if (is_owner)
-        MPI_Init(&argc, &argv);
-      int processes = 1;
-      MPI_Comm_size(MPI_COMM_WORLD, &processes);
-      if (processes > 1)
-        {
-          // All would write the same files.
-          if (is_owner)
-            MPI_Finalize();
-          throw InputError("hybrid runs in one process, but mpirun started " +
-                           std::to_string(processes) +
-                           ": start it without mpirun and set Parallel/Threads to the number of "
-                           "cores to use");
-        }
-    }
+    explicit Voice(const Processes &processes)
+      : stream(processes.is_first() ? std::cout.rdbuf() : nullptr)
+      , log(stream, processes.is_first() && output::standard_output_is_terminal())
+    {}
 
-    ~MpiSession()
-    {
-      if (is_owner)
-        MPI_Finalize();
-    }
-
-    bool is_owner;
+    std::ostream stream;
+    output::Log  log;
   };
 
 
 
+  /// Of all processes, if the scene can be shared out among them.
+  MPI_Comm communicator_of(const scene::SceneParameters &scene, const Processes &processes)
+  {
+    const bool together = processes.count() > 1 &&
+                          scene.continuum.integrator != scene::TimeIntegrator::implicit_steps &&
+                          scene::why_not_explicit(scene).empty();
+    return together ? MPI_COMM_WORLD : MPI_COMM_SELF;
+  }
+
+
+
+  /// What of several processes takes part in the run. @return whether this one does.
+  bool share_out(const scene::SceneParameters &scene, Processes &processes, output::Log &log)
+  {
+    if (processes.count() == 1)
+      return true;
+    if (communicator_of(scene, processes) == MPI_COMM_WORLD)
+      return true;
+    processes.compute_alone();
+    log.warning("mpirun started " + std::to_string(processes.count()) +
+                " processes, and this scene is computed by the first one alone: only waves "
+                "alone with Continuum/Time integrator = explicit are shared out");
+    return processes.is_first();
+  }
+
+
+
   /// Mistakes that show only when the model is built name the scene.
-  std::unique_ptr<Simulation>
-  make_simulation(const std::string &file, const scene::SceneParameters &scene, output::Log &log)
+  std::unique_ptr<Simulation> make_simulation(const std::string            &file,
+                                              const scene::SceneParameters &scene,
+                                              const Processes              &processes,
+                                              output::Log                  &log)
   {
     try
       {
-        auto simulation = std::make_unique<Simulation>(scene, log, MPI_COMM_WORLD);
+        auto simulation =
+          std::make_unique<Simulation>(scene, log, communicator_of(scene, processes));
         omp_set_num_threads(scene.threads); // only now: gmsh sets it to one while it reads the mesh
         return simulation;
       }
@@ -100,11 +111,14 @@ namespace
 
   /// What fails during a run leaves everything up to the last flush.
   template <typename Work>
-  int run_guarded(const std::string &directory, const Work &work)
+  int run_guarded(const std::string &directory, Processes &processes, const Work &work)
   {
     try
       {
-        return exit_code(work());
+        processes.set_together(true);
+        const int code = exit_code(work());
+        processes.set_together(false);
+        return code;
       }
     catch (const WriteError &error)
       {
@@ -157,30 +171,33 @@ namespace
   /// Repeat a run that has finished, with shorter steps, until Time/Error target is met. Each
   /// repetition is a run of its own: it can be resumed, and looks at the target at its end.
   RunStatus meet_error_target(std::unique_ptr<Simulation> simulation,
+                              const Processes            &processes,
                               const Interruption         &interruption)
   {
     const std::string directory = simulation->directory();
     StepChoice        choice    = simulation->next_step_size();
-    while (choice.step)
+    for (double step = processes.from_first(choice.step.value_or(0.)); step > 0.;
+         step        = processes.from_first(choice.step.value_or(0.)))
       {
-        const std::string            size = scene::number_text(*choice.step);
-        const scene::SceneParameters scene =
-          read_scene_of_run(directory, {"Time/Time step=" + size});
-        if (simulation->record_for_repetition())
-          output::write_step_record(step_record_file(directory),
-                                    *simulation->record_for_repetition());
+        const std::string            size  = scene::number_text(step);
+        const scene::SceneParameters scene = read_scene_of_run(directory, {"Time/Time step=" + size});
+        Voice                        voice(processes);
+        processes.on_first([&] {
+          if (simulation->record_for_repetition())
+            output::write_step_record(step_record_file(directory),
+                                      *simulation->record_for_repetition());
+        });
         simulation.reset(); // its memory
-        output::Log log(std::cout, output::standard_output_is_terminal());
-        simulation = make_simulation(directory, scene, log);
-        prepare_directory(scene, true, log);
-        log.info("Repeated in steps of " + size + " s: " + choice.why);
+        simulation = make_simulation(directory, scene, processes, voice.log);
+        processes.on_first([&] { prepare_directory(scene, true, voice.log); });
+        voice.log.info("Repeated in steps of " + size + " s: " + choice.why);
         simulation->report().card();
         const RunStatus status = simulation->run(interruption);
         if (status != RunStatus::finished)
           return status;
         choice = simulation->next_step_size();
       }
-    if (!choice.unmet.empty())
+    if (!choice.unmet.empty() && processes.is_first())
       std::cerr << "warning: Time/Error target is not known to be met: " << choice.unmet
                 << std::endl;
     return RunStatus::finished;
@@ -190,61 +207,145 @@ namespace
 
   int run_scene(const CommandLine            &command,
                 const scene::SceneParameters &scene,
-                int                          &argc,
-                char                       **&argv)
+                Processes                    &processes)
   {
-    if (command.action != Action::check)
-      sleep_while_waiting(scene.threads, argv);
-    const bool force = command.force || command.action == Action::resume;
-    if (command.action == Action::run && !force)
-      refuse_earlier_run(scene.output.directory);
-    check_directory(scene.output.directory);
+    const bool force    = command.force || command.action == Action::resume;
+    const bool is_check = command.action == Action::check;
     prepare_process();
-    const MpiSession session(argc, argv);
-    output::Log      log(std::cout, output::standard_output_is_terminal());
+    processes.on_first([&] {
+      if (command.action == Action::run && !force)
+        refuse_earlier_run(scene.output.directory);
+      check_directory(scene.output.directory);
+    });
+    Voice voice(processes);
     if (command.action == Action::resume)
-      log.info("Resumed before the first checkpoint: the run begins anew");
-    auto               simulation = make_simulation(command.target, scene, log);
+      voice.log.info("Resumed before the first checkpoint: the run begins anew");
+    if (!share_out(scene, processes, voice.log))
+      return processes.wait_for_first();
+    auto simulation = make_simulation(command.target, scene, processes, voice.log);
     const Interruption interruption; // before anything is written
-    if (command.action != Action::check)
-      prepare_directory(scene, force, log);
-    if (command.action == Action::run)
-      forget_step_record(scene.output.directory);
+    processes.on_first([&] {
+      if (!is_check)
+        prepare_directory(scene, force, voice.log);
+      if (command.action == Action::run)
+        forget_step_record(scene.output.directory);
+    });
     simulation->report().card();
-    simulation->report().memory(command.action != Action::check);
-    if (command.action == Action::check)
+    simulation->report().memory(!is_check);
+    if (is_check)
       {
-        warn_of_earlier_run(scene.output.directory, log);
-        log.info("The scene can be run.");
+        warn_of_earlier_run(scene.output.directory, voice.log);
+        voice.log.info("The scene can be run.");
         return 0;
       }
-    return run_guarded(scene.output.directory, [&] {
+    return run_guarded(scene.output.directory, processes, [&] {
       const RunStatus status = simulation->run(interruption);
-      return status == RunStatus::finished ? meet_error_target(std::move(simulation), interruption)
-                                           : status;
+      return status == RunStatus::finished ?
+               meet_error_target(std::move(simulation), processes, interruption) :
+               status;
     });
   }
 
 
 
-  int resume_run(const CommandLine &command, int &argc, char **&argv)
+  int resume_run(const CommandLine            &command,
+                 const scene::SceneParameters &scene,
+                 Processes                    &processes)
   {
-    const scene::SceneParameters scene = read_scene_of_run(command.target, command.overrides);
-    sleep_while_waiting(scene.threads, argv);
     if (has_not_begun(command.target))
-      return run_scene(command, scene, argc, argv);
+      return run_scene(command, scene, processes);
     const restart::CheckpointContent checkpoint =
       restart::read_checkpoint(checkpoint_file(command.target));
     prepare_process();
-    const MpiSession   session(argc, argv);
-    output::Log        log(std::cout, output::standard_output_is_terminal());
-    auto               simulation = make_simulation(command.target, scene, log);
+    Voice voice(processes);
+    if (!share_out(scene, processes, voice.log))
+      return processes.wait_for_first();
+    auto simulation = make_simulation(command.target, scene, processes, voice.log);
     const Interruption interruption;
-    return run_guarded(command.target, [&] {
+    return run_guarded(command.target, processes, [&] {
       const RunStatus status = simulation->resume(checkpoint, interruption);
-      return status == RunStatus::finished ? meet_error_target(std::move(simulation), interruption)
-                                           : status;
+      return status == RunStatus::finished ?
+               meet_error_target(std::move(simulation), processes, interruption) :
+               status;
     });
+  }
+
+
+
+  /// What computes or checks a scene.
+  int compute(const CommandLine &command, Processes &processes, int &argc, char **&argv)
+  {
+    const bool                   resumes = command.action == Action::resume;
+    const scene::SceneParameters scene =
+      resumes ? read_scene_of_run(command.target, command.overrides) :
+                scene::read_scene(command.target, command.overrides);
+    if (command.action != Action::check)
+      sleep_while_waiting(scene.threads, argv);
+    processes.start(argc, argv);
+    return resumes ? resume_run(command, scene, processes) :
+                     run_scene(command, scene, processes);
+  }
+
+
+
+  int act(const CommandLine &command, Processes &processes, int &argc, char **&argv)
+  {
+    switch (command.action)
+      {
+        case Action::help:
+          std::cout << command.help;
+          return 0;
+        case Action::version:
+          std::cout << output::version_text();
+          return 0;
+        case Action::print_parameters:
+          if (command.target.empty())
+            scene::print_all_parameters(std::cout);
+          else
+            std::cout << scene::read_scene(command.target, command.overrides).used_prm;
+          return 0;
+        case Action::tool:
+          return run_tool(command.tool, command.words);
+        case Action::resume:
+        case Action::check:
+        case Action::run:
+          return compute(command, processes, argc, argv);
+      }
+    return 3;
+  }
+
+
+
+  /// The exit code of @p work, with what it fails at on the screen.
+  template <typename Work>
+  int say_errors(const Processes &processes, const Work &work)
+  {
+    const auto say = [&](const std::string &text, const int code) {
+      if (processes.is_first() || processes.are_together())
+        std::cerr << "error: " << text << std::endl;
+      processes.end_all(code);
+      return code;
+    };
+    try
+      {
+        return work();
+      }
+    catch (const FirstProcessFailed &failure)
+      {
+        return failure.exit_code;
+      }
+    catch (const InputError &error)
+      {
+        return say(printable(error.what()), 2);
+      }
+    catch (const std::bad_alloc &)
+      {
+        return say("there is not enough memory; hybrid --check tells what a run takes", 3);
+      }
+    catch (const std::exception &error)
+      {
+        return say(error.what(), 3);
+      }
   }
 } // namespace
 
@@ -253,50 +354,10 @@ namespace
 int
 main(int argc, char **argv)
 {
-  try
-    {
-      const CommandLine command = parse_command_line(argc, argv);
-      switch (command.action)
-        {
-          case Action::help:
-            std::cout << command.help;
-            return 0;
-          case Action::version:
-            std::cout << output::version_text();
-            return 0;
-          case Action::print_parameters:
-            if (command.target.empty())
-              scene::print_all_parameters(std::cout);
-            else
-              std::cout << scene::read_scene(command.target, command.overrides).used_prm;
-            return 0;
-          case Action::tool:
-            return run_tool(command.tool, command.words);
-          case Action::resume:
-            return resume_run(command, argc, argv);
-          case Action::check:
-          case Action::run:
-            return run_scene(command,
-                             scene::read_scene(command.target, command.overrides),
-                             argc,
-                             argv);
-        }
-    }
-  catch (const InputError &error)
-    {
-      std::cerr << "error: " << printable(error.what()) << std::endl;
-      return 2;
-    }
-  catch (const std::bad_alloc &)
-    {
-      std::cerr << "error: there is not enough memory; hybrid --check tells what a run takes"
-                << std::endl;
-      return 3;
-    }
-  catch (const std::exception &error)
-    {
-      std::cerr << "error: " << error.what() << std::endl;
-      return 3;
-    }
-  return 3;
+  Processes processes;
+  const int code = say_errors(processes, [&] {
+    return act(parse_command_line(argc, argv), processes, argc, argv);
+  });
+  processes.release(code);
+  return code;
 }

@@ -92,10 +92,58 @@ namespace hybrid
                          output::Log                  &run_log,
                          MPI_Comm                      communicator)
     : log(run_log)
+    , processes(communicator)
     , model(scene, log, communicator)
     , run_report(model, log)
     , state(model.initial_state())
   {}
+
+
+
+  bool Simulation::is_first() const
+  {
+    int rank = 0;
+    MPI_Comm_rank(processes, &rank);
+    return rank == 0;
+  }
+
+
+
+  bool Simulation::is_alone() const
+  {
+    int size = 1;
+    MPI_Comm_size(processes, &size);
+    return size == 1;
+  }
+
+
+
+  void Simulation::collect()
+  {
+    if (!is_alone() && model.continuum != nullptr)
+      model.continuum->collect(state.continuum);
+  }
+
+
+
+  Simulation::Call Simulation::agree(const Call &mine) const
+  {
+    if (is_alone())
+      return mine;
+    int calls[3] = {mine.energy_limit, mine.interruption, mine.checkpoint};
+    MPI_Allreduce(MPI_IN_PLACE, calls, 3, MPI_INT, MPI_MAX, processes);
+    return {calls[0] != 0, calls[1] != 0, calls[2] != 0};
+  }
+
+
+
+  RunStatus Simulation::agreed_status(const RunStatus of_first) const
+  {
+    int status = static_cast<int>(of_first);
+    if (!is_alone())
+      MPI_Bcast(&status, 1, MPI_INT, 0, processes);
+    return static_cast<RunStatus>(status);
+  }
 
 
 
@@ -128,16 +176,18 @@ namespace hybrid
       add_parts(settled.times, "static_", run.summary.timings);
     if (has_failed_to_stand())
       {
-        run.recorder.start(state);
+        run.recorder->start(state);
         finish(run, RunStatus::no_equilibrium);
         return RunStatus::no_equilibrium;
       }
     set_in_motion();
-    run.recorder.start(state);
+    collect();
+    if (run.recorder)
+      run.recorder->start(state);
     if (model.scene.checkpoint.is_on())
       save(run);
-    else
-      run.recorder.flush();
+    else if (run.recorder)
+      run.recorder->flush();
     const RunStatus status = advance(run, interruption);
     return finish(run, status);
   }
@@ -148,8 +198,9 @@ namespace hybrid
   {
     output::Summary &summary     = run.summary;
     double          &output_time = summary.timings["output"];
-    output::Progress progress(std::cout,
-                              output::standard_output_is_terminal(),
+    std::ostream     screen(is_first() ? std::cout.rdbuf() : nullptr);
+    output::Progress progress(screen,
+                              is_first() && output::standard_output_is_terminal(),
                               run.clock.time(),
                               model.scene.time.end_time);
     const long       first_step = summary.steps, first_iteration = summary.iterations;
@@ -181,10 +232,12 @@ namespace hybrid
         ++summary.steps;
 
         const auto accepted = SteadyClock::now();
-        run.recorder.record_step(state,
-                                 result,
-                                 dt,
-                                 std::chrono::duration<double>(accepted - begin).count());
+        collect();
+        if (run.recorder)
+          run.recorder->record_step(state,
+                                    result,
+                                    dt,
+                                    std::chrono::duration<double>(accepted - begin).count());
         progress.update(state.time,
                         summary.steps - first_step,
                         summary.iterations - first_iteration);
@@ -193,11 +246,14 @@ namespace hybrid
           run.count_processor_time("first_step");
         if (run.rest.is_on())
           run.rest.look(run.clock.time(), dda::fastest_block(state.blocks));
-        if (!watch_energy(run))
+        const Call call = agree({!watch_energy(run),
+                                 interruption.is_requested(),
+                                 is_first() && run.schedule.is_due(summary.steps)});
+        if (call.energy_limit)
           status = RunStatus::energy_limit;
-        else if (interruption.is_requested())
+        else if (call.interruption)
           status = RunStatus::interrupted;
-        else if (run.schedule.is_due(summary.steps))
+        else if (call.checkpoint)
           save(run);
       }
     if (status != RunStatus::no_convergence)
@@ -227,7 +283,7 @@ namespace hybrid
   {
     if (model.scene.time.error_target == 0. || !summary.probable_error.runs_would_do)
       return;
-    record = run.recorder.step_record(summary.first_failure_time);
+    record = run.recorder->step_record(summary.first_failure_time);
     if (const auto longer = output::read_step_record(step_record_file(directory())))
       output::measure_error(*longer, *record, summary.probable_error);
   }
@@ -238,9 +294,11 @@ namespace hybrid
   {
     output::Summary &summary = run.summary;
     run.end_steps();
-    run.recorder.finish(state, summary);
+    if (!run.recorder)
+      return agreed_status(status);
+    run.recorder->finish(state, summary);
     measure_step_error(run, summary);
-    status                 = judge_energy(run, status);
+    status                 = agreed_status(judge_energy(run, status));
     summary.title          = model.scene.title;
     summary.finished       = status == RunStatus::finished;
     summary.simulated_time = run.clock.time();

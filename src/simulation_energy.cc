@@ -6,7 +6,9 @@ namespace hybrid
 {
   bool Simulation::watch_energy(Run &run) const
   {
-    const output::EnergyLedger &ledger = run.recorder.energy();
+    if (!run.recorder)
+      return true;
+    const output::EnergyLedger &ledger = run.recorder->energy();
     const std::string           text   = run.energy.look(ledger, run.clock.time());
     if (!text.empty())
       log.warning(text);
@@ -17,7 +19,8 @@ namespace hybrid
 
   RunStatus Simulation::judge_energy(Run &run, const RunStatus status) const
   {
-    const std::string of_scheme = run.energy.of_scheme(run.recorder.energy());
+    const std::string of_scheme =
+      run.recorder ? run.energy.of_scheme(run.recorder->energy()) : std::string();
     if (!of_scheme.empty())
       log.warning(of_scheme);
     if (status == RunStatus::energy_limit || watch_energy(run))

@@ -16,20 +16,23 @@ namespace hybrid
     , clock(simulation.model.scene.time.time_step,
             simulation.model.scene.time.end_time,
             simulation.model.scene.time.maximum_halvings)
-    , recorder({simulation.model.scene,
-                simulation.model.mesh,
-                simulation.model.motion,
-                simulation.model.input.fit,
-                simulation.model.blocks.get(),
-                simulation.model.continuum.get(),
-                simulation.model.foundation.get()},
-               mode)
     , schedule(simulation.model.scene.checkpoint)
     , energy(simulation.model.scene.output.energy_warning,
              simulation.model.scene.output.energy_limit)
     , rest(solver != nullptr ? simulation.model.scene.time.rest_speed : 0.,
            simulation.model.end_of_loads())
-  {}
+  {
+    const SceneModel &model = simulation.model;
+    if (simulation.is_first())
+      recorder.emplace(output::RunParts{model.scene,
+                                        model.mesh,
+                                        model.motion,
+                                        model.input.fit,
+                                        model.blocks.get(),
+                                        model.continuum.get(),
+                                        model.foundation.get()},
+                       mode);
+  }
 
 
 
@@ -55,14 +58,16 @@ namespace hybrid
         summary.static_stage;
     archive(
       settled_blocks, equilibrium, planes_hold, residual, iterations, displacement, lifts_moved);
-    archive(run.recorder, run.energy, run.rest);
+    if (run.recorder)
+      archive(*run.recorder, run.energy, run.rest);
     if (!archive.is_reading())
       return;
     run.earlier_wall_time      = wall_time;
     run.earlier_processor_time = processor_time;
     run.counted_processor_time = processor_time;
     run.count_processor_time("preparation"); // of the part that begins
-    log.resume_file(model.scene.output.directory + "/log.txt", log_length);
+    if (run.recorder)
+      log.resume_file(model.scene.output.directory + "/log.txt", log_length);
   }
 
 
@@ -78,7 +83,9 @@ namespace hybrid
 
   void Simulation::save(Run &run)
   {
-    run.recorder.flush(); // run.h5 is never behind the checkpoint
+    if (!run.recorder)
+      return;
+    run.recorder->flush(); // run.h5 is never behind the checkpoint
     const std::uint64_t number = fingerprint(model.mesh, model.motion.outcrop());
     const auto          write  = [&](restart::Archive &archive) {
       archive.put(model.scene.used_prm);
@@ -93,7 +100,7 @@ namespace hybrid
 
   void Simulation::load(const restart::CheckpointContent &checkpoint, Run &run)
   {
-    if (checkpoint.layout != layout(run))
+    if (run.recorder && checkpoint.layout != layout(run))
       throw InputError("the checkpoint '" + checkpoint_file(model.scene.output.directory) +
                        "' was written by a program whose state has other parts: resume with that "
                        "program");
@@ -102,7 +109,7 @@ namespace hybrid
     std::uint64_t    number = 0;
     archive(parameters, number);
     serialize(archive, run);
-    if (!archive.at_end())
+    if (run.recorder && !archive.at_end())
       throw InputError("the checkpoint '" + checkpoint_file(model.scene.output.directory) +
                        "' is longer than its state");
   }
@@ -123,10 +130,13 @@ namespace hybrid
 
     Run run(*this, output::HistoryFile::Mode::resume);
     load(checkpoint, run);
-    write_parameters(model.scene);
-    std::remove((model.scene.output.directory + "/summary.json").c_str()); // of the part before
     run_report.resumed(run.clock.time(), run.summary.steps, run.clock.at_end());
-    run_report.missing_pictures(run.recorder.missing_pictures());
+    if (run.recorder)
+      {
+        write_parameters(model.scene);
+        std::remove((model.scene.output.directory + "/summary.json").c_str()); // of the part before
+        run_report.missing_pictures(run.recorder->missing_pictures());
+      }
     const RunStatus status = advance(run, interruption);
     return finish(run, status);
   }

@@ -55,7 +55,14 @@ namespace hybrid
   private:
     struct Run; ///< what changes while the scene runs, besides the state of its parts
 
+    /// What a step calls for after it; any process may.
+    struct Call
+    {
+      bool energy_limit, interruption, checkpoint;
+    };
+
     output::Log                      &log;
+    const MPI_Comm                    processes; ///< that compute this scene
     const SceneModel                  model;
     const RunReport                   run_report;
     dda::LiftResult                   lifts;
@@ -64,6 +71,20 @@ namespace hybrid
     coupling::CoupledState            state;
     output::Summary::ProbableError    step_error; ///< of the run that has finished
     std::optional<output::StepRecord> record;     ///< of it
+
+    /// Of processes that compute together, the one that writes.
+    bool is_first() const;
+
+    bool is_alone() const;
+
+    /// The whole state on the first process.
+    void collect();
+
+    /// What the processes call for together.
+    Call agree(const Call &mine) const;
+
+    /// What the first one says.
+    RunStatus agreed_status(RunStatus of_first) const;
 
     /// The static stage. @return false if the user has ended it.
     bool settle(const Interruption &interruption);

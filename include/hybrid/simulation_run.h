@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 
 namespace hybrid
 {
@@ -31,7 +32,7 @@ namespace hybrid
     std::unique_ptr<dda::BlockSolver> solver; ///< null without blocks
     coupling::CoupledStep             step;
     Clock                             clock;
-    output::RunRecorder               recorder;
+    std::optional<output::RunRecorder> recorder; ///< of the first process only
     output::Summary                   summary; ///< steps, iterations and timings so far
     CheckpointSchedule                schedule;
     output::EnergyWatch               energy;

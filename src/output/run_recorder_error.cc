@@ -105,7 +105,13 @@ namespace hybrid::output
         resolution.cell_time * (shakes_p_waves(parts) ? resolution.p_time / resolution.s_time : 1.);
       const int degree = parts.scene.continuum.degree;
       return estimate.in_rock(
-        [&](const std::complex<double> s) { return mesh_frequency_error(degree, cell_time, s); },
+        [&](const std::complex<double> s) {
+          return mesh_frequency_error(degree,
+                                      cell_time,
+                                      s,
+                                      parts.scene.continuum.is_explicit ? ElementMass::diagonal :
+                                                                          ElementMass::consistent);
+        },
         M_PI * degree / cell_time);
     }
   } // namespace
@@ -169,8 +175,13 @@ namespace hybrid::output
       }
     const ProbableError estimate(record);
     StepScheme          scheme = step_scheme(parts, times);
-    error.step                 = estimate.of_steps(scheme);
-    scheme.dt *= 0.5;
+    const double        step   = scheme.dt; // which may be divided into parts
+    const auto          part   = [&](const double dt) {
+      return parts.continuum != nullptr ? dt / parts.continuum->parts_of_step(dt) : dt;
+    };
+    scheme.dt       = part(step);
+    error.step      = estimate.of_steps(scheme);
+    scheme.dt       = part(0.5 * step);
     if (scheme.newmark.corrected_step > 0.)
       scheme.newmark.corrected_step *= 0.5;
     error.half_step = estimate.of_steps(scheme);

@@ -24,6 +24,8 @@ namespace hybrid::output
     const Newmark &newmark = scheme.newmark;
     if (newmark.corrected_step > 0.)
       return of_corrected_inertia(scheme, s);
+    if (newmark.beta == 0.)
+      return 2. / scheme.dt * std::sinh(0.5 * s * scheme.dt) - s;
     const std::complex<double> x = std::tanh(0.5 * s * scheme.dt), e = std::exp(-s * scheme.dt);
     const std::complex<double> weight =
       newmark.gamma - 0.5 - newmark.filter * 0.5 * e / (1. - 0.5 * e);

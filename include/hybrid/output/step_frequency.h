@@ -27,6 +27,8 @@ namespace hybrid::output
    * f the filter: their transfer function from forces to motion, exactly. To second order
    * w' = w (1 + (1/12 + f) (w dt)^2) with a filter, and the imaginary part is the damping.
    *
+   * Central differences (beta = 0) have s' = 2 / dt sinh(s dt / 2).
+   *
    * - The damping of blocks follows the mean rate of the step, which is that of half a step before:
    *   1 + beta_K (1 - e) / dt in place of 1 + beta_K s. What that makes softer or stiffer counts as
    *   frequency.

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <mpi.h>
+
+#include <functional>
+
+namespace hybrid
+{
+  /// What the first process has failed at and told; the others end with it, in silence.
+  struct FirstProcessFailed
+  {
+    int exit_code;
+  };
+
+
+  /**
+   * The processes that mpirun has started, or this one alone. All read the scene; the first one
+   * writes, and speaks.
+   */
+  class Processes
+  {
+  public:
+    Processes() = default;
+    ~Processes();
+    Processes(const Processes &)            = delete;
+    Processes &operator=(const Processes &) = delete;
+
+    /// Start MPI, unless the caller of main() has.
+    void start(int &argc, char **&argv);
+
+    /// Also before start().
+    bool is_first() const;
+
+    int count() const
+    {
+      return size;
+    }
+
+    /// Let the first one do @p work alone. Where it throws, the others throw FirstProcessFailed.
+    void on_first(const std::function<void()> &work) const;
+
+    /// The first one's @p value on all.
+    double from_first(double value) const;
+
+    /// The others sleep until the first one calls release(). @return the exit code it gives.
+    int wait_for_first() const;
+
+    /// Let the others end; nothing if they do not wait.
+    void release(int exit_code);
+
+    /// From now on only the first one computes, and the others wait.
+    void compute_alone()
+    {
+      others_wait = size > 1;
+    }
+
+    /// All run together: what stops one has to stop all.
+    void set_together(const bool now)
+    {
+      together = now && size > 1 && !others_wait;
+    }
+
+    bool are_together() const
+    {
+      return together;
+    }
+
+    /// This one has failed: end all if they run together.
+    void end_all(int exit_code) const;
+
+  private:
+    bool is_owner    = false;
+    bool others_wait = false;
+    bool together    = false;
+    int  size        = 1;
+  };
+} // namespace hybrid
