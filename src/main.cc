@@ -3,9 +3,9 @@
 #include <hybrid/command_line.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/version.h>
+#include <hybrid/processes.h>
 #include <hybrid/restart/checkpoint_file.h>
 #include <hybrid/restart/write_error.h>
-#include <hybrid/processes.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/parameters/parameter_values.h>
@@ -179,21 +179,22 @@ namespace
     for (double step = processes.from_first(choice.step.value_or(0.)); step > 0.;
          step        = processes.from_first(choice.step.value_or(0.)))
       {
-        const std::string            size  = scene::number_text(step);
-        const scene::SceneParameters scene = read_scene_of_run(directory, {"Time/Time step=" + size});
-        Voice                        voice(processes);
-        processes.on_first([&] {
+               const std::string            size = scene::number_text(step);
+               const scene::SceneParameters scene =
+                 read_scene_of_run(directory, {"Time/Time step=" + size});
+               Voice voice(processes);
+               processes.on_first([&] {
           if (simulation->record_for_repetition())
             output::write_step_record(step_record_file(directory),
                                       *simulation->record_for_repetition());
         });
-        simulation.reset(); // its memory
-        simulation = make_simulation(directory, scene, processes, voice.log);
-        processes.on_first([&] { prepare_directory(scene, true, voice.log); });
-        voice.log.info("Repeated in steps of " + size + " s: " + choice.why);
-        simulation->report().card();
-        const RunStatus status = simulation->run(interruption);
-        if (status != RunStatus::finished)
+               simulation.reset(); // its memory
+               simulation = make_simulation(directory, scene, processes, voice.log);
+               processes.on_first([&] { prepare_directory(scene, true, voice.log); });
+               voice.log.info("Repeated in steps of " + size + " s: " + choice.why);
+               simulation->report().card();
+               const RunStatus status = simulation->run(interruption);
+               if (status != RunStatus::finished)
           return status;
         choice = simulation->next_step_size();
       }
@@ -205,9 +206,8 @@ namespace
 
 
 
-  int run_scene(const CommandLine            &command,
-                const scene::SceneParameters &scene,
-                Processes                    &processes)
+  int
+  run_scene(const CommandLine &command, const scene::SceneParameters &scene, Processes &processes)
   {
     const bool force    = command.force || command.action == Action::resume;
     const bool is_check = command.action == Action::check;
@@ -222,7 +222,7 @@ namespace
       voice.log.info("Resumed before the first checkpoint: the run begins anew");
     if (!share_out(scene, processes, voice.log))
       return processes.wait_for_first();
-    auto simulation = make_simulation(command.target, scene, processes, voice.log);
+    auto               simulation = make_simulation(command.target, scene, processes, voice.log);
     const Interruption interruption; // before anything is written
     processes.on_first([&] {
       if (!is_check)
@@ -240,17 +240,16 @@ namespace
       }
     return run_guarded(scene.output.directory, processes, [&] {
       const RunStatus status = simulation->run(interruption);
-      return status == RunStatus::finished ?
-               meet_error_target(std::move(simulation), processes, interruption) :
-               status;
+      return status == RunStatus::finished
+               ? meet_error_target(std::move(simulation), processes, interruption)
+               : status;
     });
   }
 
 
 
-  int resume_run(const CommandLine            &command,
-                 const scene::SceneParameters &scene,
-                 Processes                    &processes)
+  int
+  resume_run(const CommandLine &command, const scene::SceneParameters &scene, Processes &processes)
   {
     if (has_not_begun(command.target))
       return run_scene(command, scene, processes);
@@ -260,13 +259,13 @@ namespace
     Voice voice(processes);
     if (!share_out(scene, processes, voice.log))
       return processes.wait_for_first();
-    auto simulation = make_simulation(command.target, scene, processes, voice.log);
+    auto               simulation = make_simulation(command.target, scene, processes, voice.log);
     const Interruption interruption;
     return run_guarded(command.target, processes, [&] {
       const RunStatus status = simulation->resume(checkpoint, interruption);
-      return status == RunStatus::finished ?
-               meet_error_target(std::move(simulation), processes, interruption) :
-               status;
+      return status == RunStatus::finished
+               ? meet_error_target(std::move(simulation), processes, interruption)
+               : status;
     });
   }
 
@@ -276,14 +275,13 @@ namespace
   int compute(const CommandLine &command, Processes &processes, int &argc, char **&argv)
   {
     const bool                   resumes = command.action == Action::resume;
-    const scene::SceneParameters scene =
-      resumes ? read_scene_of_run(command.target, command.overrides) :
-                scene::read_scene(command.target, command.overrides);
+    const scene::SceneParameters scene   = resumes
+                                             ? read_scene_of_run(command.target, command.overrides)
+                                             : scene::read_scene(command.target, command.overrides);
     if (command.action != Action::check)
       sleep_while_waiting(scene.threads, argv);
     processes.start(argc, argv);
-    return resumes ? resume_run(command, scene, processes) :
-                     run_scene(command, scene, processes);
+    return resumes ? resume_run(command, scene, processes) : run_scene(command, scene, processes);
   }
 
 

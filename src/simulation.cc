@@ -118,10 +118,25 @@ namespace hybrid
 
 
 
-  void Simulation::collect()
+  void Simulation::collect(const bool for_audit)
   {
-    if (!is_alone() && model.continuum != nullptr)
-      model.continuum->collect(state.continuum);
+    int is_audit = for_audit ? 1 : 0;
+    if (!is_alone())
+      MPI_Bcast(&is_audit, 1, MPI_INT, 0, processes);
+    if (model.continuum != nullptr)
+      model.continuum->collect(state.continuum, is_audit != 0);
+  }
+
+
+
+  void Simulation::record_step(Run                   &run,
+                               const dda::StepResult &result,
+                               const double           dt,
+                               const double           wall_time)
+  {
+    collect(run.recorder && run.recorder->audits(state.time, dt));
+    if (run.recorder)
+      run.recorder->record_step(state, result, dt, wall_time);
   }
 
 
@@ -181,7 +196,7 @@ namespace hybrid
         return RunStatus::no_equilibrium;
       }
     set_in_motion();
-    collect();
+    collect(true);
     if (run.recorder)
       run.recorder->start(state);
     if (model.scene.checkpoint.is_on())
@@ -232,12 +247,7 @@ namespace hybrid
         ++summary.steps;
 
         const auto accepted = SteadyClock::now();
-        collect();
-        if (run.recorder)
-          run.recorder->record_step(state,
-                                    result,
-                                    dt,
-                                    std::chrono::duration<double>(accepted - begin).count());
+        record_step(run, result, dt, std::chrono::duration<double>(accepted - begin).count());
         progress.update(state.time,
                         summary.steps - first_step,
                         summary.iterations - first_iteration);
@@ -294,6 +304,7 @@ namespace hybrid
   {
     output::Summary &summary = run.summary;
     run.end_steps();
+    collect(true);
     if (!run.recorder)
       return agreed_status(status);
     run.recorder->finish(state, summary);

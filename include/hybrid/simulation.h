@@ -77,8 +77,11 @@ namespace hybrid
 
     bool is_alone() const;
 
-    /// The whole state on the first process.
-    void collect();
+    /// The whole state on the first process. @param for_audit what audits read too
+    void collect(bool for_audit);
+
+    /// The first process records the step.
+    void record_step(Run &run, const dda::StepResult &result, double dt, double wall_time);
 
     /// What the processes call for together.
     Call agree(const Call &mine) const;

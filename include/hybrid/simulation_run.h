@@ -29,17 +29,17 @@ namespace hybrid
   {
     Run(Simulation &simulation, output::HistoryFile::Mode mode);
 
-    std::unique_ptr<dda::BlockSolver> solver; ///< null without blocks
-    coupling::CoupledStep             step;
-    Clock                             clock;
+    std::unique_ptr<dda::BlockSolver>  solver; ///< null without blocks
+    coupling::CoupledStep              step;
+    Clock                              clock;
     std::optional<output::RunRecorder> recorder; ///< of the first process only
-    output::Summary                   summary; ///< steps, iterations and timings so far
-    CheckpointSchedule                schedule;
-    output::EnergyWatch               energy;
-    RestWatch                         rest;
-    const SteadyClock::time_point     start             = SteadyClock::now();
-    double                            earlier_wall_time = 0.; ///< before the run was resumed [s]
-    double                            earlier_processor_time = 0.; ///< the same, see Summary [s]
+    output::Summary                    summary;  ///< steps, iterations and timings so far
+    CheckpointSchedule                 schedule;
+    output::EnergyWatch                energy;
+    RestWatch                          rest;
+    const SteadyClock::time_point      start             = SteadyClock::now();
+    double                             earlier_wall_time = 0.; ///< before the run was resumed [s]
+    double                             earlier_processor_time = 0.; ///< the same, see Summary [s]
 
     double wall_time() const
     {

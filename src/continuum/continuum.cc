@@ -86,10 +86,10 @@ namespace hybrid::continuum
     m.cell_region              = mesh.bedrock_region;
     for (const int region : mesh.bedrock_region)
       m.cell_material.push_back(region_material[region]);
-    m.newmark            = scene.time.newmark;
-    m.rayleigh_mass      = scene.continuum.rayleigh_mass;
-    m.rayleigh_stiffness = scene.continuum.rayleigh_stiffness;
-    m.rock               = split_bedding_planes(mesh, scene.bedding.names);
+    m.newmark                = scene.time.newmark;
+    m.rayleigh_mass          = scene.continuum.rayleigh_mass;
+    m.rayleigh_stiffness     = scene.continuum.rayleigh_stiffness;
+    m.rock                   = split_bedding_planes(mesh, scene.bedding.names);
     const auto make_boundary = [&] {
       m.boundary =
         std::make_unique<BoundaryForces>(m.rock, *m.nodes, m.cell_material, mesh, scene, motion);
@@ -108,7 +108,7 @@ namespace hybrid::continuum
           JointStiffness{scene.bedding.normal_stiffness, scene.bedding.shear_stiffness},
           m.point_loads,
           *m.boundary,
-          m.rayleigh_mass,
+          RockDamping{m.rayleigh_mass, m.rayleigh_stiffness, m.make_maxwell(scene.maxwell)},
           communicator);
         m.add_wave(scene.initial_wave, mesh);
         return;
@@ -235,7 +235,8 @@ namespace hybrid::continuum
     state.surface_force.assign(2 * impl->surface.size(), 0.);
     if (impl->slip != nullptr)
       state.slip = impl->slip->initial_state();
-    state.maxwell = impl->maxwell.at_rest();
+    state.maxwell =
+      impl->waves != nullptr ? impl->maxwell.strains_at_rest() : impl->maxwell.at_rest();
     return state;
   }
 

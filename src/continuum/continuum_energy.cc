@@ -265,10 +265,15 @@ namespace hybrid::continuum
 
   ContinuumEnergy Continuum::audit_energy(const ContinuumState &state) const
   {
-    const auto         &m      = *impl;
-    ContinuumEnergy     energy = state.energy;
-    const std::size_t   n      = m.n_dofs();
-    if (m.waves == nullptr) // it keeps both with the state
+    const auto       &m      = *impl;
+    ContinuumEnergy   energy = state.energy;
+    const std::size_t n      = m.n_dofs();
+    if (m.waves != nullptr) // collect() has put both into the state
+      {
+        if (m.waves->is_damped())
+          energy.damping_loss += energy.rock_work - energy.strain;
+      }
+    else
       {
         std::vector<double> product(n);
         const auto          form = [&](const std::vector<double> &x) {
@@ -282,7 +287,7 @@ namespace hybrid::continuum
         m.matrices.multiply_stiffness(state.displacement.data(), product.data());
         energy.strain = form(state.displacement);
       }
-    if (m.maxwell.is_on())
+    if (m.maxwell.is_on() && m.waves == nullptr)
       energy.strain += m.maxwell.stored_energy(state.maxwell, state.displacement.data());
     if (m.slip != nullptr)
       {

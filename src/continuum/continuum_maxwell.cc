@@ -3,15 +3,23 @@
 
 namespace hybrid::continuum
 {
+  MaxwellBody Continuum::Implementation::make_maxwell(const scene::MaxwellParameters &parameters)
+  {
+    const MaxwellBody body = parameters.bedrock_ratio > 0.
+                               ? maxwell_body(parameters.bedrock_ratio,
+                                              {parameters.lowest, parameters.highest},
+                                              parameters.branches)
+                               : MaxwellBody();
+    maxwell                = MaxwellMemory(body, n_dofs(), boundary->n_column_unknowns());
+    return body;
+  }
+
+
   void Continuum::Implementation::prepare_maxwell(const scene::MaxwellParameters &parameters)
   {
     if (!(parameters.bedrock_ratio > 0.))
       return;
-    maxwell  = MaxwellMemory(maxwell_body(parameters.bedrock_ratio,
-                                         {parameters.lowest, parameters.highest},
-                                         parameters.branches),
-                            n_dofs(),
-                            boundary->n_column_unknowns());
+    make_maxwell(parameters);
     maxwell1 = maxwell.at_rest();
     column_stressed.assign(boundary->n_column_unknowns(), 0.);
   }

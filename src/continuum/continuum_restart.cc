@@ -25,9 +25,10 @@ namespace hybrid::continuum
            damping_loss,
            bedding_loss,
            bedding_static_stress,
-           integration_loss] = energy;
+           integration_loss,
+           rock_work] = energy;
     archive(kinetic, strain, boundary_springs, input_work, surface_work, boundary_loss);
-    archive(damping_loss, bedding_loss, bedding_static_stress, integration_loss);
+    archive(damping_loss, bedding_loss, bedding_static_stress, integration_loss, rock_work);
   }
 
 

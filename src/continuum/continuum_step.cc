@@ -305,10 +305,13 @@ namespace hybrid::continuum
 
 
 
-  void Continuum::collect(ContinuumState &state) const
+  void Continuum::collect(ContinuumState &state, const bool for_audit) const
   {
-    if (impl->waves != nullptr)
-      impl->waves->collect(state);
+    if (impl->waves == nullptr)
+      return;
+    if (for_audit)
+      impl->waves->take_energy(state);
+    impl->waves->collect(state);
   }
 
 

@@ -36,18 +36,24 @@ namespace hybrid::continuum
                                const JointStiffness        &joint_stiffness,
                                const PointLoads            &loads,
                                BoundaryForces              &boundary,
-                               const double                 rayleigh_mass,
+                               const RockDamping           &of_rock,
                                const MPI_Comm               communicator)
-    : damping(rayleigh_mass)
+    : damping(of_rock)
     , n(2 * space.nodes.positions.size())
     , rock_operator(space, material, communicator)
-    , edges(rock, space.nodes, joint_stiffness, loads, boundary, rayleigh_mass)
+    , edges(rock, space.nodes, joint_stiffness, loads, boundary, of_rock)
     , places(edges.nodes(), rock_operator.unknowns(), communicator)
     , u(rock_operator.make_vector())
     , f(rock_operator.make_vector())
     , v(rock_operator.unknowns().size(), 0.)
     , a(v)
   {
+    if (is_damped())
+      {
+        strained = rock_operator.make_vector();
+        force0.assign(v.size(), 0.);
+        branch.assign(damping.body.n_branches(), v);
+      }
     std::vector<double> mass;
     places.gather(rock_operator.mass().data(), mass);
     edges.set_mass(mass);
@@ -93,8 +99,7 @@ namespace hybrid::continuum
       void vmult(Vector &to, const Vector &from) const
       {
         waves.u = from;
-        waves.places.gather(from.begin(), waves.work);
-        waves.find_rock_force(waves.work);
+        waves.find_rock_force(waves.u);
         to = waves.f;
         to *= -1.;
       }
@@ -113,8 +118,13 @@ namespace hybrid::continuum
     lanczos.connect_eigenvalues_slot(
       [&largest](const std::vector<double> &values) { largest = values.back(); }, false);
     lanczos.solve(Stiffness{*this}, result, start, inverse_mass);
-    stable_step = margin * 2. / std::sqrt(largest);
+    double modulus = damping.body.relaxed;
+    for (const double weight : damping.body.weight)
+      modulus += weight;
+    const double lag = damping.stiffness * largest, stiff = modulus * largest;
+    stable_step = margin * (std::sqrt(lag * lag + 4. * stiff) - lag) / stiff;
     u           = 0.;
+    f           = 0.;
   }
 
 
@@ -129,22 +139,34 @@ namespace hybrid::continuum
 
   double ExplicitWaves::memory() const
   {
-    constexpr double of_operator = 12.; // per unknown: cells' metric, modulus, numbers
-    return sizeof(double) * (of_operator + 5.) * static_cast<double>(v.size());
+    constexpr double of_operator = 12., of_step = 6.; // numbers per unknown; cells' metric, motion
+    const double     of_damping = is_damped() ? 2. + static_cast<double>(branch.size()) : 0.;
+    return sizeof(double) * (of_operator + of_step + of_damping) * static_cast<double>(v.size());
   }
 
 
 
-  void ExplicitWaves::load(const ContinuumState &state)
+  bool ExplicitWaves::load(const ContinuumState &state)
   {
-    const std::vector<int> &mine = rock_operator.unknowns();
+    const std::vector<int> &mine    = rock_operator.unknowns();
+    bool                    is_same = true;
+    const auto              take    = [&is_same](double &here, const double there) {
+      is_same = is_same && here == there;
+      here    = there;
+    };
     for (std::size_t i = 0; i < mine.size(); ++i)
       {
-        u.local_element(i) = state.displacement[mine[i]];
-        v[i]               = state.velocity[mine[i]];
-        a[i]               = state.acceleration[mine[i]];
+        take(u.local_element(i), state.displacement[mine[i]]);
+        take(v[i], state.velocity[mine[i]]);
+        take(a[i], state.acceleration[mine[i]]);
       }
+    for (std::size_t l = 0; l < branch.size(); ++l)
+      for (std::size_t i = 0; i < mine.size(); ++i)
+        take(branch[l][i], state.maxwell.strain[l * state.displacement.size() + mine[i]]);
     edges.take(state, n);
+    int differs = is_same ? 0 : 1;
+    MPI_Allreduce(MPI_IN_PLACE, &differs, 1, MPI_INT, MPI_MAX, rock_operator.communicator());
+    return differs == 0;
   }
 
 
@@ -158,17 +180,38 @@ namespace hybrid::continuum
         state.velocity[mine[i]]     = v[i];
         state.acceleration[mine[i]] = a[i];
       }
+    for (std::size_t l = 0; l < branch.size(); ++l)
+      for (std::size_t i = 0; i < mine.size(); ++i)
+        state.maxwell.strain[l * state.displacement.size() + mine[i]] = branch[l][i];
     edges.put(state, n);
   }
 
 
 
-  void ExplicitWaves::find_rock_force(const std::vector<double> &u_of_places)
+  void ExplicitWaves::find_rock_force(WaveOperator::Vector &by)
   {
-    rock_operator.elastic_force(u, f);
+    rock_operator.elastic_force(by, f);
+    places.gather(by.begin(), work);
     places.gather(f.begin(), rock_force1);
-    edges.add_joint_forces(u_of_places, rock_force1);
+    edges.add_joint_forces(work, rock_force1);
     places.scatter(rock_force1, f.begin());
+  }
+
+
+
+  void ExplicitWaves::find_rock_force_now(const double later)
+  {
+    if (!is_damped())
+      return find_rock_force(u);
+    for (std::size_t i = 0; i < v.size(); ++i)
+      {
+        double sum =
+          damping.body.relaxed * u.local_element(i) + damping.stiffness * (v[i] - later * a[i]);
+        for (std::size_t l = 0; l < branch.size(); ++l)
+          sum += damping.body.weight[l] * branch[l][i];
+        strained.local_element(i) = sum;
+      }
+    find_rock_force(strained);
   }
 
 
@@ -176,41 +219,44 @@ namespace hybrid::continuum
   void ExplicitWaves::start(ContinuumState &state)
   {
     load(state);
-    find_rock_force(edges.motion().displacement);
+    find_rock_force_now(0.);
     edges.find_acceleration(state.time, rock_force1);
     for (std::size_t i = 0; i < a.size(); ++i)
-      a[i] = f.local_element(i) / rock_operator.mass()[i] - damping * v[i];
+      a[i] = f.local_element(i) / rock_operator.mass()[i] - damping.mass * v[i];
     places.scatter(edges.motion().acceleration, a.data());
     store(state);
-    damped               = 0.;
-    const Sums sum       = sum_up();
-    state.energy.kinetic = sum.kinetic;
-    state.energy.strain  = sum.strain;
+    double stored = stored_energy();
+    add_up(&stored, 1);
+    state.energy.rock_work = stored;
+    state.last_step        = 0.;
   }
 
 
 
   bool ExplicitWaves::step(ContinuumState &state, const double dt)
   {
-    const int    count = parts(dt);
-    const double part  = dt / count;
-    load(state);
-    double inertia0 = inertia();
-    MPI_Allreduce(MPI_IN_PLACE, &inertia0, 1, MPI_DOUBLE, MPI_SUM, rock_operator.communicator());
-    damped = 0.;
-    if (edges.has_moving_base())
-      find_rock_force(edges.motion().displacement);
+    const int    count   = parts(dt);
+    const double part    = dt / count;
+    const bool   is_same = load(state);
+    // The half velocity of before is rounded anew: always, so that a resumed run does the same.
+    if (damping.stiffness > 0. || (!is_same && (edges.has_moving_base() || is_damped())))
+      find_rock_force_now(0.5 * state.last_step);
+    double sums[4] = {inertia(), 0., 0., 0.};
+    damped = rock_work = 0.;
     for (int k = 0; k < count; ++k)
       advance(state, state.time + k * part, part);
     store(state);
 
-    const Sums sum       = sum_up();
-    state.energy.kinetic = sum.kinetic;
-    state.energy.strain  = sum.strain;
-    state.energy.damping_loss += sum.damping;
-    state.energy.integration_loss += part * part / 8. * (inertia0 - sum.inertia);
+    sums[1] = inertia();
+    sums[2] = damped;
+    sums[3] = rock_work;
+    add_up(sums, 4);
+    state.energy.integration_loss += part * part / 8. * (sums[0] - sums[1]);
+    state.energy.damping_loss += sums[2];
+    state.energy.rock_work += sums[3];
+    state.last_step = part;
     state.time += dt;
-    return std::isfinite(sum.kinetic + sum.strain);
+    return std::isfinite(sums[1]);
   }
 
 
@@ -224,8 +270,18 @@ namespace hybrid::continuum
         u.local_element(i) += dt * v[i];
       }
     places.scatter(edges.motion().displacement, u.begin());
+    for (std::size_t l = 0; l < branch.size(); ++l)
+      {
+        const double kept = damping.body.kept(dt, l), gained = dt * damping.body.gained(dt, l);
+        for (std::size_t i = 0; i < v.size(); ++i)
+          branch[l][i] = kept * branch[l][i] + gained * v[i];
+      }
+    if (is_damped())
+      std::copy(f.begin(), f.end(), force0.begin());
     std::swap(rock_force0, rock_force1);
-    find_rock_force(edges.motion().displacement);
+    find_rock_force_now(0.);
+    for (std::size_t i = 0; i < force0.size(); ++i)
+      rock_work -= 0.5 * dt * v[i] * (force0[i] + f.local_element(i));
     edges.accelerate(time + dt, dt, rock_force1);
     accelerate(dt);
     edges.add_energy(rock_force0, rock_force1, state.energy);
@@ -236,8 +292,9 @@ namespace hybrid::continuum
   void ExplicitWaves::accelerate(const double dt)
   {
     const std::vector<double> &mass = rock_operator.mass();
-    const double               half = 0.5 * dt, resisting = 1. + half * damping;
-    if (damping != 0.)
+    const double               half = 0.5 * dt, drag = damping.mass;
+    const double               resisting = 1. + half * drag;
+    if (drag != 0.)
       {
         // Of the nodes with a place the edges know the acceleration.
         const WaveEdges::Motion &motion = edges.motion();
@@ -245,22 +302,21 @@ namespace hybrid::continuum
         for (std::size_t k = 0; k < work.size(); ++k)
           {
             const double v_half = motion.velocity[k] - half * motion.acceleration[k];
-            work[k] *= resisting * motion.acceleration[k] + damping * v_half;
+            work[k] *= resisting * motion.acceleration[k] + drag * v_half;
           }
         places.scatter(work, f.begin());
       }
     for (std::size_t i = 0; i < v.size(); ++i)
       {
-        const double next =
-          (f.local_element(i) / mass[i] - damping * v[i]) / resisting;
-        if (damping != 0.)
-          damped += damping * mass[i] * dt * v[i] * (v[i] + 0.25 * dt * (next - a[i]));
+        const double next = (f.local_element(i) / mass[i] - drag * v[i]) / resisting;
+        if (drag != 0.)
+          damped += drag * mass[i] * dt * v[i] * (v[i] + 0.25 * dt * (next - a[i]));
         a[i] = next;
         v[i] += half * next;
       }
     places.scatter(edges.motion().acceleration, a.data());
     places.scatter(edges.motion().velocity, v.data());
-    if (damping != 0.)
+    if (drag != 0.)
       places.scatter(rock_force1, f.begin());
   }
 
@@ -276,16 +332,43 @@ namespace hybrid::continuum
 
 
 
-  ExplicitWaves::Sums ExplicitWaves::sum_up() const
+  double ExplicitWaves::stored_energy()
   {
-    double sum[4] = {0., 0., inertia(), damped};
-    for (std::size_t i = 0; i < v.size(); ++i)
+    const auto energy = [this](WaveOperator::Vector &by) {
+      find_rock_force(by);
+      double sum = 0.;
+      for (std::size_t i = 0; i < v.size(); ++i)
+        sum -= 0.5 * by.local_element(i) * f.local_element(i);
+      return sum;
+    };
+    double sum = damping.body.relaxed * energy(u);
+    for (std::size_t l = 0; l < branch.size(); ++l)
       {
-        sum[0] += 0.5 * rock_operator.mass()[i] * v[i] * v[i];
-        sum[1] -= 0.5 * u.local_element(i) * f.local_element(i);
+        std::copy(branch[l].begin(), branch[l].end(), strained.begin());
+        sum += damping.body.weight[l] * energy(strained);
       }
-    MPI_Allreduce(MPI_IN_PLACE, sum, 4, MPI_DOUBLE, MPI_SUM, rock_operator.communicator());
-    return {sum[0], sum[1], sum[2], sum[3]};
+    return sum;
+  }
+
+
+
+  void ExplicitWaves::take_energy(ContinuumState &state)
+  {
+    load(state);
+    double sums[2] = {0., stored_energy()};
+    for (std::size_t i = 0; i < v.size(); ++i)
+      sums[0] += 0.5 * rock_operator.mass()[i] * v[i] * v[i];
+    add_up(sums, 2);
+    state.energy.kinetic = sums[0];
+    state.energy.strain  = sums[1];
+    find_rock_force_now(0.5 * state.last_step); // the next step begins with it
+  }
+
+
+
+  void ExplicitWaves::add_up(double *values, const int count) const
+  {
+    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_SUM, rock_operator.communicator());
   }
 
 
@@ -294,22 +377,25 @@ namespace hybrid::continuum
   {
     if (counts.empty())
       return;
-    const std::vector<int> &mine = rock_operator.unknowns();
+    const std::vector<int> &mine        = rock_operator.unknowns();
+    const auto              collect_one = [&](double *all) {
+      for (std::size_t i = 0; i < mine.size(); ++i)
+        sent[i] = all[mine[i]];
+      MPI_Gatherv(sent.data(),
+                  static_cast<int>(sent.size()),
+                  MPI_DOUBLE,
+                  received.data(),
+                  counts.data(),
+                  offsets.data(),
+                  MPI_DOUBLE,
+                  0,
+                  rock_operator.communicator());
+      for (std::size_t k = 0; k < received.size(); ++k)
+        all[unknown_of[k]] = received[k];
+    };
     for (auto *all : {&state.displacement, &state.velocity, &state.acceleration})
-      {
-        for (std::size_t i = 0; i < mine.size(); ++i)
-          sent[i] = (*all)[mine[i]];
-        MPI_Gatherv(sent.data(),
-                    static_cast<int>(sent.size()),
-                    MPI_DOUBLE,
-                    received.data(),
-                    counts.data(),
-                    offsets.data(),
-                    MPI_DOUBLE,
-                    0,
-                    rock_operator.communicator());
-        for (std::size_t k = 0; k < received.size(); ++k)
-          (*all)[unknown_of[k]] = received[k];
-      }
+      collect_one(all->data());
+    for (std::size_t l = 0; l < branch.size(); ++l)
+      collect_one(state.maxwell.strain.data() + l * state.displacement.size());
   }
 } // namespace hybrid::continuum

@@ -219,8 +219,17 @@ namespace hybrid::continuum
             rate[i]      = old.v[k] + half * old.a[k];
             predicted[i] = old.u[k] + dt * rate[i];
           }
+        past = model.maxwell.relaxed * predicted + model.rayleigh_stiffness * rate;
+        for (std::size_t l = 0; l < model.maxwell.n_branches(); ++l)
+          for (int i = 0; i < n; ++i)
+            {
+              double &strain = next.branch[l * old.stride + 2 * i + c];
+              strain         = model.maxwell.kept(dt, l) * old.branch[l * old.stride + 2 * i + c] +
+                       model.maxwell.gained(dt, l) * dt * rate[i];
+              past[i] += model.maxwell.weight[l] * strain;
+            }
         rhs.setZero();
-        add_product(-1., stiffness[c], predicted, rhs);
+        add_product(-1., stiffness[c], past, rhs);
         for (int i = 0; i < n; ++i)
           {
             const int    k       = 2 * i + c;
@@ -232,8 +241,8 @@ namespace hybrid::continuum
                 resisting += half * model.foot_impedance[c];
               }
             next.u[k] = predicted[i];
-            next.a[k] = i == 0 && model.foot == Foot::prescribed ? in.acceleration[c] :
-                                                                   force / resisting;
+            next.a[k] =
+              i == 0 && model.foot == Foot::prescribed ? in.acceleration[c] : force / resisting;
             next.v[k] = rate[i] + half * next.a[k];
           }
       }

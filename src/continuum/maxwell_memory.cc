@@ -29,9 +29,18 @@ namespace hybrid::continuum
     MaxwellState state;
     if (!is_on())
       return state;
-    state.strain.assign(body.n_branches() * all, 0.);
+    state = strains_at_rest();
     state.force.assign(body.n_branches() * n, 0.);
     state.elastic.assign(n, 0.);
+    return state;
+  }
+
+
+
+  MaxwellState MaxwellMemory::strains_at_rest() const
+  {
+    MaxwellState state;
+    state.strain.assign(body.n_branches() * all, 0.);
     return state;
   }
 

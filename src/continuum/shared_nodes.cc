@@ -33,14 +33,8 @@ namespace hybrid::continuum
     for (int r = 1; r < ranks; ++r)
       offsets[r] = offsets[r - 1] + counts[r - 1];
     place_of.resize(n_unknowns());
-    MPI_Allgatherv(places.data(),
-                   count,
-                   MPI_INT,
-                   place_of.data(),
-                   counts.data(),
-                   offsets.data(),
-                   MPI_INT,
-                   comm);
+    MPI_Allgatherv(
+      places.data(), count, MPI_INT, place_of.data(), counts.data(), offsets.data(), MPI_INT, comm);
     sent.resize(shares.size());
     received.resize(n_unknowns());
   }

@@ -12,9 +12,9 @@ namespace hybrid::continuum
                        const JointStiffness &joint_stiffness,
                        const PointLoads     &loads,
                        BoundaryForces       &of_boundary,
-                       const double          rayleigh_mass)
+                       const RockDamping    &of_rock)
     : boundary(of_boundary)
-    , damping(rayleigh_mass)
+    , damping(of_rock)
     , place(nodes.positions.size(), -1)
   {
     for (const int node : boundary.boundary_nodes()) // first, as vectors on the boundary have them
@@ -37,6 +37,9 @@ namespace hybrid::continuum
     for (Motion *motion : {&columns, &next_columns})
       for (auto *x : {&motion->displacement, &motion->velocity, &motion->acceleration})
         x->assign(boundary.n_column_unknowns(), 0.);
+    column_branch.assign(damping.body.n_branches() * boundary.n_column_unknowns(), 0.);
+    next_column_branch = column_branch;
+    column_strained.assign(boundary.n_column_unknowns(), 0.);
     for (auto *x : {&force0, &force1, &change, &change_free, &mean, &mean_free})
       x->assign(2 * list.size(), 0.);
   }
@@ -55,9 +58,8 @@ namespace hybrid::continuum
 
 
 
-  void WaveEdges::add_joints(const RockMesh       &rock,
-                             const ElementNodes   &nodes,
-                             const JointStiffness &k)
+  void
+  WaveEdges::add_joints(const RockMesh &rock, const ElementNodes &nodes, const JointStiffness &k)
   {
     for (const FacePair &pair : rock.joints)
       {
@@ -69,9 +71,8 @@ namespace hybrid::continuum
           k.normal * normal * normal.transpose() + k.shear * t * t.transpose();
         for (std::size_t i = 0; i < left.size(); ++i)
           if (left[i] != right[i])
-            joints.push_back({place_of(left[i]),
-                              place_of(right[i]),
-                              length * nodes.line.mass()(i, i) * spring});
+            joints.push_back(
+              {place_of(left[i]), place_of(right[i]), length * nodes.line.mass()(i, i) * spring});
       }
   }
 
@@ -96,8 +97,12 @@ namespace hybrid::continuum
     take_from(state.displacement, now.displacement, columns.displacement);
     take_from(state.velocity, now.velocity, columns.velocity);
     take_from(state.acceleration, now.acceleration, columns.acceleration);
-    boundary.incoming(
-      state.time, columns.displacement.data(), columns.velocity.data(), incoming1);
+    const std::size_t count = column_strained.size();
+    for (std::size_t l = 0; l < damping.body.n_branches(); ++l)
+      std::copy_n(state.maxwell.strain.begin() + static_cast<std::ptrdiff_t>(l * (n + count) + n),
+                  count,
+                  column_branch.begin() + static_cast<std::ptrdiff_t>(l * count));
+    find_incoming(state.time, 0.5 * state.last_step);
     outer_forces(state.time, incoming1, now.velocity, force1);
   }
 
@@ -115,6 +120,11 @@ namespace hybrid::continuum
     put_into(now.displacement, columns.displacement, state.displacement);
     put_into(now.velocity, columns.velocity, state.velocity);
     put_into(now.acceleration, columns.acceleration, state.acceleration);
+    const std::size_t count = column_strained.size();
+    for (std::size_t l = 0; l < damping.body.n_branches(); ++l)
+      std::copy_n(column_branch.begin() + static_cast<std::ptrdiff_t>(l * count),
+                  count,
+                  state.maxwell.strain.begin() + static_cast<std::ptrdiff_t>(l * (n + count) + n));
   }
 
 
@@ -135,15 +145,39 @@ namespace hybrid::continuum
   {
     boundary.step_columns({columns.displacement.data(),
                            columns.velocity.data(),
-                           columns.acceleration.data()},
+                           columns.acceleration.data(),
+                           nullptr,
+                           0.,
+                           column_branch.data(),
+                           column_strained.size()},
                           {next_columns.displacement.data(),
                            next_columns.velocity.data(),
-                           next_columns.acceleration.data()},
+                           next_columns.acceleration.data(),
+                           nullptr,
+                           next_column_branch.empty() ? nullptr : next_column_branch.data()},
                           time - dt,
                           dt);
     std::swap(columns, next_columns);
+    std::swap(column_branch, next_column_branch);
     std::swap(incoming0, incoming1);
-    boundary.incoming(time, columns.displacement.data(), columns.velocity.data(), incoming1);
+    find_incoming(time, 0.5 * dt);
+  }
+
+
+
+  void WaveEdges::find_incoming(const double time, const double later)
+  {
+    const double     *u = columns.displacement.data(), *v = columns.velocity.data();
+    const std::size_t count = column_strained.size();
+    for (std::size_t k = 0; k < count; ++k)
+      {
+        // BoundaryForces adds beta_K v.
+        column_strained[k] =
+          damping.body.relaxed * u[k] - damping.stiffness * later * columns.acceleration[k];
+        for (std::size_t l = 0; l < damping.body.n_branches(); ++l)
+          column_strained[k] += damping.body.weight[l] * column_branch[l * count + k];
+      }
+    boundary.incoming(time, u, v, incoming1, column_strained.data());
   }
 
 
@@ -189,7 +223,7 @@ namespace hybrid::continuum
     bool            is_free   = true;
     for (int c = 0; c < 2; ++c)
       {
-        resisting(c, c) += (1. + half_step * damping) * m[2 * p + c];
+        resisting(c, c) += (1. + half_step * damping.mass) * m[2 * p + c];
         is_free = is_free && support[2 * p + c] == Support::none;
       }
     if (is_free)
@@ -204,9 +238,8 @@ namespace hybrid::continuum
 
 
 
-  void WaveEdges::accelerate(const double               time,
-                             const double               dt,
-                             const std::vector<double> &rock_force)
+  void
+  WaveEdges::accelerate(const double time, const double dt, const std::vector<double> &rock_force)
   {
     step_columns(time, dt);
     outer_forces(time, incoming1, now.velocity, mean);
@@ -216,7 +249,7 @@ namespace hybrid::continuum
         for (std::size_t c = 0; c < 2; ++c)
           {
             const std::size_t k = 2 * p + c;
-            force[c] = rock_force[k] + mean[k] - damping * m[k] * now.velocity[k];
+            force[c]            = rock_force[k] + mean[k] - damping.mass * m[k] * now.velocity[k];
           }
         const Vec2 a = acceleration_of(static_cast<int>(p), time, 0.5 * dt, force);
         for (std::size_t c = 0; c < 2; ++c)
@@ -239,7 +272,7 @@ namespace hybrid::continuum
         for (std::size_t c = 0; c < 2; ++c)
           {
             const std::size_t k = 2 * p + c;
-            force[c] = rock_force[k] + force1[k] - damping * m[k] * now.velocity[k];
+            force[c]            = rock_force[k] + force1[k] - damping.mass * m[k] * now.velocity[k];
           }
         const Vec2 a = acceleration_of(static_cast<int>(p), time, 0., force);
         for (std::size_t c = 0; c < 2; ++c)
@@ -277,7 +310,7 @@ namespace hybrid::continuum
     for (std::size_t k = 0; k < change.size(); ++k)
       if (support[k] == Support::base_motion)
         {
-          const double drag    = damping * 0.5 * (before.velocity[k] + now.velocity[k]);
+          const double drag    = damping.mass * 0.5 * (before.velocity[k] + now.velocity[k]);
           const double inertia = 0.5 * (before.acceleration[k] + now.acceleration[k]);
           energy.input_work +=
             change[k] * (m[k] * (inertia + drag) - 0.5 * (rock_force0[k] + rock_force1[k]) -

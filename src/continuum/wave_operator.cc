@@ -48,11 +48,8 @@ namespace hybrid::continuum
     MatrixFree::AdditionalData settings;
     settings.tasks_parallel_scheme = MatrixFree::AdditionalData::none;
     settings.mapping_update_flags  = update_values | update_gradients | update_JxW_values;
-    loop.reinit(MappingQ1<2>(),
-                dof_handler,
-                none,
-                QGaussLobatto<1>(space.nodes.line.degree() + 1),
-                settings);
+    loop.reinit(
+      MappingQ1<2>(), dof_handler, none, QGaussLobatto<1>(space.nodes.line.degree() + 1), settings);
     take_materials(material);
 
     Vector mass = make_vector(), unused = make_vector();
@@ -103,9 +100,9 @@ namespace hybrid::continuum
     for (unsigned int batch = 0; batch < loop.n_cell_batches(); ++batch)
       for (unsigned int lane = 0; lane < Lanes::size(); ++lane)
         {
-          const unsigned int last = loop.n_active_entries_per_cell_batch(batch) - 1;
-          const auto         cell = loop.get_cell_iterator(batch, std::min(lane, last));
-          const Material    &of   = material[cell->id().get_coarse_cell_id()];
+          const unsigned int last     = loop.n_active_entries_per_cell_batch(batch) - 1;
+          const auto         cell     = loop.get_cell_iterator(batch, std::min(lane, last));
+          const Material    &of       = material[cell->id().get_coarse_cell_id()];
           moduli[batch].lambda[lane]  = of.lame_lambda();
           moduli[batch].shear[lane]   = of.shear_modulus();
           moduli[batch].density[lane] = of.density;
@@ -143,9 +140,9 @@ namespace hybrid::continuum
         cell.gather_evaluate(u, EvaluationFlags::gradients);
         for (unsigned int q = 0; q < cell.n_q_points; ++q)
           {
-            const auto  gradient = cell.get_gradient(q);
-            const Lanes volume   = lambda * (gradient[0][0] + gradient[1][1]);
-            const Lanes slant    = shear * (gradient[0][1] + gradient[1][0]);
+            const auto                        gradient = cell.get_gradient(q);
+            const Lanes                       volume   = lambda * (gradient[0][0] + gradient[1][1]);
+            const Lanes                       slant    = shear * (gradient[0][1] + gradient[1][0]);
             Tensor<1, 2, Tensor<1, 2, Lanes>> stress;
             stress[0][0] = volume + 2. * shear * gradient[0][0];
             stress[1][1] = volume + 2. * shear * gradient[1][1];
@@ -158,10 +155,8 @@ namespace hybrid::continuum
 
 
 
-  void WaveOperator::add_mass(const MatrixFree &,
-                              Vector &mass,
-                              const Vector &,
-                              const Range &range) const
+  void
+  WaveOperator::add_mass(const MatrixFree &, Vector &mass, const Vector &, const Range &range) const
   {
     Evaluation cell(loop);
     for (unsigned int batch = range.first; batch < range.second; ++batch)

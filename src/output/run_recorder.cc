@@ -252,6 +252,13 @@ namespace hybrid::output
 
 
 
+  bool RunRecorder::audits(const double time, const double dt) const
+  {
+    return time >= next_audit - early_of(dt);
+  }
+
+
+
   void RunRecorder::record_step(const coupling::CoupledState &state,
                                 const dda::StepResult        &step,
                                 const double                  dt,
@@ -272,8 +279,8 @@ namespace hybrid::output
     lines.record(state, dt, file);
     peaks.record(state, dt, base_displacement());
 
-    const double early = 1e-9 * dt;
-    if (now >= next_audit - early)
+    const double early = early_of(dt);
+    if (audits(now, dt))
       {
         record_energy(state);
         const double interval = parts.scene.output.audit_interval;

@@ -109,8 +109,8 @@ namespace hybrid::output
           return mesh_frequency_error(degree,
                                       cell_time,
                                       s,
-                                      parts.scene.continuum.is_explicit ? ElementMass::diagonal :
-                                                                          ElementMass::consistent);
+                                      parts.scene.continuum.is_explicit ? ElementMass::diagonal
+                                                                        : ElementMass::consistent);
         },
         M_PI * degree / cell_time);
     }
@@ -179,9 +179,9 @@ namespace hybrid::output
     const auto          part   = [&](const double dt) {
       return parts.continuum != nullptr ? dt / parts.continuum->parts_of_step(dt) : dt;
     };
-    scheme.dt       = part(step);
-    error.step      = estimate.of_steps(scheme);
-    scheme.dt       = part(0.5 * step);
+    scheme.dt  = part(step);
+    error.step = estimate.of_steps(scheme);
+    scheme.dt  = part(0.5 * step);
     if (scheme.newmark.corrected_step > 0.)
       scheme.newmark.corrected_step *= 0.5;
     error.half_step = estimate.of_steps(scheme);

@@ -31,17 +31,20 @@ namespace hybrid::continuum
     double bedding_loss          = 0.; ///< slip and breaking of bedding planes
     double bedding_static_stress = 0.; ///< static stress that their slip released (negative), now
     double integration_loss      = 0.; ///< Newmark's own dissipation
+    double rock_work = 0.; ///< on rock that damps, of explicit steps: strain and damping_loss share
+                           ///< it in an audit
   };
 
   /// All mutable state of the continuum: copied for roll-back, written for restart.
   struct ContinuumState
   {
-    double              time      = 0.; ///< [s]
-    double              last_step = 0.; ///< of acceleration_change [s]; 0: none
-    std::vector<double> displacement;   ///< u [m], all unknowns, free-field columns last; increment
-                                        ///< since the static state
-    std::vector<double> velocity;       ///< v [m/s]
-    std::vector<double> acceleration;   ///< a [m/s2]
+    double time      = 0.;            ///< [s]
+    double last_step = 0.;            ///< of acceleration_change, or of the parts of explicit
+                                      ///< steps [s]; 0: none
+    std::vector<double> displacement; ///< u [m], all unknowns, free-field columns last; increment
+                                      ///< since the static state
+    std::vector<double> velocity;     ///< v [m/s]
+    std::vector<double> acceleration; ///< a [m/s2]
     std::vector<double> contact_acceleration; ///< part of a that ends with the step, see
                                               ///< SurfaceForce [m/s2]; empty: none
     std::vector<double> acceleration_change;  ///< remembered by a Newmark::filter, of a without
@@ -191,9 +194,9 @@ namespace hybrid::continuum
     /// Equal parts into which a step of @p dt [s] is divided; 1 unless it is explicit.
     int parts_of_step(double dt) const;
 
-    /// The whole motion on the first rank: a step leaves each rank with its own part; all ranks
-    /// call it.
-    void collect(ContinuumState &state) const;
+    /// After explicit steps, which leave each rank with its own part: the whole motion on the first
+    /// rank. All ranks call it. @param for_audit the energies too, for audit_energy()
+    void collect(ContinuumState &state, bool for_audit) const;
 
     /// Bedding planes that may slip; empty if the scene has none.
     const std::vector<BeddingPlane> &slipping_planes() const;

@@ -137,7 +137,8 @@ namespace hybrid::continuum
     void finish(ContinuumState &state, double dt, const SurfaceForce &force);
 
     // Maxwell damping (continuum_maxwell.cc); called only where there is some
-    void prepare_maxwell(const scene::MaxwellParameters &parameters);
+    MaxwellBody make_maxwell(const scene::MaxwellParameters &parameters);
+    void        prepare_maxwell(const scene::MaxwellParameters &parameters);
     void take_maxwell(const ContinuumState &state, double dt); ///< maxwell1, once u1 is known
     /// Force of the excess on the moving base [N/m].
     Vec2 base_maxwell(const MaxwellState &state) const;

@@ -22,6 +22,13 @@ namespace hybrid::continuum
    *   D[1/2 v M v] = Du . (F_0 + F_1) / 2 + dt^2/8 D[a M a],  F = M a the sum of all forces,
    * so what the scheme itself takes is a function of the state: ContinuumEnergy::integration_loss
    * is - dt^2/8 a M a, and zero again when the rock is at rest.
+   *
+   * Rock that damps is strained by
+   *   w = relaxed u + sum_l weight_l s_l + beta_K v_h
+   * in place of u (MaxwellBody, Rayleigh): one product with K, as without damping. The velocity is
+   * that of half a part before, which makes the stable part shorter:
+   * dt^2 w_max^2 m + 2 beta_K w_max^2 dt <= 4, m the modulus of the body at once over the
+   * material's. What damping takes is the work on w less what is stored.
    */
   class ExplicitWaves
   {
@@ -33,7 +40,7 @@ namespace hybrid::continuum
                   const JointStiffness        &joint_stiffness,
                   const PointLoads            &loads,
                   BoundaryForces              &boundary,
-                  double                       rayleigh_mass,
+                  const RockDamping           &damping,
                   MPI_Comm                     communicator);
 
     /// Equal parts into which a step of @p dt [s] is divided.
@@ -43,49 +50,62 @@ namespace hybrid::continuum
     void start(ContinuumState &state);
 
     /// One step of the run. On each rank only its own unknowns, places and columns are those of
-    /// now; collect() makes the first one's whole. @return false if the energy is not finite.
+    /// now; collect() makes the first one's whole. @return false if the motion is not finite.
     bool step(ContinuumState &state, double dt);
 
     /// The whole motion on the first rank; all ranks call it.
     void collect(ContinuumState &state);
 
+    /// Kinetic energy, that of strains, and what damping has taken, which a step does not add up;
+    /// all ranks call it.
+    void take_energy(ContinuumState &state);
+
+    /// By stresses: its strain is part of ContinuumEnergy::rock_work.
+    bool is_damped() const
+    {
+      return damping.stiffness > 0. || damping.body.n_branches() > 0;
+    }
+
     /// What this rank holds besides the state [B].
     double memory() const;
 
   private:
-    /// Of the unknowns of all ranks.
-    struct Sums
-    {
-      double kinetic = 0.; ///< v M v / 2 [J/m]
-      double strain  = 0.; ///< u K u / 2, joints included [J/m]
-      double inertia = 0.; ///< a M a [N m/(s2 m)]
-      double damping = 0.; ///< what Rayleigh damping took in the step [J/m]
-    };
-
     void find_stable_step();
-    void load(const ContinuumState &state);
+
+    /// @return whether the state is that which the last step or start() has left.
+    bool load(const ContinuumState &state);
     void store(ContinuumState &state) const;
 
-    /// Force of rock and joints at the displacement u, on this rank's unknowns and on the places.
-    void find_rock_force(const std::vector<double> &u_of_places);
+    /// Force of rock and joints strained by @p by, on this rank's unknowns and on the places.
+    void find_rock_force(WaveOperator::Vector &by);
+
+    /// The same for the motion of now, whose velocity is the one @p later [s] after w's.
+    void find_rock_force_now(double later);
 
     void   advance(ContinuumState &state, double time, double dt);
     void   accelerate(double dt);
     double inertia() const; ///< a M a of this rank
-    Sums   sum_up() const;
+    double stored_energy(); ///< of this rank [J/m]; leaves f of another displacement
 
-    const double      damping;   ///< alpha_M [1/s]
-    const std::size_t n;         ///< unknowns of the rock
+    /// The same on all ranks, of all.
+    void add_up(double *values, int count) const;
+
+    const RockDamping damping;
+    const std::size_t n; ///< unknowns of the rock
     WaveOperator      rock_operator;
     WaveEdges         edges;
     SharedNodes       places;
     double            stable_step = 0.; ///< [s]
 
-    WaveOperator::Vector u, f;
-    std::vector<double>  v, a;
-    std::vector<double>  rock_force0, rock_force1; ///< on the places [N/m]
-    std::vector<double>  work;                     ///< of places
-    double               damped = 0.; ///< of this rank, in the step [J/m]
+    WaveOperator::Vector             u, f;
+    WaveOperator::Vector             strained; ///< w, of rock that damps
+    std::vector<double>              force0;   ///< f at the start of a part, likewise
+    std::vector<std::vector<double>> branch;   ///< s_l [m]
+    std::vector<double>              v, a;
+    std::vector<double>              rock_force0, rock_force1; ///< on the places [N/m]
+    std::vector<double>              work;                     ///< of places
+    double                           damped = 0.; ///< by mass, of this rank, in the step [J/m]
+    double rock_work = 0.; ///< on rock that damps, of this rank, in the step [J/m]
 
     // collect(), on the first rank
     std::vector<int>    counts, offsets, unknown_of;

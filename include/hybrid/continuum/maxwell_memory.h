@@ -8,7 +8,8 @@
 
 namespace hybrid::continuum
 {
-  /// What the branches of a MaxwellBody remember; all empty without one.
+  /// What the branches of a MaxwellBody remember; all empty without one, the forces of explicit
+  /// steps too.
   struct MaxwellState
   {
     std::vector<double> strain;  ///< displacement s_l that strains the spring of branch l [m], all
@@ -44,6 +45,9 @@ namespace hybrid::continuum
 
     /// Nothing is strained.
     MaxwellState at_rest() const;
+
+    /// The same for explicit steps, which keep no forces.
+    MaxwellState strains_at_rest() const;
 
     /// Of the excess's force, per K u at the end of a step [-].
     double step_modulus(const double dt) const

@@ -10,6 +10,15 @@
 
 namespace hybrid::continuum
 {
+  /// Damping of the rock.
+  struct RockDamping
+  {
+    double      mass      = 0.; ///< alpha_M [1/s]
+    double      stiffness = 0.; ///< beta_K [s]
+    MaxwellBody body;
+  };
+
+
   /**
    * What acts on the rock of ExplicitWaves besides itself: base and sides with their free-field
    * columns, bedding planes that stay elastic, point loads. Nodes that one of these acts on have a
@@ -26,7 +35,7 @@ namespace hybrid::continuum
               const JointStiffness &joint_stiffness,
               const PointLoads     &loads,
               BoundaryForces       &boundary,
-              double                rayleigh_mass);
+              const RockDamping    &damping);
 
     /// Of the rock, in the order of places; vectors of places hold x and y of each.
     const std::vector<int> &nodes() const
@@ -53,7 +62,8 @@ namespace hybrid::continuum
       return now;
     }
 
-    /// From a state whose places and columns are those of its time. @param n unknowns of the rock
+    /// From a state whose places and columns are those of its time, after a step in parts of
+    /// ContinuumState::last_step. @param n unknowns of the rock
     void take(const ContinuumState &state, std::size_t n);
 
     void put(ContinuumState &state, std::size_t n) const;
@@ -95,6 +105,10 @@ namespace hybrid::continuum
     void add_joints(const RockMesh &, const ElementNodes &, const JointStiffness &);
     void step_columns(double time, double dt);
 
+    /// What the columns send in at @p time. @param later their velocity is of this after that which
+    /// strains them [s]
+    void find_incoming(double time, double later);
+
     /// Of boundary and loads on the places at velocity @p v [N/m].
     void outer_forces(double                          time,
                       const BoundaryForces::Incoming &incoming,
@@ -106,16 +120,18 @@ namespace hybrid::continuum
     void add_spring_energy(ContinuumEnergy &energy);
 
     BoundaryForces              &boundary;
-    const double                 damping; ///< alpha_M [1/s]
+    const RockDamping            damping;
     std::vector<int>             list;
     std::vector<int>             place; ///< per node of the rock, -1: none
     std::vector<Joint>           joints;
     PointLoads                   point_loads; ///< on places
     std::vector<Eigen::Matrix2d> dashpots;    ///< per place
     std::vector<Support>         support;     ///< per unknown of the places
-    std::vector<double>          m; ///< mass
+    std::vector<double>          m;           ///< mass
 
     Motion                   now, before, columns, next_columns;
+    std::vector<double>      column_branch, next_column_branch; ///< as in MaxwellState
+    std::vector<double>      column_strained;
     BoundaryForces::Incoming incoming0, incoming1;
     std::vector<double>      force0, force1, change, change_free, mean, mean_free;
   };

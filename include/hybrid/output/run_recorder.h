@@ -56,6 +56,9 @@ namespace hybrid::output
                      double                        dt,
                      double                        wall_time);
 
+    /// Whether record_step() will audit the energy at @p time, after a step of @p dt [s].
+    bool audits(double time, double dt) const;
+
     /// Last picture, joints, section, and what the histories say for the summary.
     void finish(const coupling::CoupledState &state, Summary &summary);
 
@@ -124,6 +127,12 @@ namespace hybrid::output
     double              last_picture = -1., last_audit = -1.; ///< times; negative: none yet
     std::chrono::steady_clock::time_point last_flush;
     double                                flush_cost = 0.; ///< wall time of the last flush [s]
+
+    /// By how much a record may be early: steps add up with rounding [s].
+    static double early_of(const double dt)
+    {
+      return 1e-9 * dt;
+    }
 
     void add_monitors();
     void add_boreholes();

@@ -54,10 +54,6 @@ namespace hybrid::scene
       return "blocks stand on the bedrock (Model/Blocks)";
     if (!scene.bedding.names.empty() && scene.bedding.slips)
       return "bedding planes may slip (Bedding planes/Strength)";
-    if (scene.continuum.rayleigh_stiffness > 0.)
-      return "damping grows with frequency (Continuum/Rayleigh stiffness)";
-    if (scene.maxwell.bedrock_ratio > 0.)
-      return "the bedrock has Maxwell damping";
     if (scene.time.scheme != "automatic")
       return "Time/Scheme names an implicit one";
     return "";
@@ -100,7 +96,8 @@ namespace hybrid::scene
 
   SceneParameters with_time_integrator(SceneParameters scene, const SectionMesh &mesh)
   {
-    if (scene.continuum.integrator == TimeIntegrator::automatic && why_not_explicit(scene).empty() &&
+    if (scene.continuum.integrator == TimeIntegrator::automatic &&
+        why_not_explicit(scene).empty() &&
         scene.time.time_step <= implicit_cost * estimated_stable_step(mesh, scene))
       take_explicit(scene);
     return scene;
