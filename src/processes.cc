@@ -108,7 +108,7 @@ namespace hybrid
 
   void Processes::release(int exit_code)
   {
-    if (!others_wait)
+    if (!others_wait || !is_first())
       return;
     others_wait = false;
     MPI_Request request;

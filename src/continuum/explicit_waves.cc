@@ -59,24 +59,29 @@ namespace hybrid::continuum
     edges.set_mass(mass);
     find_stable_step();
 
-    int rank = 0, ranks = 1;
-    MPI_Comm_rank(communicator, &rank);
-    MPI_Comm_size(communicator, &ranks);
+    prepare_collection();
+  }
+
+
+
+  void ExplicitWaves::prepare_collection()
+  {
+    const MPI_Comm all  = rock_operator.communicator();
+    int            rank = 0, ranks = 1;
+    MPI_Comm_rank(all, &rank);
+    MPI_Comm_size(all, &ranks);
     if (ranks == 1)
       return;
-    const int count = static_cast<int>(v.size());
+    const std::vector<int> &mine = rock_operator.unknowns();
+    const int count = static_cast<int>(mine.size()), parts = 3 + static_cast<int>(branch.size());
     counts.resize(ranks);
     offsets.assign(ranks, 0);
-    MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, communicator);
+    MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, all);
     for (int r = 1; r < ranks; ++r)
       offsets[r] = offsets[r - 1] + counts[r - 1];
     if (rank == 0)
-      {
-        unknown_of.resize(n);
-        received.resize(n);
-      }
-    sent.resize(v.size());
-    MPI_Gatherv(rock_operator.unknowns().data(),
+      unknown_of.resize(n);
+    MPI_Gatherv(mine.data(),
                 count,
                 MPI_INT,
                 unknown_of.data(),
@@ -84,7 +89,14 @@ namespace hybrid::continuum
                 offsets.data(),
                 MPI_INT,
                 0,
-                communicator);
+                all);
+    for (int r = 0; r < ranks; ++r)
+      {
+        counts[r] *= parts;
+        offsets[r] *= parts;
+      }
+    sent.resize(mine.size() * parts);
+    received.resize(unknown_of.size() * parts);
   }
 
 
@@ -164,6 +176,8 @@ namespace hybrid::continuum
       for (std::size_t i = 0; i < mine.size(); ++i)
         take(branch[l][i], state.maxwell.strain[l * state.displacement.size() + mine[i]]);
     edges.take(state, n);
+    if (!edges.has_moving_base() && !is_damped())
+      return is_same; // nobody asks the others'
     int differs = is_same ? 0 : 1;
     MPI_Allreduce(MPI_IN_PLACE, &differs, 1, MPI_INT, MPI_MAX, rock_operator.communicator());
     return differs == 0;
@@ -191,8 +205,10 @@ namespace hybrid::continuum
   void ExplicitWaves::find_rock_force(WaveOperator::Vector &by)
   {
     rock_operator.elastic_force(by, f);
-    places.gather(by.begin(), work);
     places.gather(f.begin(), rock_force1);
+    if (!edges.has_joints())
+      return;
+    places.gather(by.begin(), work);
     edges.add_joint_forces(work, rock_force1);
     places.scatter(rock_force1, f.begin());
   }
@@ -377,25 +393,28 @@ namespace hybrid::continuum
   {
     if (counts.empty())
       return;
-    const std::vector<int> &mine        = rock_operator.unknowns();
-    const auto              collect_one = [&](double *all) {
-      for (std::size_t i = 0; i < mine.size(); ++i)
-        sent[i] = all[mine[i]];
-      MPI_Gatherv(sent.data(),
-                  static_cast<int>(sent.size()),
-                  MPI_DOUBLE,
-                  received.data(),
-                  counts.data(),
-                  offsets.data(),
-                  MPI_DOUBLE,
-                  0,
-                  rock_operator.communicator());
-      for (std::size_t k = 0; k < received.size(); ++k)
-        all[unknown_of[k]] = received[k];
-    };
-    for (auto *all : {&state.displacement, &state.velocity, &state.acceleration})
-      collect_one(all->data());
+    std::vector<double *> parts_of_state{state.displacement.data(),
+                                         state.velocity.data(),
+                                         state.acceleration.data()};
     for (std::size_t l = 0; l < branch.size(); ++l)
-      collect_one(state.maxwell.strain.data() + l * state.displacement.size());
+      parts_of_state.push_back(state.maxwell.strain.data() + l * state.displacement.size());
+    const std::vector<int> &mine  = rock_operator.unknowns();
+    auto                    place = sent.begin();
+    for (const int unknown : mine)
+      for (const double *part : parts_of_state)
+        *place++ = part[unknown];
+    MPI_Gatherv(sent.data(),
+                static_cast<int>(sent.size()),
+                MPI_DOUBLE,
+                received.data(),
+                counts.data(),
+                offsets.data(),
+                MPI_DOUBLE,
+                0,
+                rock_operator.communicator());
+    auto found = received.begin();
+    for (const int unknown : unknown_of)
+      for (double *part : parts_of_state)
+        part[unknown] = *found++;
   }
 } // namespace hybrid::continuum

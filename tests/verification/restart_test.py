@@ -296,19 +296,8 @@ def check_static_stage():
             check_interrupted_stage(whole, number, wait)
 
 
-def check_processes():
-    """Several processes of mpirun would write the same files."""
-    directory = WORK / "processes"
-    launcher = [os.environ["HYBRID_MPIEXEC"], "-n", "2", "--oversubscribe", "--allow-run-as-root"]
-    result = subprocess.run([*launcher, *words_of(COUPLED, directory)], capture_output=True, text=True, env=ENVIRONMENT, timeout=600)
-    require(result.returncode == 2, f"two processes: exit code 2, not {result.returncode}")
-    require("error: hybrid runs in one process, but mpirun started 2" in result.stderr, f"two processes: {result.stderr[-300:]}")
-    require(not directory.exists(), "two processes: nothing is written")
-
-
 def check_static():
     check_static_stage()
-    check_processes()
 
 
 def expect_refusal(words, *parts, code=2):

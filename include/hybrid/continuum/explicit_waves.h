@@ -71,6 +71,7 @@ namespace hybrid::continuum
 
   private:
     void find_stable_step();
+    void prepare_collection();
 
     /// @return whether the state is that which the last step or start() has left.
     bool load(const ContinuumState &state);
@@ -107,7 +108,7 @@ namespace hybrid::continuum
     double                           damped = 0.; ///< by mass, of this rank, in the step [J/m]
     double rock_work = 0.; ///< on rock that damps, of this rank, in the step [J/m]
 
-    // collect(), on the first rank
+    // collect(), but for sent on the first rank; counts empty on one rank
     std::vector<int>    counts, offsets, unknown_of;
     std::vector<double> sent, received;
   };

@@ -71,6 +71,11 @@ namespace hybrid::continuum
     /// First half of a part of a step: velocity at its middle, displacement at its end.
     void move(double dt);
 
+    bool has_joints() const
+    {
+      return !joints.empty();
+    }
+
     /// Add what joints push with at the displacement @p u of the places [N/m].
     void add_joint_forces(const std::vector<double> &u, std::vector<double> &force) const;
 

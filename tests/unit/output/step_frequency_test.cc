@@ -44,6 +44,23 @@ namespace hybrid::output
 
 
 
+    TEST(StepFrequency, OfCentralDifferences)
+    {
+      // cos(w' dt) = 1 - (w dt)^2 / 2
+      Newmark newmark;
+      newmark.beta  = 0.;
+      newmark.gamma = 0.5;
+      for (const double turn : {0.05, 0.3, 1.})
+        {
+          const double  w = 12., dt = turn / w, found = std::acos(1. - 0.5 * turn * turn) / dt;
+          const Complex s(0., found);
+          const Complex taken = s + frequency_error({newmark, dt, 0., 0.}, s);
+          EXPECT_LT(std::abs(taken - Complex(0., w)), 1e-9 * w) << turn;
+        }
+    }
+
+
+
     TEST(StepFrequency, IsWhatTheSchemeTurnsAModeInto)
     {
       for (const char *name : {"filtered", "dissipative", "trapezoidal", "shi"})

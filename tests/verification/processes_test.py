@@ -1,0 +1,190 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes under mpirun: the same answers on any number of processes, and nothing is lost when one ends.
+
+Usage: processes_test.py HYBRID_BINARY PART WORK_DIR     PART: equal, resume, faults
+"""
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import h5py
+import numpy
+
+BINARY, PART, WORK = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]).resolve()
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCENES = ROOT / "parameters/verification"
+ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
+EXPLICIT = "Continuum/Time integrator=explicit"
+SMALL_LAMB = [EXPLICIT, "Mesh/Numbers=Width = 400; Height = 300; Resolution/h = 25", "Time/End time=0.3",
+              "Point loads/Forces=force: 100, 300, 0, -1e10", "Monitors/Points=a: 200, 300; b: 310, 120",
+              "Output/Picture interval=0.1", "Output/Audit interval=0.01"]
+# Free field, rigid base, bedding planes, an initial wave, damping of both kinds.
+SHARED = {
+    "lamb": ("lamb", SMALL_LAMB),
+    "free_field": ("free_field", [EXPLICIT, "Time/End time=0.5", "Continuum/Rayleigh mass=0.3", "Maxwell damping/Bedrock ratio=0.03"]),
+    "canyon": ("canyon", [EXPLICIT, "Time/End time=0.8"]),
+    "joints": ("oblique_joints", [EXPLICIT, "Time/End time=0.4"]),
+    "rigid": ("free_field", [EXPLICIT, "Time/End time=0.5", "Continuum/Base=rigid", "Continuum/Rayleigh stiffness=0"]),
+    "wave": ("wave_packet", [EXPLICIT, "Time/End time=0.1"]),
+}
+COUPLED = ("restart_coupled", ["Time/End time=0.05"])
+complaints = []
+
+
+def require(condition, text):
+    if not condition:
+        complaints.append(text)
+        print("FAILED:", text)
+
+
+def launcher(processes):
+    return [os.environ["HYBRID_MPIEXEC"], "-n", str(processes), "--oversubscribe", "--allow-run-as-root", "--mca", "mpi_yield_when_idle", "1"]
+
+
+def words_of(scene, directory, overrides=()):
+    words = [BINARY, str(SCENES / (scene + ".prm")), "--force", "-s", f"Output/Directory={directory}"]
+    for override in overrides:
+        words += ["-s", override]
+    return words
+
+
+def run(processes, words, expect=0):
+    result = subprocess.run([*launcher(processes), *words], capture_output=True, text=True, env=ENVIRONMENT, timeout=600)
+    require(result.returncode == expect, f"{processes} processes, {words[1:6]}: exit code {expect}, not {result.returncode}: {result.stderr[-400:]}")
+    return result
+
+
+def series(directory):
+    """Everything of run.h5 that has a time but how long it took."""
+    data = {}
+    with h5py.File(directory / "run.h5", "r") as file:
+        file.visititems(lambda name, item: data.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None)
+    return {name: value for name, value in data.items() if name != "steps/wall_time" and value.dtype.kind == "f"}
+
+
+def largest_difference(one, other, prefix):
+    """Of series of a kind - displacement, energy - over the largest value of that kind [-], and where."""
+    peaks, worst, where = {}, 0., ""
+    names = [name for name in one if name.startswith(prefix) and "residual" not in name and "time" not in name]
+    require(names, f"there are series {prefix}")
+    kind = (lambda name: name.split("/")[-1]) if prefix == "monitors/" else (lambda name: prefix)
+    for name in names:
+        peaks[kind(name)] = max(peaks.get(kind(name), 0.), numpy.abs(one[name]).max(initial=0.))
+    for name in names:
+        if peaks[kind(name)] > 0.:
+            difference = numpy.abs(one[name] - other[name]).max() / peaks[kind(name)]
+            if difference > worst:
+                worst, where = difference, name
+    return worst, where
+
+
+def check_equal():
+    for name, (scene, overrides) in SHARED.items():
+        runs = {}
+        counts = (1, 2, 4) if name in ("lamb", "joints") else (1, 2)
+        for processes in counts:
+            directory = WORK / f"{name}_{processes}"
+            result = run(processes, words_of(scene, directory, overrides))
+            require(result.stdout.count("Finished") == 1, f"{name}, {processes} processes: one of them speaks")
+            runs[processes] = series(directory)
+            require(set(runs[processes]) == set(runs[1]), f"{name}: the same series")
+        for processes in counts[1:]:
+            for prefix in ("monitors/", "energy/"):
+                worst, where = largest_difference(runs[1], runs[processes], prefix)
+                print(f"{name}: 1 and {processes} processes differ by {worst:.2g} of the peak ({where})")
+                require(worst < 1e-8, f"{name}: 1 and {processes} processes differ by {worst:.2g} in {where}")
+    again = WORK / "again"
+    run(2, words_of(SHARED["lamb"][0], again, SHARED["lamb"][1]))
+    before, after = series(WORK / "lamb_2"), series(again)
+    require(all(before[n].tobytes() == after[n].tobytes() for n in before), "two runs of two processes have the same bits")
+
+    alone, told = WORK / "coupled_1", WORK / "coupled_2"
+    subprocess.run(words_of(*COUPLED[:1], alone, COUPLED[1]), check=True, capture_output=True, env=ENVIRONMENT, timeout=600)
+    result = run(2, words_of(COUPLED[0], told, COUPLED[1]))
+    require("computed by the first one alone" in result.stdout, "a scene with blocks: it is told that one process computes")
+    one, other = series(alone), series(told)
+    require(all(one[n].tobytes() == other[n].tobytes() for n in one), "a scene with blocks: the bits of one process")
+
+
+def resume(processes, directory, overrides=()):
+    words = [BINARY, "--resume", str(directory)]
+    for override in overrides:
+        words += ["-s", override]
+    return run(processes, words)
+
+
+def check_resume():
+    """Another number of processes goes on; the same number with the same bits."""
+    scene, overrides = SHARED["lamb"]
+    whole = WORK / "whole"
+    run(2, words_of(scene, whole, overrides))
+    expected = series(whole)
+    for processes in (2, 1, 4):
+        part = WORK / f"part_{processes}"
+        run(2, words_of(scene, part, [o for o in overrides if "End time" not in o] + ["Time/End time=0.15", "Checkpoint/Step interval=50"]))
+        resume(processes, part, ["Time/End time=0.3"])
+        found = series(part)
+        if processes == 2:
+            names = [n for n in expected if n.startswith(("monitors/", "energy/", "time"))]
+            different = [n for n in names if expected[n].tobytes() != found[n].tobytes()]
+            require(not different, f"resumed by as many: the same bits, but for {different[:4]}")
+        worst, where = largest_difference(expected, found, "monitors/")
+        print(f"resumed by {processes} of 2 processes: {worst:.2g} of the peak off ({where})")
+        require(worst < 1e-8, f"resumed by {processes}: {worst:.2g} off in {where}")
+
+
+def children(process):
+    """Ids of the processes that mpirun has started."""
+    text = subprocess.run(["ps", "-o", "pid=,args=", "--ppid", str(process.pid)], capture_output=True, text=True).stdout
+    return [int(line.split()[0]) for line in text.splitlines() if BINARY in line]
+
+
+def stopped(directory, how, overrides):
+    """A run of two processes that is stopped once it has written a checkpoint. @return its exit code."""
+    process = subprocess.Popen([*launcher(2), "--mca", "odls_base_sigkill_timeout", "5", *words_of("lamb", directory, overrides)],
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=ENVIRONMENT)
+    while process.poll() is None and not (directory / "checkpoint/state.bin").exists():
+        time.sleep(0.01)
+    time.sleep(0.3)
+    require(process.poll() is None, f"{directory.name}: still runs when it is stopped")
+    how(process)
+    process.communicate(timeout=120)
+    return process.returncode
+
+
+def check_faults():
+    scene, small = SHARED["lamb"]
+    # Long enough to be stopped on the way.
+    long_run = [o for o in small if "End time" not in o] + ["Time/End time=3", "Checkpoint/Step interval=100"]
+    whole = WORK / "whole"
+    run(2, words_of(scene, whole, long_run))
+    expected = series(whole)
+    for name, how in (("terminated", lambda process: process.send_signal(signal.SIGTERM)),
+                      ("first_killed", lambda process: os.kill(children(process)[0], signal.SIGKILL)),
+                      ("second_killed", lambda process: os.kill(children(process)[1], signal.SIGKILL))):
+        directory = WORK / name
+        code = stopped(directory, how, long_run)
+        require(code != 0, f"{name}: an exit code that tells of it")
+        resume(2, directory)
+        found = series(directory)
+        different = [n for n in expected if n.startswith("monitors/") and expected[n].tobytes() != found[n].tobytes()]
+        require(not different, f"{name}: resumed to the same bits, but for {different[:4]}")
+
+    nowhere = run(2, words_of(scene, WORK / "wrong", [*small, "Materials/rock/Poisson ratio=0.7"]), expect=2)
+    require(nowhere.stderr.count("error: ") == 1, f"a wrong value: one says so: {nowhere.stderr[-300:]}")
+    twice = [word for word in words_of(scene, whole, small) if word != "--force"]
+    refused = run(2, twice, expect=2)
+    require(refused.stderr.count("error: ") == 1, f"an earlier run: one says so: {refused.stderr[-300:]}")
+
+
+shutil.rmtree(WORK, ignore_errors=True)
+{"equal": check_equal, "resume": check_resume, "faults": check_faults}[PART]()
+if complaints:
+    sys.exit(f"{len(complaints)} complaints, first: {complaints[0]}")
+print("ok")
