@@ -146,5 +146,7 @@ namespace hybrid
       }
     for (const output::SampleLine &line : output::sample_lines(scene, mesh))
       output::add_line_probes(line, probes);
+    if (continuum != nullptr)
+      continuum->watch(probes.points_of_bedrock());
   }
 } // namespace hybrid

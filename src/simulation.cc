@@ -118,13 +118,14 @@ namespace hybrid
 
 
 
-  void Simulation::collect(const bool for_audit)
+  void Simulation::collect(const continuum::Continuum::Collection &what)
   {
-    int is_audit = for_audit ? 1 : 0;
+    if (model.continuum == nullptr)
+      return;
+    int asked[2] = {what.motion ? 1 : 0, what.energy ? 1 : 0};
     if (!is_alone())
-      MPI_Bcast(&is_audit, 1, MPI_INT, 0, processes);
-    if (model.continuum != nullptr)
-      model.continuum->collect(state.continuum, is_audit != 0);
+      MPI_Bcast(asked, 2, MPI_INT, 0, processes);
+    model.continuum->collect(state.continuum, {asked[0] != 0, asked[1] != 0});
   }
 
 
@@ -134,7 +135,8 @@ namespace hybrid
                                const double           dt,
                                const double           wall_time)
   {
-    collect(run.recorder && run.recorder->audits(state.time, dt));
+    collect(run.recorder ? run.recorder->needs(state.time, dt)
+                         : continuum::Continuum::Collection());
     if (run.recorder)
       run.recorder->record_step(state, result, dt, wall_time);
   }
@@ -196,7 +198,7 @@ namespace hybrid
         return RunStatus::no_equilibrium;
       }
     set_in_motion();
-    collect(true);
+    collect({});
     if (run.recorder)
       run.recorder->start(state);
     if (model.scene.checkpoint.is_on())
@@ -264,7 +266,10 @@ namespace hybrid
         else if (call.interruption)
           status = RunStatus::interrupted;
         else if (call.checkpoint)
-          save(run);
+          {
+            collect({true, false});
+            save(run);
+          }
       }
     if (status != RunStatus::no_convergence)
       progress.finish();
@@ -272,7 +277,10 @@ namespace hybrid
       run_report.at_rest(run.clock.time());
     if (status == RunStatus::interrupted || status == RunStatus::energy_limit ||
         model.scene.checkpoint.is_on())
-      save(run);
+      {
+        collect({true, false});
+        save(run);
+      }
     return status;
   }
 
@@ -304,7 +312,7 @@ namespace hybrid
   {
     output::Summary &summary = run.summary;
     run.end_steps();
-    collect(true);
+    collect({});
     if (!run.recorder)
       return agreed_status(status);
     run.recorder->finish(state, summary);

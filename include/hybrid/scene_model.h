@@ -42,7 +42,8 @@ namespace hybrid
     /// A bedrock of blocks and what it stands on.
     void make_bedrock_blocks();
 
-    /// Every monitor, borehole and line lies in the model: found before anything is written.
+    /// Every monitor, borehole and line lies in the model, found before anything is written; what
+    /// the bedrock is watched at.
     /// @throws InputError.
     void check_points() const;
   };

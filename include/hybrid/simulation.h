@@ -77,8 +77,8 @@ namespace hybrid
 
     bool is_alone() const;
 
-    /// The whole state on the first process. @param for_audit what audits read too
-    void collect(bool for_audit);
+    /// On the first process, what it asks for.
+    void collect(const continuum::Continuum::Collection &what);
 
     /// The first process records the step.
     void record_step(Run &run, const dda::StepResult &result, double dt, double wall_time);

@@ -305,13 +305,33 @@ namespace hybrid::continuum
 
 
 
-  void Continuum::collect(ContinuumState &state, const bool for_audit) const
+  void Continuum::watch(const std::vector<Point> &points) const
   {
     if (impl->waves == nullptr)
       return;
-    if (for_audit)
+    std::vector<int> watched;
+    for (const Point &point : points)
+      if (point.cell >= 0)
+        watched.insert(watched.end(),
+                       impl->nodes->cells[point.cell].begin(),
+                       impl->nodes->cells[point.cell].end());
+    std::sort(watched.begin(), watched.end());
+    watched.erase(std::unique(watched.begin(), watched.end()), watched.end());
+    impl->waves->watch(watched);
+  }
+
+
+
+  void Continuum::collect(ContinuumState &state, const Collection &what) const
+  {
+    if (impl->waves == nullptr)
+      return;
+    if (what.energy)
       impl->waves->take_energy(state);
-    impl->waves->collect(state);
+    if (what.motion)
+      impl->waves->collect(state);
+    else
+      impl->waves->collect_watched(state);
   }
 
 

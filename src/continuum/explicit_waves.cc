@@ -389,6 +389,30 @@ namespace hybrid::continuum
 
 
 
+  void ExplicitWaves::watch(const std::vector<int> &nodes)
+  {
+    watched = SharedNodes(nodes, rock_operator.unknowns(), rock_operator.communicator());
+  }
+
+
+
+  void ExplicitWaves::collect_watched(ContinuumState &state)
+  {
+    if (counts.empty())
+      return;
+    const std::vector<int> &nodes = watched.nodes();
+    const auto              bring = [&](const double *mine, std::vector<double> &all) {
+      watched.gather(mine, work);
+      for (std::size_t k = 0; k < work.size(); ++k)
+        all[2 * nodes[k / 2] + k % 2] = work[k];
+    };
+    bring(u.begin(), state.displacement);
+    bring(v.data(), state.velocity);
+    bring(a.data(), state.acceleration);
+  }
+
+
+
   void ExplicitWaves::collect(ContinuumState &state)
   {
     if (counts.empty())

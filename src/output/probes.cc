@@ -316,6 +316,17 @@ namespace hybrid::output
 
 
 
+  std::vector<continuum::Continuum::Point> Probes::points_of_bedrock() const
+  {
+    std::vector<continuum::Continuum::Point> points;
+    for (const Probe &probe : probes)
+      if (probe.block < 0 && probe.point.cell >= 0)
+        points.push_back(probe.point);
+    return points;
+  }
+
+
+
   void Probes::serialize(restart::Archive &archive)
   {
     std::vector<Vec2> references;

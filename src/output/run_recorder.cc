@@ -252,9 +252,11 @@ namespace hybrid::output
 
 
 
-  bool RunRecorder::audits(const double time, const double dt) const
+  continuum::Continuum::Collection RunRecorder::needs(const double time, const double dt) const
   {
-    return time >= next_audit - early_of(dt);
+    const double late = time + early_of(dt), interval = parts.scene.output.picture_interval;
+    return {parts.scene.monitors.has_peak_fields || (interval > 0. && late >= next_picture),
+            late >= next_audit};
   }
 
 
@@ -280,7 +282,7 @@ namespace hybrid::output
     peaks.record(state, dt, base_displacement());
 
     const double early = early_of(dt);
-    if (audits(now, dt))
+    if (now >= next_audit - early)
       {
         record_energy(state);
         const double interval = parts.scene.output.audit_interval;

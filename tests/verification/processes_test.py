@@ -99,6 +99,10 @@ def check_equal():
                 worst, where = largest_difference(runs[1], runs[processes], prefix)
                 print(f"{name}: 1 and {processes} processes differ by {worst:.2g} of the peak ({where})")
                 require(worst < 1e-8, f"{name}: 1 and {processes} processes differ by {worst:.2g} in {where}")
+    watched = WORK / "watched"
+    run(2, words_of(SHARED["joints"][0], watched, [*SHARED["joints"][1], "Monitors/Peak fields=false", "Output/Picture interval=0.1"]))
+    worst, where = largest_difference(series(WORK / "joints_2"), series(watched), "monitors/")
+    require(worst == 0., f"without peak fields only what is watched is collected: {worst:.2g} in {where}")
     again = WORK / "again"
     run(2, words_of(SHARED["lamb"][0], again, SHARED["lamb"][1]))
     before, after = series(WORK / "lamb_2"), series(again)

@@ -194,10 +194,6 @@ namespace hybrid::continuum
     /// Equal parts into which a step of @p dt [s] is divided; 1 unless it is explicit.
     int parts_of_step(double dt) const;
 
-    /// After explicit steps, which leave each rank with its own part: the whole motion on the first
-    /// rank. All ranks call it. @param for_audit the energies too, for audit_energy()
-    void collect(ContinuumState &state, bool for_audit) const;
-
     /// Bedding planes that may slip; empty if the scene has none.
     const std::vector<BeddingPlane> &slipping_planes() const;
 
@@ -254,6 +250,19 @@ namespace hybrid::continuum
                        double     &alignment) const;
 
     Sample sample(const ContinuumState &state, const Point &point) const;
+
+    /// What the first rank is to know of a state beside its own part.
+    struct Collection
+    {
+      bool motion = true; ///< all of it; else that of the watched points
+      bool energy = true; ///< for audit_energy()
+    };
+
+    /// Points whose motion collect() always brings; all ranks name the same.
+    void watch(const std::vector<Point> &points) const;
+
+    /// After explicit steps, which leave each rank with its own part. All ranks call it.
+    void collect(ContinuumState &state, const Collection &what) const;
 
     /// Plain arrays for pictures: one linear quadrilateral per sub-cell of each cell.
     struct Picture

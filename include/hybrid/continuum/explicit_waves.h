@@ -56,6 +56,11 @@ namespace hybrid::continuum
     /// The whole motion on the first rank; all ranks call it.
     void collect(ContinuumState &state);
 
+    /// Nodes whose motion collect_watched() brings to all ranks.
+    void watch(const std::vector<int> &nodes);
+
+    void collect_watched(ContinuumState &state);
+
     /// Kinetic energy, that of strains, and what damping has taken, which a step does not add up;
     /// all ranks call it.
     void take_energy(ContinuumState &state);
@@ -95,7 +100,7 @@ namespace hybrid::continuum
     const std::size_t n; ///< unknowns of the rock
     WaveOperator      rock_operator;
     WaveEdges         edges;
-    SharedNodes       places;
+    SharedNodes       places, watched;
     double            stable_step = 0.; ///< [s]
 
     WaveOperator::Vector             u, f;

@@ -61,6 +61,9 @@ namespace hybrid::output
       return probes[probe].block;
     }
 
+    /// Where the bedrock is looked at.
+    std::vector<continuum::Continuum::Point> points_of_bedrock() const;
+
     /// Reference positions, for the checkpoint.
     void serialize(restart::Archive &archive);
 

@@ -56,8 +56,8 @@ namespace hybrid::output
                      double                        dt,
                      double                        wall_time);
 
-    /// Whether record_step() will audit the energy at @p time, after a step of @p dt [s].
-    bool audits(double time, double dt) const;
+    /// What record_step() will read of the bedrock at @p time, after a step of @p dt [s].
+    continuum::Continuum::Collection needs(double time, double dt) const;
 
     /// Last picture, joints, section, and what the histories say for the summary.
     void finish(const coupling::CoupledState &state, Summary &summary);

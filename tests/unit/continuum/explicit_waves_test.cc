@@ -64,7 +64,7 @@ namespace
 
     ContinuumEnergy audit()
     {
-      rock->collect(state, true);
+      rock->collect(state, {});
       return rock->audit_energy(state);
     }
   };
