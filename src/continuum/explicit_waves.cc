@@ -54,12 +54,13 @@ namespace hybrid::continuum
         force0.assign(v.size(), 0.);
         branch.assign(damping.body.n_branches(), v);
       }
+    for (const double m : rock_operator.mass())
+      inverse_mass.push_back(1. / m);
     std::vector<double> mass;
     places.gather(rock_operator.mass().data(), mass);
     edges.set_mass(mass);
-    find_stable_step();
-
     prepare_collection();
+    find_stable_step();
   }
 
 
@@ -117,11 +118,11 @@ namespace hybrid::continuum
       }
     };
 
-    dealii::DiagonalMatrix<Vector> inverse_mass(rock_operator.make_vector());
+    dealii::DiagonalMatrix<Vector> scaling(rock_operator.make_vector());
     Vector                         start = rock_operator.make_vector(), result = start;
     for (std::size_t i = 0; i < v.size(); ++i)
       {
-        inverse_mass.get_vector().local_element(i) = 1. / rock_operator.mass()[i];
+        scaling.get_vector().local_element(i) = inverse_mass[i];
         start.local_element(i) = scattered(rock_operator.unknowns()[i]) * rock_operator.mass()[i];
       }
     dealii::IterationNumberControl control(lanczos_steps, 0.);
@@ -129,7 +130,7 @@ namespace hybrid::continuum
     double                         largest = 0.;
     lanczos.connect_eigenvalues_slot(
       [&largest](const std::vector<double> &values) { largest = values.back(); }, false);
-    lanczos.solve(Stiffness{*this}, result, start, inverse_mass);
+    lanczos.solve(Stiffness{*this}, result, start, scaling);
     double modulus = damping.body.relaxed;
     for (const double weight : damping.body.weight)
       modulus += weight;
@@ -160,24 +161,29 @@ namespace hybrid::continuum
 
   bool ExplicitWaves::load(const ContinuumState &state)
   {
-    const std::vector<int> &mine    = rock_operator.unknowns();
-    bool                    is_same = true;
-    const auto              take    = [&is_same](double &here, const double there) {
-      is_same = is_same && here == there;
-      here    = there;
+    const bool is_asked = edges.has_moving_base() || is_damped();
+    bool       is_same  = true;
+    const auto take     = [&](const double *there, double *here) {
+      if (is_alone())
+        {
+          is_same = is_same && (!is_asked || std::equal(there, there + n, here));
+          std::copy(there, there + n, here);
+          return;
+        }
+      for (const int unknown : rock_operator.unknowns())
+        {
+          is_same = is_same && *here == there[unknown];
+          *here++ = there[unknown];
+        }
     };
-    for (std::size_t i = 0; i < mine.size(); ++i)
-      {
-        take(u.local_element(i), state.displacement[mine[i]]);
-        take(v[i], state.velocity[mine[i]]);
-        take(a[i], state.acceleration[mine[i]]);
-      }
+    take(state.displacement.data(), u.begin());
+    take(state.velocity.data(), v.data());
+    take(state.acceleration.data(), a.data());
     for (std::size_t l = 0; l < branch.size(); ++l)
-      for (std::size_t i = 0; i < mine.size(); ++i)
-        take(branch[l][i], state.maxwell.strain[l * state.displacement.size() + mine[i]]);
+      take(state.maxwell.strain.data() + l * state.displacement.size(), branch[l].data());
     edges.take(state, n);
-    if (!edges.has_moving_base() && !is_damped())
-      return is_same; // nobody asks the others'
+    if (!is_asked)
+      return false;
     int differs = is_same ? 0 : 1;
     MPI_Allreduce(MPI_IN_PLACE, &differs, 1, MPI_INT, MPI_MAX, rock_operator.communicator());
     return differs == 0;
@@ -187,16 +193,18 @@ namespace hybrid::continuum
 
   void ExplicitWaves::store(ContinuumState &state) const
   {
-    const std::vector<int> &mine = rock_operator.unknowns();
-    for (std::size_t i = 0; i < mine.size(); ++i)
-      {
-        state.displacement[mine[i]] = u.local_element(i);
-        state.velocity[mine[i]]     = v[i];
-        state.acceleration[mine[i]] = a[i];
-      }
+    const auto put = [this](const double *here, double *there) {
+      if (is_alone())
+        std::copy(here, here + n, there);
+      else
+        for (const int unknown : rock_operator.unknowns())
+          there[unknown] = *here++;
+    };
+    put(u.begin(), state.displacement.data());
+    put(v.data(), state.velocity.data());
+    put(a.data(), state.acceleration.data());
     for (std::size_t l = 0; l < branch.size(); ++l)
-      for (std::size_t i = 0; i < mine.size(); ++i)
-        state.maxwell.strain[l * state.displacement.size() + mine[i]] = branch[l][i];
+      put(branch[l].data(), state.maxwell.strain.data() + l * state.displacement.size());
     edges.put(state, n);
   }
 
@@ -280,11 +288,14 @@ namespace hybrid::continuum
   void ExplicitWaves::advance(ContinuumState &state, const double time, const double dt)
   {
     edges.move(dt);
-    for (std::size_t i = 0; i < v.size(); ++i)
-      {
-        v[i] += 0.5 * dt * a[i];
-        u.local_element(i) += dt * v[i];
-      }
+    {
+      double *const displacement = u.begin();
+      for (std::size_t i = 0; i < v.size(); ++i)
+        {
+          v[i] += 0.5 * dt * a[i];
+          displacement[i] += dt * v[i];
+        }
+    }
     places.scatter(edges.motion().displacement, u.begin());
     for (std::size_t l = 0; l < branch.size(); ++l)
       {
@@ -322,14 +333,21 @@ namespace hybrid::continuum
           }
         places.scatter(work, f.begin());
       }
-    for (std::size_t i = 0; i < v.size(); ++i)
-      {
-        const double next = (f.local_element(i) / mass[i] - drag * v[i]) / resisting;
-        if (drag != 0.)
+    const double *const force = f.begin();
+    if (drag != 0.)
+      for (std::size_t i = 0; i < v.size(); ++i)
+        {
+          const double next = (force[i] * inverse_mass[i] - drag * v[i]) / resisting;
           damped += drag * mass[i] * dt * v[i] * (v[i] + 0.25 * dt * (next - a[i]));
-        a[i] = next;
-        v[i] += half * next;
-      }
+          a[i] = next;
+          v[i] += half * next;
+        }
+    else
+      for (std::size_t i = 0; i < v.size(); ++i)
+        {
+          a[i] = force[i] * inverse_mass[i];
+          v[i] += half * a[i];
+        }
     places.scatter(edges.motion().acceleration, a.data());
     places.scatter(edges.motion().velocity, v.data());
     if (drag != 0.)

@@ -75,6 +75,12 @@ namespace hybrid::continuum
     double memory() const;
 
   private:
+    /// On a single rank its unknowns are all.
+    bool is_alone() const
+    {
+      return counts.empty();
+    }
+
     void find_stable_step();
     void prepare_collection();
 
@@ -108,6 +114,7 @@ namespace hybrid::continuum
     std::vector<double>              force0;   ///< f at the start of a part, likewise
     std::vector<std::vector<double>> branch;   ///< s_l [m]
     std::vector<double>              v, a;
+    std::vector<double>              inverse_mass;             ///< [m/kg]
     std::vector<double>              rock_force0, rock_force1; ///< on the places [N/m]
     std::vector<double>              work;                     ///< of places
     double                           damped = 0.; ///< by mass, of this rank, in the step [J/m]
