@@ -370,6 +370,24 @@ namespace hybrid::output
                    smallest,
                    largest);
     }
+
+
+    std::string describe_explicit_time(const scene::SceneParameters &scene,
+                                       const continuum::Continuum   &continuum)
+    {
+      const int   parts = continuum.parts_of_step(scene.time.time_step);
+      std::string text =
+        line("Time       %g s in steps of %g s, explicit: %d stable part%s of %.4g s",
+             scene.time.end_time,
+             scene.time.time_step,
+             parts,
+             parts == 1 ? "" : "s",
+             scene.time.time_step / parts);
+      if (scene.environment.gravity > 0.)
+        text +=
+          line("           pictures have no static stress: explicit steps are of waves alone");
+      return text;
+    }
   } // namespace
 
 
@@ -390,13 +408,16 @@ namespace hybrid::output
         describe(part, scene, blocks, continuum, card.text);
         warn(mesh_warning(part, resolutions.wanted), card);
       }
-    card.text += line("Time       %g s in steps of %g s, scheme %s: Newmark beta %g, gamma %g%s",
-                      scene.time.end_time,
-                      scene.time.time_step,
-                      scene.time.scheme.c_str(),
-                      scene.time.newmark.beta,
-                      scene.time.newmark.gamma,
-                      scene.time.newmark.filter > 0. ? ", filtered" : "");
+    if (scene.continuum.is_explicit && continuum != nullptr)
+      card.text += describe_explicit_time(scene, *continuum);
+    else
+      card.text += line("Time       %g s in steps of %g s, scheme %s: Newmark beta %g, gamma %g%s",
+                        scene.time.end_time,
+                        scene.time.time_step,
+                        scene.time.scheme.c_str(),
+                        scene.time.newmark.beta,
+                        scene.time.newmark.gamma,
+                        scene.time.newmark.filter > 0. ? ", filtered" : "");
     warn(step_warning(scene.time.time_step, resolutions.wanted), card);
     if (continuum != nullptr)
       {

@@ -89,7 +89,10 @@ namespace hybrid::scene
             shortest        = std::min(shortest, edge.norm() / speed);
           }
       }
-    return courant * nearest_nodes(scene.continuum.degree) * shortest;
+    const double undamped = courant * nearest_nodes(scene.continuum.degree) * shortest;
+    // dt^2 w^2 + 2 beta_K w^2 dt = 4 with w = 2 / undamped
+    const double beta = scene.continuum.rayleigh_stiffness;
+    return std::sqrt(beta * beta + undamped * undamped) - beta;
   }
 
 
