@@ -139,6 +139,11 @@ namespace hybrid
                          : continuum::Continuum::Collection());
     if (run.recorder)
       run.recorder->record_step(state, result, dt, wall_time);
+    if (!run.shared_peaks)
+      return;
+    Vec2 base = run.recorder ? run.recorder->base_displacement() : Vec2::Zero();
+    MPI_Bcast(base.data(), 2, MPI_DOUBLE, 0, processes);
+    run.shared_peaks->add(state.continuum.displacement, state.continuum.velocity, dt, base.data());
   }
 
 
@@ -201,6 +206,8 @@ namespace hybrid
     collect({});
     if (run.recorder)
       run.recorder->start(state);
+    if (run.shared_peaks)
+      run.shared_peaks->start(state.continuum.velocity);
     if (model.scene.checkpoint.is_on())
       save(run);
     else if (run.recorder)
@@ -313,6 +320,7 @@ namespace hybrid
     output::Summary &summary = run.summary;
     run.end_steps();
     collect({});
+    run.collect_peaks();
     if (!run.recorder)
       return agreed_status(status);
     run.recorder->finish(state, summary);

@@ -32,6 +32,13 @@ namespace hybrid
                                         model.continuum.get(),
                                         model.foundation.get()},
                        mode);
+    const continuum::Ownership *ownership =
+      model.continuum != nullptr ? model.continuum->ownership() : nullptr;
+    if (ownership == nullptr || !model.scene.monitors.has_peak_fields)
+      return;
+    shared_peaks.emplace(*ownership, model.scene.monitors.filter_frequency);
+    if (recorder)
+      peaks_of_all = &recorder->leave_peaks_of_bedrock();
   }
 
 
@@ -83,6 +90,7 @@ namespace hybrid
 
   void Simulation::save(Run &run)
   {
+    run.collect_peaks();
     if (!run.recorder)
       return;
     run.recorder->flush(); // run.h5 is never behind the checkpoint
@@ -130,6 +138,8 @@ namespace hybrid
 
     Run run(*this, output::HistoryFile::Mode::resume);
     load(checkpoint, run);
+    if (run.shared_peaks)
+      run.shared_peaks->spread(run.peaks_of_all);
     run_report.resumed(run.clock.time(), run.summary.steps, run.clock.at_end());
     if (run.recorder)
       {

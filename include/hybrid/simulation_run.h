@@ -7,6 +7,7 @@
 #include <hybrid/dda/step/block_solver.h>
 #include <hybrid/output/energy_watch.h>
 #include <hybrid/output/run_recorder.h>
+#include <hybrid/output/shared_peaks.h>
 #include <hybrid/rest_watch.h>
 #include <hybrid/simulation.h>
 
@@ -32,8 +33,10 @@ namespace hybrid
     std::unique_ptr<dda::BlockSolver>  solver; ///< null without blocks
     coupling::CoupledStep              step;
     Clock                              clock;
-    std::optional<output::RunRecorder> recorder; ///< of the first process only
-    output::Summary                    summary;  ///< steps, iterations and timings so far
+    std::optional<output::RunRecorder> recorder;     ///< of the first process only
+    std::optional<output::SharedPeaks> shared_peaks; ///< of processes that compute together
+    output::PeakMotion                *peaks_of_all = nullptr; ///< of the first of them
+    output::Summary                    summary; ///< steps, iterations and timings so far
     CheckpointSchedule                 schedule;
     output::EnergyWatch                energy;
     RestWatch                          rest;
@@ -44,6 +47,13 @@ namespace hybrid
     double wall_time() const
     {
       return earlier_wall_time + seconds_since(start);
+    }
+
+    /// Peaks of all processes where the first one writes them.
+    void collect_peaks()
+    {
+      if (shared_peaks)
+        shared_peaks->collect(peaks_of_all);
     }
 
     double processor_time() const;

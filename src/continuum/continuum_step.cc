@@ -305,6 +305,14 @@ namespace hybrid::continuum
 
 
 
+  const Ownership *Continuum::ownership() const
+  {
+    const bool is_shared = impl->waves != nullptr && !impl->waves->ownership().is_alone();
+    return is_shared ? &impl->waves->ownership() : nullptr;
+  }
+
+
+
   void Continuum::watch(const std::vector<Point> &points) const
   {
     if (impl->waves == nullptr)

@@ -43,6 +43,7 @@ namespace hybrid::continuum
     , rock_operator(space, material, communicator)
     , edges(rock, space.nodes, joint_stiffness, loads, boundary, of_rock)
     , places(edges.nodes(), rock_operator.unknowns(), communicator)
+    , owned(rock_operator.unknowns(), n, communicator)
     , u(rock_operator.make_vector())
     , f(rock_operator.make_vector())
     , v(rock_operator.unknowns().size(), 0.)
@@ -59,45 +60,7 @@ namespace hybrid::continuum
     std::vector<double> mass;
     places.gather(rock_operator.mass().data(), mass);
     edges.set_mass(mass);
-    prepare_collection();
     find_stable_step();
-  }
-
-
-
-  void ExplicitWaves::prepare_collection()
-  {
-    const MPI_Comm all  = rock_operator.communicator();
-    int            rank = 0, ranks = 1;
-    MPI_Comm_rank(all, &rank);
-    MPI_Comm_size(all, &ranks);
-    if (ranks == 1)
-      return;
-    const std::vector<int> &mine = rock_operator.unknowns();
-    const int count = static_cast<int>(mine.size()), parts = 3 + static_cast<int>(branch.size());
-    counts.resize(ranks);
-    offsets.assign(ranks, 0);
-    MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, all);
-    for (int r = 1; r < ranks; ++r)
-      offsets[r] = offsets[r - 1] + counts[r - 1];
-    if (rank == 0)
-      unknown_of.resize(n);
-    MPI_Gatherv(mine.data(),
-                count,
-                MPI_INT,
-                unknown_of.data(),
-                counts.data(),
-                offsets.data(),
-                MPI_INT,
-                0,
-                all);
-    for (int r = 0; r < ranks; ++r)
-      {
-        counts[r] *= parts;
-        offsets[r] *= parts;
-      }
-    sent.resize(mine.size() * parts);
-    received.resize(unknown_of.size() * parts);
   }
 
 
@@ -416,7 +379,7 @@ namespace hybrid::continuum
 
   void ExplicitWaves::collect_watched(ContinuumState &state)
   {
-    if (counts.empty())
+    if (is_alone())
       return;
     const std::vector<int> &nodes = watched.nodes();
     const auto              bring = [&](const double *mine, std::vector<double> &all) {
@@ -433,30 +396,20 @@ namespace hybrid::continuum
 
   void ExplicitWaves::collect(ContinuumState &state)
   {
-    if (counts.empty())
+    if (is_alone())
       return;
-    std::vector<double *> parts_of_state{state.displacement.data(),
-                                         state.velocity.data(),
-                                         state.acceleration.data()};
+    std::vector<double *> parts{state.displacement.data(),
+                                state.velocity.data(),
+                                state.acceleration.data()};
     for (std::size_t l = 0; l < branch.size(); ++l)
-      parts_of_state.push_back(state.maxwell.strain.data() + l * state.displacement.size());
-    const std::vector<int> &mine  = rock_operator.unknowns();
-    auto                    place = sent.begin();
-    for (const int unknown : mine)
-      for (const double *part : parts_of_state)
-        *place++ = part[unknown];
-    MPI_Gatherv(sent.data(),
-                static_cast<int>(sent.size()),
-                MPI_DOUBLE,
-                received.data(),
-                counts.data(),
-                offsets.data(),
-                MPI_DOUBLE,
-                0,
-                rock_operator.communicator());
-    auto found = received.begin();
-    for (const int unknown : unknown_of)
-      for (double *part : parts_of_state)
-        part[unknown] = *found++;
+      parts.push_back(state.maxwell.strain.data() + l * state.displacement.size());
+    packed.clear();
+    for (const int unknown : owned.unknowns())
+      for (const double *part : parts)
+        packed.push_back(part[unknown]);
+    whole.clear();
+    owned.gather(packed, static_cast<int>(parts.size()), whole);
+    for (std::size_t k = 0; k < whole.size(); ++k)
+      parts[k % parts.size()][k / parts.size()] = whole[k];
   }
 } // namespace hybrid::continuum

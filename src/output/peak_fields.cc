@@ -89,7 +89,8 @@ namespace hybrid::output
     if (continuum != nullptr)
       {
         const std::vector<double> &u = state.continuum.displacement;
-        nodes.add(u.data(), state.continuum.velocity.data(), dt, base.data());
+        if (has_nodes)
+          nodes.add(u.data(), state.continuum.velocity.data(), dt, base.data());
         for (const auto &[left, right, tangent] : facing)
           {
             const Vec2   jump(u[2 * left] - u[2 * right], u[2 * left + 1] - u[2 * right + 1]);

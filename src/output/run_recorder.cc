@@ -31,6 +31,7 @@ namespace hybrid::output
               !run.scene.edge_loads.tractions.empty(),
               run.blocks != nullptr && run.blocks->blocks_yield,
               run.blocks != nullptr && run.blocks->water.changes()})
+    , has_peaks_of_bedrock(run.scene.monitors.has_peak_fields && run.continuum != nullptr)
     , last_flush(std::chrono::steady_clock::now())
   {
     file.set_attribute("/", "title", parts.scene.title);
@@ -255,7 +256,7 @@ namespace hybrid::output
   continuum::Continuum::Collection RunRecorder::needs(const double time, const double dt) const
   {
     const double late = time + early_of(dt), interval = parts.scene.output.picture_interval;
-    return {parts.scene.monitors.has_peak_fields || (interval > 0. && late >= next_picture),
+    return {has_peaks_of_bedrock || (interval > 0. && late >= next_picture),
             late >= next_audit};
   }
 

@@ -95,7 +95,7 @@ def check_equal():
             runs[processes] = series(directory)
             require(set(runs[processes]) == set(runs[1]), f"{name}: the same series")
         for processes in counts[1:]:
-            for prefix in ("monitors/", "energy/"):
+            for prefix in ("monitors/", "energy/", "fields/"):
                 worst, where = largest_difference(runs[1], runs[processes], prefix)
                 print(f"{name}: 1 and {processes} processes differ by {worst:.2g} of the peak ({where})")
                 require(worst < 1e-8, f"{name}: 1 and {processes} processes differ by {worst:.2g} in {where}")
@@ -138,9 +138,10 @@ def check_resume():
             names = [n for n in expected if n.startswith(("monitors/", "energy/", "time"))]
             different = [n for n in names if expected[n].tobytes() != found[n].tobytes()]
             require(not different, f"resumed by as many: the same bits, but for {different[:4]}")
-        worst, where = largest_difference(expected, found, "monitors/")
-        print(f"resumed by {processes} of 2 processes: {worst:.2g} of the peak off ({where})")
-        require(worst < 1e-8, f"resumed by {processes}: {worst:.2g} off in {where}")
+        for prefix in ("monitors/", "fields/"):
+            worst, where = largest_difference(expected, found, prefix)
+            print(f"resumed by {processes} of 2 processes: {worst:.2g} of the peak off ({where})")
+            require(worst < 1e-8, f"resumed by {processes}: {worst:.2g} off in {where}")
 
 
 def children(process):

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/continuum/maxwell_memory.h>
+#include <hybrid/continuum/ownership.h>
 #include <hybrid/continuum/slip_state.h>
 #include <hybrid/scene/mesh/section_mesh.h>
 #include <hybrid/scene/motion/ground_motion.h>
@@ -257,6 +258,9 @@ namespace hybrid::continuum
       bool motion = true; ///< all of it; else that of the watched points
       bool energy = true; ///< for audit_energy()
     };
+
+    /// Whose the unknowns are after explicit steps; null: each rank has all.
+    const Ownership *ownership() const;
 
     /// Points whose motion collect() always brings; all ranks name the same.
     void watch(const std::vector<Point> &points) const;

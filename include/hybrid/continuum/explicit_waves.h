@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/continuum/ownership.h>
 #include <hybrid/continuum/shared_nodes.h>
 #include <hybrid/continuum/wave_edges.h>
 #include <hybrid/continuum/wave_operator.h>
@@ -71,6 +72,11 @@ namespace hybrid::continuum
       return damping.stiffness > 0. || damping.body.n_branches() > 0;
     }
 
+    const Ownership &ownership() const
+    {
+      return owned;
+    }
+
     /// What this rank holds besides the state [B].
     double memory() const;
 
@@ -78,11 +84,10 @@ namespace hybrid::continuum
     /// On a single rank its unknowns are all.
     bool is_alone() const
     {
-      return counts.empty();
+      return owned.is_alone();
     }
 
     void find_stable_step();
-    void prepare_collection();
 
     /// @return whether the state is that which the last step or start() has left.
     bool load(const ContinuumState &state);
@@ -107,6 +112,7 @@ namespace hybrid::continuum
     WaveOperator      rock_operator;
     WaveEdges         edges;
     SharedNodes       places, watched;
+    Ownership         owned;
     double            stable_step = 0.; ///< [s]
 
     WaveOperator::Vector             u, f;
@@ -120,8 +126,6 @@ namespace hybrid::continuum
     double                           damped = 0.; ///< by mass, of this rank, in the step [J/m]
     double rock_work = 0.; ///< on rock that damps, of this rank, in the step [J/m]
 
-    // collect(), but for sent on the first rank; counts empty on one rank
-    std::vector<int>    counts, offsets, unknown_of;
-    std::vector<double> sent, received;
+    std::vector<double> packed, whole; ///< work of collect()
   };
 } // namespace hybrid::continuum

@@ -20,6 +20,17 @@ namespace hybrid::output
     /// What the scene does not have is nullptr. @param corner of the accelerations' low-pass [Hz]
     PeakFields(const dda::Model *blocks, const continuum::Continuum *bedrock, double corner);
 
+    /// The nodes' are another's (SharedPeaks), who puts them into nodes_of_bedrock() in time.
+    void leave_nodes()
+    {
+      has_nodes = false;
+    }
+
+    PeakMotion &nodes_of_bedrock()
+    {
+      return nodes;
+    }
+
     /// Motions count from this state.
     void start(const coupling::CoupledState &state);
 
@@ -46,6 +57,7 @@ namespace hybrid::output
     const dda::Model                         *model;
     const continuum::Continuum               *continuum;
     PeakMotion                                nodes, blocks;
+    bool                                      has_nodes = true; ///< adds up those of the bedrock
     std::vector<continuum::Continuum::Facing> facing;    ///< nodes on the two sides of planes
     std::vector<double>                       node_slip; ///< largest magnitudes [m]
     std::vector<Vec2>                         centroids; ///< at the start [m]

@@ -3,6 +3,7 @@
 
 #include <hybrid/restart/archive_forward.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -48,6 +49,14 @@ namespace hybrid::output
     }
 
     void serialize(restart::Archive &archive);
+
+    static constexpr int n_arrays = 6;
+
+    /// All that it remembers, each a number per component.
+    std::array<std::vector<double> *, n_arrays> arrays()
+    {
+      return {&value, &rate, &previous, &largest[0], &largest[1], &largest[2]};
+    }
 
   private:
     double              corner;

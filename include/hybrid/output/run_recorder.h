@@ -56,6 +56,17 @@ namespace hybrid::output
                      double                        dt,
                      double                        wall_time);
 
+    /// The peaks at the bedrock's nodes, for those whose they are from now on (SharedPeaks).
+    PeakMotion &leave_peaks_of_bedrock()
+    {
+      peaks.leave_nodes();
+      has_peaks_of_bedrock = false;
+      return peaks.nodes_of_bedrock();
+    }
+
+    /// Displacement of the base monitor [m].
+    Vec2 base_displacement() const;
+
     /// What record_step() will read of the bedrock at @p time, after a step of @p dt [s].
     continuum::Continuum::Collection needs(double time, double dt) const;
 
@@ -113,6 +124,7 @@ namespace hybrid::output
     LineRecorder               lines;
     PeakFields                 peaks;
     EnergyLedger               ledger;
+    bool                       has_peaks_of_bedrock; ///< and adds to them
     std::vector<MonitorSeries> monitors;
     std::vector<Profile>       profiles;
     int                        base_monitor = -1; ///< index in monitors
@@ -152,7 +164,5 @@ namespace hybrid::output
 
     /// Why the error of the steps is not estimated, in words; empty: it is.
     std::string why_no_error(bool any_monitor) const;
-
-    Vec2 base_displacement() const;
   };
 } // namespace hybrid::output
