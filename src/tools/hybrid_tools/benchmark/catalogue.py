@@ -10,14 +10,15 @@ from dataclasses import dataclass
 
 from hybrid_run import UserError
 
-STEP, SIMULATED, RATE, RUN, STATIC, THREADS = "step", "simulated", "rate", "run", "static", "threads"
-UNITS = {STEP: "ms/step", SIMULATED: "ms/ms", RATE: "block-steps/s", RUN: "s", STATIC: "s", THREADS: "of one thread's time"}
+STEP, SIMULATED, RATE, RUN, STATIC, THREADS, WAVES = "step", "simulated", "rate", "run", "static", "threads", "waves"
+UNITS = {STEP: "ms/step", SIMULATED: "ms/ms", RATE: "block-steps/s", RUN: "s", STATIC: "s", THREADS: "of one thread's time", WAVES: "ns per unknown"}
 MEANINGS = {
     STEP: "processor time per accepted step, without the first, in which factors are made",
     SIMULATED: "processor time of all steps per simulated time",
     RATE: "blocks times steps over the processor time of the steps, without the first",
     RUN: "processor time of the whole run",
     STATIC: "processor time of the static stage",
+    WAVES: "processor time per step and unknown of the bedrock, without the first step",
     THREADS: "wall time of the steps with two threads over that with one",
 }
 
@@ -55,6 +56,7 @@ ROWS = (
     + family("rest", SIMULATED, {"100": 0.1, "400": 0.4, "900": 0.9, "2000": 2})
     + family("badong", STEP, {"8": 3, "4": 6, "2": 20}, is_long=("2",))
     + family("static", STATIC, {"8": None, "4": 1, "2": 5, "1": None}, is_long=("2", "1"))
+    + family("waves", WAVES, {"155k": 15, "617k": 15})
     + family("bonded", RATE, {"5000": 5e5, "20000": 5e5, "100000": 5e5, "1000000": 5e5}, is_long=("100000", "1000000"))
     + [
         Row("bin_30", RUN),

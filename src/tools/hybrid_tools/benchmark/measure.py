@@ -97,6 +97,8 @@ def value(row, summary):
         return (times.get("first_step", 0.0) + stepping) / simulated if simulated > 0 else None
     if steps < 2 or stepping <= 0:
         return None
+    if row.kind == catalogue.WAVES:
+        return 1e9 * stepping / (steps - 1) / summary["continuum_unknowns"]
     return 1e3 * stepping / (steps - 1) if row.kind == catalogue.STEP else summary["blocks"] * (steps - 1) / stepping
 
 
