@@ -10,7 +10,7 @@
 #include <hybrid/output/sample_line.h>
 #include <hybrid/scene/checks/mesh_check.h>
 #include <hybrid/scene/mesh/edge_chain.h>
-#include <hybrid/scene/parameters/time_integrator.h>
+#include <hybrid/scene/mesh/stable_step.h>
 #include <hybrid/scene_model.h>
 
 #include <algorithm>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/continuum/maxwell_memory.h>
+#include <hybrid/continuum/continuum_state.h>
 #include <hybrid/continuum/ownership.h>
-#include <hybrid/continuum/slip_state.h>
 #include <hybrid/scene/mesh/section_mesh.h>
 #include <hybrid/scene/motion/ground_motion.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
@@ -18,49 +17,6 @@
 
 namespace hybrid::continuum
 {
-  /// Energy of the continuum, each term computed on its own [J/m]; work and losses since the start.
-  struct ContinuumEnergy
-  {
-    double kinetic          = 0.; ///< 1/2 v M v, now
-    double strain           = 0.; ///< 1/2 u K u, bedding planes and Maxwell branches included, now
-    double boundary_springs = 0.; ///< in the springs of visco-elastic boundaries, now
-    double input_work       = 0.; ///< done by the incident wave's tractions or the prescribed base
-    double surface_work     = 0.; ///< done by the interface forces
-    double boundary_loss =
-      0.; ///< taken up by dashpots (relative to the free field where there is one)
-    double damping_loss          = 0.; ///< Rayleigh and Maxwell damping
-    double bedding_loss          = 0.; ///< slip and breaking of bedding planes
-    double bedding_static_stress = 0.; ///< static stress that their slip released (negative), now
-    double integration_loss      = 0.; ///< Newmark's own dissipation
-    double rock_work = 0.; ///< on rock that damps, of explicit steps: strain and damping_loss share
-                           ///< it in an audit
-  };
-
-  /// All mutable state of the continuum: copied for roll-back, written for restart.
-  struct ContinuumState
-  {
-    double time      = 0.;            ///< [s]
-    double last_step = 0.;            ///< of acceleration_change, or of the parts of explicit
-                                      ///< steps [s]; 0: none
-    std::vector<double> displacement; ///< u [m], all unknowns, free-field columns last; increment
-                                      ///< since the static state
-    std::vector<double> velocity;     ///< v [m/s]
-    std::vector<double> acceleration; ///< a [m/s2]
-    std::vector<double> contact_acceleration; ///< part of a that ends with the step, see
-                                              ///< SurfaceForce [m/s2]; empty: none
-    std::vector<double> acceleration_change;  ///< remembered by a Newmark::filter, of a without
-                                              ///< contacts [m/s2]; empty without one
-    std::vector<double> surface_force;        ///< lambda of the last step [N/m]; empty: zero
-    std::vector<double> surface_contact; ///< its part that ended with the step [N/m]; empty: zero
-    SlipState           slip;            ///< of bedding planes
-    MaxwellState        maxwell;         ///< of Maxwell damping
-    ContinuumEnergy     energy;
-  };
-
-  // All members, for the checkpoint (restart/archive.h).
-  void serialize(restart::Archive &archive, ContinuumEnergy &energy);
-  void serialize(restart::Archive &archive, ContinuumState &state);
-
   /**
    * Forces lambda of the blocks on the surface at the end of a step, less those at rest [N/m].
    *

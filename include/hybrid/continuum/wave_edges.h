@@ -2,7 +2,7 @@
 #pragma once
 
 #include <hybrid/continuum/boundary_forces.h>
-#include <hybrid/continuum/continuum.h>
+#include <hybrid/continuum/continuum_state.h>
 #include <hybrid/continuum/joint_stiffness.h>
 #include <hybrid/continuum/point_loads.h>
 
