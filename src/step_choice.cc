@@ -45,6 +45,15 @@ namespace hybrid
     const double now = largest(error.step), half = largest(error.half_step);
     if (now <= target)
       return {holds_until(error.until), {}, ""};
+    if (error.parts > 1) // only a step that is shorter than a part changes the error
+      {
+        int to_one_part = 1;
+        while ((1 << to_one_part) <= error.parts)
+          ++to_one_part;
+        return {"",
+                std::ldexp(time_step, -to_one_part),
+                "the error of its stable parts is above Time/Error target"};
+      }
     if (!(half < now))
       return {"half the step would not be nearer to it", {}, ""};
     const std::string why = "the error of longer ones is above Time/Error target";

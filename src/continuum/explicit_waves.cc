@@ -76,6 +76,9 @@ namespace hybrid::continuum
       {
         waves.u = from;
         waves.find_rock_force(waves.u);
+        waves.places.gather(from.begin(), waves.work);
+        waves.edges.add_spring_forces(waves.work, waves.rock_force1);
+        waves.places.scatter(waves.rock_force1, waves.f.begin());
         to = waves.f;
         to *= -1.;
       }

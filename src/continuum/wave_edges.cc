@@ -198,6 +198,14 @@ namespace hybrid::continuum
 
 
 
+  void WaveEdges::add_spring_forces(const std::vector<double> &u, std::vector<double> &force) const
+  {
+    if (!boundary.springs().empty())
+      boundary.springs().add_forces({u, std::vector<double>(u.size(), 0.)}, force);
+  }
+
+
+
   void WaveEdges::outer_forces(const double                    time,
                                const BoundaryForces::Incoming &incoming,
                                const std::vector<double>      &v,

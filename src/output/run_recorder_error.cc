@@ -84,12 +84,14 @@ namespace hybrid::output
       scheme.dt = std::sqrt(cubes / sum);
       if (parts.blocks != nullptr)
         for (const dda::BlockProperties &block : parts.blocks->blocks)
-          scheme.block_damping += block.damping_time / parts.blocks->n_blocks();
+          scheme.late_damping += block.damping_time / parts.blocks->n_blocks();
       if (parts.continuum != nullptr)
         {
           const auto   resolution = parts.continuum->resolution();
           const double slowness =
             shakes_p_waves(parts) ? resolution.p_time / resolution.s_time : 1.;
+          if (parts.scene.continuum.is_explicit)
+            scheme.late_damping = parts.scene.continuum.rayleigh_stiffness;
           scheme.node_time = 0.1 / resolution.highest_frequency * slowness;
         }
       return scheme;
@@ -182,6 +184,8 @@ namespace hybrid::output
     scheme.dt  = part(step);
     error.step = estimate.of_steps(scheme);
     scheme.dt  = part(0.5 * step);
+    if (parts.continuum != nullptr)
+      error.parts = parts.continuum->parts_of_step(parts.scene.time.time_step);
     if (scheme.newmark.corrected_step > 0.)
       scheme.newmark.corrected_step *= 0.5;
     error.half_step = estimate.of_steps(scheme);

@@ -24,15 +24,15 @@ namespace hybrid::output
     const Newmark &newmark = scheme.newmark;
     if (newmark.corrected_step > 0.)
       return of_corrected_inertia(scheme, s);
-    if (newmark.beta == 0.)
-      return 2. / scheme.dt * std::sinh(0.5 * s * scheme.dt) - s;
     const std::complex<double> x = std::tanh(0.5 * s * scheme.dt), e = std::exp(-s * scheme.dt);
     const std::complex<double> weight =
       newmark.gamma - 0.5 - newmark.filter * 0.5 * e / (1. - 0.5 * e);
-    const std::complex<double> inertia = 2. * x / scheme.dt / std::sqrt(1. + 2. * x * weight);
+    const std::complex<double> inertia = newmark.beta == 0.
+                                           ? 2. / scheme.dt * std::sinh(0.5 * s * scheme.dt)
+                                           : 2. * x / scheme.dt / std::sqrt(1. + 2. * x * weight);
     const std::complex<double> late    = (1. - e) / scheme.dt - s; // of the mean rate
     const std::complex<double> stiffer =
-      scheme.block_damping * late / (1. + scheme.block_damping * s);
+      scheme.late_damping * late / (1. + scheme.late_damping * s);
     return inertia * (1. - 0.5 * stiffer) - s;
   }
 } // namespace hybrid::output

@@ -79,6 +79,10 @@ namespace hybrid::continuum
     /// Add what joints push with at the displacement @p u of the places [N/m].
     void add_joint_forces(const std::vector<double> &u, std::vector<double> &force) const;
 
+    /// Add what the boundary's springs push with at the displacement @p u of the places, the free
+    /// field at rest [N/m].
+    void add_spring_forces(const std::vector<double> &u, std::vector<double> &force) const;
+
     /// Second half: acceleration and velocity at the end, @p time. @param rock_force of rock and
     /// joints on the places there [N/m]
     void accelerate(double time, double dt, const std::vector<double> &rock_force);

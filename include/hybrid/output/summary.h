@@ -112,6 +112,7 @@ namespace hybrid::output
       double    until = MonitorSummary::unknown;      ///< estimated up to here [s]; NaN: all
       ErrorPart step;                                 ///< of the time step
       ErrorPart half_step; ///< what would be left of it with half the step
+      int       parts = 1; ///< into which an explicit step is divided
       ErrorPart mesh;      ///< of the finite elements, at monitors in them; NaN: none are
       double    cost = MonitorSummary::unknown; ///< of half the step: processor time that comes on
                                                 ///< top, at most [s]

@@ -155,6 +155,22 @@ namespace
   }
 
 
+  TEST(ExplicitWaves, StiffBoundarySpringsMakePartsShorter)
+  {
+    const auto parts = [](const double distance, const bool has_springs) {
+      Waves waves;
+      waves.scene.continuum.boundary_springs = has_springs;
+      waves.scene.continuum.spring_distance  = distance;
+      waves.make();
+      waves.step(2e-3, 20);
+      EXPECT_LT(residual(waves.audit()), 1e-11) << distance;
+      return waves.rock->parts_of_step(2e-3);
+    };
+    EXPECT_EQ(parts(60., true), parts(60., false));
+    EXPECT_GT(parts(1e-3, true), 2 * parts(1e-3, false));
+  }
+
+
   TEST(ExplicitWaves, ErrorFallsWithTheSquareOfTheStep)
   {
     const auto run = [](const double dt) {

@@ -61,6 +61,25 @@ namespace hybrid::output
 
 
 
+    TEST(StepFrequency, OfCentralDifferencesWithDampingHalfAStepLate)
+    {
+      // z^2 - (2 - q - q d) z + (1 - q d) = 0, z = exp(s dt), q = (w dt)^2, d = beta_K / dt
+      Newmark newmark;
+      newmark.beta    = 0.;
+      newmark.gamma   = 0.5;
+      const double  w = 12., dt = 0.02 / w, beta = 0.05 / w, q = 4e-4, d = beta / dt;
+      const double  half  = 0.5 * (2. - q - q * d);
+      const Complex z     = Complex(half, std::sqrt(1. - q * d - half * half));
+      const Complex s     = std::log(z) / dt;
+      const Complex taken = s + frequency_error({newmark, dt, beta, 0.}, s);
+      // the mode of the model itself: s'^2 + w^2 (1 + beta s') = 0
+      const Complex exact(-0.5 * w * w * beta, w * std::sqrt(1. - 0.25 * w * w * beta * beta));
+      EXPECT_GT(std::abs(s - exact), 2e-4 * w);
+      EXPECT_LT(std::abs(taken - exact), 0.05 * std::abs(s - exact));
+    }
+
+
+
     TEST(StepFrequency, IsWhatTheSchemeTurnsAModeInto)
     {
       for (const char *name : {"filtered", "dissipative", "trapezoidal", "shi"})

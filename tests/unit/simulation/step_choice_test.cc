@@ -42,6 +42,20 @@ TEST(StepChoice, takes_as_many_halvings_as_a_second_order_needs)
 
 
 
+TEST(StepChoice, a_step_of_stable_parts_gets_shorter_than_a_part)
+{
+  for (const auto &[parts, divisor] : {std::pair<int, int>{2, 4}, {7, 8}, {8, 16}, {50, 64}})
+    {
+      Summary::ProbableError error = estimated(0.02, 0.02);
+      error.parts                  = parts;
+      const StepChoice choice      = choose_step(error, 0.016, 0.01);
+      ASSERT_TRUE(choice.step) << parts;
+      EXPECT_EQ(*choice.step, 0.016 / divisor) << parts;
+    }
+}
+
+
+
 TEST(StepChoice, a_first_order_takes_more)
 {
   EXPECT_DOUBLE_EQ(*choose_step(estimated(0.08, 0.04), 8e-3, 0.01).step, 1e-3);
