@@ -73,7 +73,7 @@ namespace hybrid
           failed = 1;
           error  = std::current_exception();
         }
-    if (size > 1)
+    if (are_there_others())
       MPI_Bcast(&failed, 1, MPI_INT, 0, MPI_COMM_WORLD);
     if (error)
       std::rethrow_exception(error);
@@ -85,7 +85,7 @@ namespace hybrid
 
   double Processes::from_first(double value) const
   {
-    if (size > 1)
+    if (are_there_others())
       MPI_Bcast(&value, 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
     return value;
   }

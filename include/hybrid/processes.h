@@ -58,7 +58,7 @@ namespace hybrid
     /// All run together: what stops one has to stop all.
     void set_together(const bool now)
     {
-      together = now && size > 1 && !others_wait;
+      together = now && are_there_others();
     }
 
     bool are_together() const
@@ -70,6 +70,12 @@ namespace hybrid
     void end_all(int exit_code) const;
 
   private:
+    /// Others that take part in what this one does now.
+    bool are_there_others() const
+    {
+      return size > 1 && !others_wait;
+    }
+
     bool is_owner    = false;
     bool others_wait = false;
     bool together    = false;

@@ -51,7 +51,7 @@ namespace hybrid::continuum
                                            const double           gravity,
                                            const double           horizontal)
   {
-    auto               &m    = *impl;
+    auto &m = *impl;
     if (m.waves != nullptr)
       return {};
     std::vector<double> load = weight_load(*m.nodes, m.cell_material, gravity, horizontal);

@@ -5,11 +5,10 @@
 
 namespace hybrid::output
 {
-  std::complex<double>
-  mesh_frequency_error(const int                  degree,
-                       const double               cell_time,
-                       const std::complex<double> s,
-                       const ElementMass          mass)
+  std::complex<double> mesh_frequency_error(const int                  degree,
+                                            const double               cell_time,
+                                            const std::complex<double> s,
+                                            const ElementMass          mass)
   {
     double ratio = 1.; // p! / (2 p)!
     for (int k = degree + 1; k <= 2 * degree; ++k)

@@ -256,8 +256,7 @@ namespace hybrid::output
   continuum::Continuum::Collection RunRecorder::needs(const double time, const double dt) const
   {
     const double late = time + early_of(dt), interval = parts.scene.output.picture_interval;
-    return {has_peaks_of_bedrock || (interval > 0. && late >= next_picture),
-            late >= next_audit};
+    return {has_peaks_of_bedrock || (interval > 0. && late >= next_picture), late >= next_audit};
   }
 
 

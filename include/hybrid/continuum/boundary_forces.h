@@ -64,8 +64,8 @@ namespace hybrid::continuum
     void
     add_dashpots(const NodeMatrices &matrices, double factor, std::vector<double> &blocks) const;
 
-    /// Of each boundary node, its dashpots as far as they resist its own velocity [N s/m per m]: all
-    /// of them if the mass of the edges is by Lobatto's quadrature.
+    /// Of each boundary node, its dashpots as far as they resist its own velocity [N s/m per m]:
+    /// all of them if the mass of the edges is by Lobatto's quadrature.
     std::vector<Eigen::Matrix2d> nodal_dashpots() const;
 
     /// Add the springs of visco-elastic boundaries to 2 x 2 blocks.

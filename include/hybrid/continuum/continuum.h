@@ -157,7 +157,8 @@ namespace hybrid::continuum
     /// What the points of @p plane do now.
     BeddingValues bedding_values(const ContinuumState &state, const BeddingPlane &plane) const;
 
-    /// The sums of @p state with its energies of now (kinetic, strain).
+    /// The sums of @p state with its energies of now (kinetic, strain); after explicit steps
+    /// collect() has to come before.
     [[nodiscard]] ContinuumEnergy audit_energy(const ContinuumState &state) const;
 
     /// What a point of the bedrock does: displacement, velocity, acceleration.

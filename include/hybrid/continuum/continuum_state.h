@@ -8,7 +8,8 @@
 
 namespace hybrid::continuum
 {
-  /// Energy of the continuum, each term computed on its own [J/m]; work and losses since the start.
+  /// Energy of the continuum [J/m]; work and losses since the start. Each term is computed on its
+  /// own, but for damping_loss of rock that damps in explicit steps (rock_work).
   struct ContinuumEnergy
   {
     double kinetic          = 0.; ///< 1/2 v M v, now

@@ -89,7 +89,7 @@ namespace hybrid::continuum
 
     void find_stable_step();
 
-    /// @return whether the state is that which the last step or start() has left.
+    /// @return whether f is still the force of this state's strains; false where no part needs it.
     bool load(const ContinuumState &state);
     void store(ContinuumState &state) const;
 

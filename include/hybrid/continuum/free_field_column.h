@@ -83,8 +83,8 @@ namespace hybrid::continuum
       std::size_t   stride    = 0;       ///< from one branch to the next, in both
     };
 
-    /// One Newmark step; with beta = 0 one of central differences, which takes a basis whose mass is
-    /// by Lobatto's quadrature.
+    /// One Newmark step; with beta = 0 one of central differences, which takes a basis whose mass
+    /// is by Lobatto's quadrature.
     void step(const ConstMotion &old, const Motion &next, double dt, const Input &input);
 
   private:
@@ -98,8 +98,7 @@ namespace hybrid::continuum
 
     const Factor &factor_for(double dt);
 
-    void
-    step_explicitly(const ConstMotion &old, const Motion &next, double dt, const Input &input);
+    void step_explicitly(const ConstMotion &old, const Motion &next, double dt, const Input &input);
 
     /// Less the force of the branches in a step in which component @p c goes to zero, into rhs.
     void add_past(const ConstMotion &old, double dt, int c);

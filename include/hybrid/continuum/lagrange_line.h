@@ -49,8 +49,8 @@ namespace hybrid::continuum
       return value_and_derivative[1];
     }
 
-    /// Gauss points of [0, 1], one more than the degree: what the integrals below are made with, but
-    /// for a mass by Lobatto's.
+    /// Gauss points of [0, 1], one more than the degree: what the integrals below are made with,
+    /// but for a mass by Lobatto's.
     const dealii::QGauss<1> &quadrature() const
     {
       return gauss;

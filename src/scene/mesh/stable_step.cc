@@ -13,8 +13,8 @@ namespace hybrid::scene
     /// 150,000 unknowns and more.
     constexpr double implicit_cost = 15.;
 
-    /// Of the stable step, what the largest frequency of an element leaves: w_max c_p / (nearest
-    /// nodes), degrees 2 to 8, squares.
+    /// Stable step over a P wave's way between the nearest nodes. Squares of degree 2 to 8 have
+    /// 0.63 to 0.66, of degree 1 0.82, by Lanczos (ExplicitWaves); cells that lean have less.
     constexpr double courant = 0.6;
 
 

@@ -9,7 +9,7 @@ namespace hybrid::scene
   /// Longest step of explicit integration on @p mesh, estimated from the nearest nodes [s].
   double estimated_stable_step(const SectionMesh &mesh, const SceneParameters &scene);
 
-  /// The scene with Time integrator = automatic decided: explicit if that is possible and takes less
-  /// time, by the measured cost of both (doc/performance.md).
+  /// The scene with Time integrator = automatic decided: explicit if that is possible and takes
+  /// less time, by the measured cost of both (doc/performance.md).
   SceneParameters with_time_integrator(SceneParameters scene, const SectionMesh &mesh);
 } // namespace hybrid::scene

@@ -69,7 +69,7 @@ namespace hybrid::scene
   {
     TimeIntegrator integrator  = TimeIntegrator::implicit_steps;
     bool           is_explicit = false; ///< what the integrator stands for in this scene
-    int                                degree = 2;      ///< polynomial degree of FE_Q, 1..8
+    int            degree      = 2;     ///< polynomial degree of FE_Q, 1..8
     std::map<std::string, std::string> region_material; ///< region name ("bedrock") -> material
                                                         ///< name; "*": every region without its own
     BaseBoundary base  = compliant_base();

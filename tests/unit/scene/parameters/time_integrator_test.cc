@@ -2,36 +2,25 @@
 #include <gtest/gtest.h>
 
 #include <hybrid/scene/input_error.h>
-#include <hybrid/scene/parameters/scene_reader.h>
 #include <hybrid/scene/parameters/time_integrator.h>
 
+#include "lamb_scene.h"
+
 #include <string>
-#include <vector>
 
 namespace
 {
   using namespace hybrid;
   using namespace hybrid::scene;
 
-  const std::string lamb =
-    HYBRID_SOURCE_DIR "/parameters/verification/lamb.prm"; // waves alone, in steps of 0.6 ms
-
-
-  SceneParameters read(std::vector<std::string> overrides, const std::string &integrator)
-  {
-    overrides.push_back("Continuum/Time integrator=" + integrator);
-    return read_scene(lamb, overrides);
-  }
-
-
   TEST(TimeIntegrator, ExplicitIsCentralDifferences)
   {
-    const SceneParameters scene = read({}, "explicit");
+    const SceneParameters scene = test::lamb_scene({}, "explicit");
     EXPECT_TRUE(scene.continuum.is_explicit);
     EXPECT_EQ(scene.time.newmark.beta, 0.);
     EXPECT_EQ(scene.time.newmark.gamma, 0.5);
     EXPECT_EQ(scene.time.newmark.corrected_step, 0.);
-    EXPECT_FALSE(read({}, "implicit").continuum.is_explicit);
+    EXPECT_FALSE(test::lamb_scene({}, "implicit").continuum.is_explicit);
   }
 
 
@@ -44,7 +33,7 @@ namespace
     for (const auto &[override, reason] : wrong)
       try
         {
-          read({override, "Bedding planes/Strength=Mohr-Coulomb"}, "explicit");
+          test::lamb_scene({override, "Bedding planes/Strength=Mohr-Coulomb"}, "explicit");
           ADD_FAILURE() << override;
         }
       catch (const InputError &error)
