@@ -173,6 +173,9 @@ namespace hybrid
 
   void RunReport::planes(const continuum::StaticSlip &planes) const
   {
+    if (!planes.solved)
+      log.warning("the static stress of the bedrock was not found: pictures show that of the waves "
+                  "only");
     if (!model.scene.bedding.slips || model.scene.bedding.names.empty())
       return;
     char text[200];

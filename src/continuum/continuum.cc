@@ -90,9 +90,19 @@ namespace hybrid::continuum
     m.rayleigh_mass          = scene.continuum.rayleigh_mass;
     m.rayleigh_stiffness     = scene.continuum.rayleigh_stiffness;
     m.rock                   = split_bedding_planes(mesh, scene.bedding.names);
+    m.joint_stiffness        = {scene.bedding.normal_stiffness, scene.bedding.shear_stiffness};
     const auto make_boundary = [&] {
       m.boundary =
         std::make_unique<BoundaryForces>(m.rock, *m.nodes, m.cell_material, mesh, scene, motion);
+    };
+    const auto take_static_model = [&] {
+      m.has_weight  = scene.environment.gravity > 0.;
+      m.left_nodes  = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"left"}));
+      m.right_nodes = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"right"}));
+      m.base_nodes  = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"base"}));
+      if (scene.environment.has_initial_stress())
+        m.initial_stress = std::make_unique<InitialRockStress>(
+          scene::InitialStress(mesh, scene), m.cell_region, m.rock, *m.nodes, m.joint_stiffness);
     };
     if (scene.continuum.is_explicit)
       {
@@ -101,31 +111,28 @@ namespace hybrid::continuum
         m.nodes = std::make_unique<ElementNodes>(space.nodes);
         make_boundary();
         m.add_point_loads(scene.point_loads);
-        m.waves = std::make_unique<ExplicitWaves>(
-          m.rock,
-          space,
-          m.cell_material,
-          JointStiffness{scene.bedding.normal_stiffness, scene.bedding.shear_stiffness},
-          m.point_loads,
-          *m.boundary,
-          RockDamping{m.rayleigh_mass, m.rayleigh_stiffness, m.make_maxwell(scene.maxwell)},
-          communicator);
+        m.waves = std::make_unique<ExplicitWaves>(m.rock,
+                                                  space,
+                                                  m.cell_material,
+                                                  m.joint_stiffness,
+                                                  m.point_loads,
+                                                  *m.boundary,
+                                                  RockDamping{m.rayleigh_mass,
+                                                              m.rayleigh_stiffness,
+                                                              m.make_maxwell(scene.maxwell)},
+                                                  communicator);
+        take_static_model();
         m.add_wave(scene.initial_wave, mesh);
         return;
       }
     {
       const ElementSpace space(m.rock, mesh, scene.continuum.degree, communicator);
       m.nodes    = std::make_unique<ElementNodes>(space.nodes);
-      m.matrices = assemble_elastic(space,
-                                    m.rock,
-                                    m.cell_material,
-                                    {scene.bedding.normal_stiffness, scene.bedding.shear_stiffness},
-                                    m.newmark.corrected_step);
+      m.matrices = assemble_elastic(
+        space, m.rock, m.cell_material, m.joint_stiffness, m.newmark.corrected_step);
     }
     make_boundary();
-    m.left_nodes  = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"left"}));
-    m.right_nodes = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"right"}));
-    m.base_nodes  = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"base"}));
+    take_static_model();
     const bool blocks =
       scene.blocks.enabled && (!mesh.blocks.empty() || !scene.mesh.polygons_file.empty());
     if (blocks)
@@ -141,14 +148,6 @@ namespace hybrid::continuum
     if (scene.bedding.slips && !m.rock.joints.empty())
       m.prepare_slip(scene.bedding);
     m.prepare_maxwell(scene.maxwell);
-    if (scene.environment.has_initial_stress())
-      m.initial_stress =
-        std::make_unique<InitialRockStress>(scene::InitialStress(mesh, scene),
-                                            m.cell_region,
-                                            m.rock,
-                                            *m.nodes,
-                                            JointStiffness{scene.bedding.normal_stiffness,
-                                                           scene.bedding.shear_stiffness});
     m.add_point_loads(scene.point_loads);
     m.add_wave(scene.initial_wave, mesh);
   }
@@ -303,7 +302,7 @@ namespace hybrid::continuum
   double Continuum::estimated_memory() const
   {
     if (impl->waves != nullptr)
-      return impl->waves->memory();
+      return impl->waves->memory() + (impl->has_weight ? impl->waves->static_memory() : 0.);
     double numbers = static_cast<double>(impl->matrices.stiffness.size() +
                                          impl->matrices.inertia_correction.size());
     if (impl->slip != nullptr)

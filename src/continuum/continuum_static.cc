@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/continuum/continuum_implementation.h>
+#include <hybrid/continuum/restrained_rock.h>
 
 #include <Eigen/LU>
 
@@ -15,8 +16,8 @@ namespace hybrid::continuum
                                     const double                 gravity,
                                     const double                 horizontal)
     {
-      const LagrangeLine &line = nodes.line;
-      const int           n    = line.degree() + 1;
+      const LagrangeLine line(nodes.line.degree()); // with exact integrals
+      const int          n = line.degree() + 1;
       // The Jacobian of a straight-sided cell is linear in x and y: integrate N times a linear
       // function.
       std::vector<double> flat(n), sloped(n);
@@ -47,27 +48,56 @@ namespace hybrid::continuum
   } // namespace
 
 
+  std::vector<char> Continuum::Implementation::static_supports() const
+  {
+    std::vector<char> supported(n_dofs(), 0);
+    for (const auto *side : {&left_nodes, &right_nodes})
+      for (const int node : *side)
+        supported[2 * node] = 1;
+    for (const int node : base_nodes)
+      supported[2 * node] = supported[2 * node + 1] = 1;
+    return supported;
+  }
+
+
+
+  StaticSlip Continuum::Implementation::solve_static_waves(const std::vector<double> &forces)
+  {
+    const std::vector<char> supported = static_supports();
+    const RestrainedRock    restrained(
+      waves->rock(), rock, *nodes, cell_material, joint_stiffness, supported);
+    RestrainedRock::Solution found = restrained.solve(forces);
+    static_displacement.clear();
+    StaticSlip result;
+    result.solved = found.converged;
+    if (!result.solved)
+      return result;
+    Ownership owned = waves->ownership();
+    if (owned.is_alone())
+      static_displacement = std::move(found.displacement);
+    else
+      owned.gather(found.displacement, 1, static_displacement);
+    return result;
+  }
+
+
+
   StaticSlip Continuum::solve_static_state(const Eigen::VectorXd &surface_force,
                                            const double           gravity,
                                            const double           horizontal)
   {
-    auto &m = *impl;
-    if (m.waves != nullptr)
-      return {};
+    auto               &m    = *impl;
     std::vector<double> load = weight_load(*m.nodes, m.cell_material, gravity, horizontal);
     for (std::size_t k = 0; k < m.surface.size() && surface_force.size() > 0; ++k)
       for (int c = 0; c < 2; ++c)
         load[2 * m.surface[k] + c] += surface_force[2 * k + c];
     if (m.initial_stress != nullptr)
       m.initial_stress->subtract_from(load);
+    if (m.waves != nullptr)
+      return m.solve_static_waves(load);
 
-    std::vector<char> supported(m.n_dofs(), 0);
-    for (const auto *side : {&m.left_nodes, &m.right_nodes})
-      for (const int node : *side)
-        supported[2 * node] = 1;
-    for (const int node : m.base_nodes)
-      supported[2 * node] = supported[2 * node + 1] = 1;
-    std::vector<int> number(m.n_dofs(), -1), dofs;
+    const std::vector<char> supported = m.static_supports();
+    std::vector<int>        number(m.n_dofs(), -1), dofs;
     for (std::size_t i = 0; i < m.n_dofs(); ++i)
       if (!supported[i])
         {

@@ -125,6 +125,14 @@ namespace hybrid::continuum
 
 
 
+  double ExplicitWaves::static_memory() const
+  {
+    constexpr double of_products = 8., of_solver = 8., of_coarse = 4.; // numbers per unknown
+    return sizeof(double) * (of_products + of_solver + of_coarse) * static_cast<double>(v.size());
+  }
+
+
+
   bool ExplicitWaves::load(const ContinuumState &state)
   {
     const bool is_asked = edges.has_moving_base() || is_damped();

@@ -375,18 +375,13 @@ namespace hybrid::output
     std::string describe_explicit_time(const scene::SceneParameters &scene,
                                        const continuum::Continuum   &continuum)
     {
-      const int   parts = continuum.parts_of_step(scene.time.time_step);
-      std::string text =
-        line("Time       %g s in steps of %g s, explicit: %d stable part%s of %.4g s",
-             scene.time.end_time,
-             scene.time.time_step,
-             parts,
-             parts == 1 ? "" : "s",
-             scene.time.time_step / parts);
-      if (scene.environment.gravity > 0.)
-        text +=
-          line("           pictures have no static stress: explicit steps are of waves alone");
-      return text;
+      const int parts = continuum.parts_of_step(scene.time.time_step);
+      return line("Time       %g s in steps of %g s, explicit: %d stable part%s of %.4g s",
+                  scene.time.end_time,
+                  scene.time.time_step,
+                  parts,
+                  parts == 1 ? "" : "s",
+                  scene.time.time_step / parts);
     }
   } // namespace
 

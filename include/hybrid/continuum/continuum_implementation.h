@@ -30,6 +30,7 @@ namespace hybrid::continuum
     std::vector<Material>              cell_material;
     std::unique_ptr<ElementNodes>      nodes;
     NodeMatrices                       matrices;
+    JointStiffness                     joint_stiffness; ///< of bedding planes
     std::unique_ptr<BoundaryForces>    boundary;
     std::unique_ptr<BeddingSlip>       slip; ///< null unless bedding planes may slip
     std::vector<BeddingPlane>          slipping_planes;
@@ -49,6 +50,12 @@ namespace hybrid::continuum
     std::vector<int> left_nodes, right_nodes, base_nodes;
     std::vector<double>
       static_displacement; ///< of the restrained model [m], empty before solve_static_state()
+
+    // the static model (continuum_static.cc)
+    bool              has_weight = false;      ///< the scene has a static stage
+    std::vector<char> static_supports() const; ///< per unknown: held at rest
+    /// Without a matrix; the whole displacement on the first rank. All ranks call it.
+    StaticSlip solve_static_waves(const std::vector<double> &forces);
 
     // the factored system
     std::vector<int>                        dof_of_system, system_of_dof; ///< -1: not in the system

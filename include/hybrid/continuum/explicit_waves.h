@@ -77,8 +77,16 @@ namespace hybrid::continuum
       return owned;
     }
 
+    const WaveOperator &rock() const
+    {
+      return rock_operator;
+    }
+
     /// What this rank holds besides the state [B].
     double memory() const;
+
+    /// What RestrainedRock takes besides, as long as it is there [B].
+    double static_memory() const;
 
   private:
     /// On a single rank its unknowns are all.

@@ -35,6 +35,7 @@ namespace hybrid::continuum
     int    open        = 0;  ///< points without traction
     double largest     = 0.; ///< largest slip [m]
     Vec2   where{0., 0.};    ///< its place [m]
+    bool   solved = true;    ///< the static displacement of the rock is known
   };
 
 

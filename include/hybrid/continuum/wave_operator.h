@@ -5,14 +5,10 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <deal.II/lac/la_parallel_vector.h>
-
-#include <deal.II/matrix_free/matrix_free.h>
-
+#include <hybrid/continuum/elastic_product.h>
 #include <hybrid/continuum/element_space.h>
-#include <hybrid/scene/material.h>
 
-#include <utility>
+#include <memory>
 #include <vector>
 
 namespace hybrid::continuum
@@ -29,7 +25,7 @@ namespace hybrid::continuum
   class WaveOperator
   {
   public:
-    using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+    using Vector = ElasticProduct::Vector;
 
     /// @param space on the whole bedrock; it may go afterwards @param material per cell
     WaveOperator(const ElementSpace          &space,
@@ -47,12 +43,23 @@ namespace hybrid::continuum
       return owned;
     }
 
-    /// Zero, with room for what the neighbours own.
-    Vector make_vector() const;
+    /// The same unknowns as deal.II has them, of this rank in this order.
+    const dealii::DoFHandler<2> &dofs() const
+    {
+      return dof_handler;
+    }
 
-    /// f = - K u: the force of the rock on its nodes [N/m]. Takes the neighbours' part of @p u from
-    /// them.
-    void elastic_force(Vector &u, Vector &f) const;
+    /// Zero, with room for what the neighbours own.
+    Vector make_vector() const
+    {
+      return stiffness->make_vector();
+    }
+
+    /// f = - K u: the force of the rock on its nodes [N/m].
+    void elastic_force(const Vector &u, Vector &f) const
+    {
+      stiffness->multiply(-1., u, f);
+    }
 
     /// Diagonal of the mass matrix [kg/m], as unknowns().
     const std::vector<double> &mass() const
@@ -61,26 +68,13 @@ namespace hybrid::continuum
     }
 
   private:
-    using MatrixFree = dealii::MatrixFree<2, double>;
-    using Lanes      = dealii::VectorizedArray<double>;
-    using Range      = std::pair<unsigned int, unsigned int>;
-
-    struct CellModuli
-    {
-      Lanes lambda, shear, density; ///< [Pa], [Pa], [kg/m3]
-    };
-
     void number_unknowns(const ElementSpace &space);
-    void take_materials(const std::vector<Material> &material);
-    void add_elastic_force(const MatrixFree &, Vector &f, const Vector &u, const Range &) const;
-    void add_mass(const MatrixFree &, Vector &mass, const Vector &, const Range &) const;
 
     dealii::parallel::fullydistributed::Triangulation<2> triangulation;
     dealii::FESystem<2>                                  fe;
     dealii::DoFHandler<2>                                dof_handler;
-    MatrixFree                                           loop;
     std::vector<int>                                     owned;
-    dealii::AlignedVector<CellModuli>                    moduli; ///< per batch of cells
+    std::unique_ptr<ElasticProduct>                      stiffness;
     std::vector<double>                                  diagonal_mass;
   };
 } // namespace hybrid::continuum

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <deal.II/base/subscriptor.h>
+
+#include <hybrid/continuum/elastic_joints.h>
+#include <hybrid/continuum/elastic_product.h>
+#include <hybrid/continuum/shared_nodes.h>
+#include <hybrid/continuum/wave_operator.h>
+
+#include <vector>
+
+namespace hybrid::continuum
+{
+  /**
+   * Stiffness of the restrained bedrock with its elastic planes as deal.II's solvers take a matrix,
+   * shared out among the ranks as WaveOperator; no rank holds it. All integrals are by Gauss
+   * quadrature as in assemble_elastic(). Supported unknowns have a row with 1 on the diagonal.
+   */
+  class RestrainedStiffness : public dealii::Subscriptor
+  {
+  public:
+    using Vector = ElasticProduct::Vector;
+
+    /// @param shared must outlive this object @param material per cell
+    /// @param supported per unknown (2 node + component): does not move
+    RestrainedStiffness(const WaveOperator          &shared,
+                        const RockMesh              &rock,
+                        const ElementNodes          &nodes,
+                        const std::vector<Material> &material,
+                        const JointStiffness        &joints,
+                        const std::vector<char>     &supported);
+
+    Vector make_vector() const
+    {
+      return cells.make_vector();
+    }
+
+    /// f = K u [N/m].
+    void vmult(Vector &f, const Vector &u) const;
+
+    /// [N/m per m]
+    Vector diagonal() const;
+
+    /// Set supported unknowns to zero.
+    void support(Vector &x) const;
+
+    /// Number of all unknowns.
+    dealii::types::global_dof_index m() const;
+
+    /// deal.II asks for an entry where no diagonal is given: never.
+    double el(unsigned int row, unsigned int column) const;
+
+  private:
+    const WaveOperator               &of_waves;
+    dealii::AffineConstraints<double> constraints;
+    ElasticProduct                    cells;
+    ElasticJoints                     planes;
+    mutable SharedNodes               places;
+    std::vector<unsigned int>         held;               ///< unknowns of this rank, in its order
+    std::vector<char>                 held_places;        ///< per unknown of the places
+    mutable std::vector<double>       shared_u, shared_f; ///< on the places
+  };
+} // namespace hybrid::continuum
