@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/continuum/continuum_implementation.h>
 #include <hybrid/continuum/elastic_assembly.h>
+#include <hybrid/continuum/explicit_waves.h>
+#include <hybrid/continuum/implicit_waves.h>
 #include <hybrid/scene/input_error.h>
 
 #include <algorithm>
@@ -104,23 +106,40 @@ namespace hybrid::continuum
         m.initial_stress = std::make_unique<InitialRockStress>(
           scene::InitialStress(mesh, scene), m.cell_region, m.rock, *m.nodes, m.joint_stiffness);
     };
-    if (scene.continuum.is_explicit)
+    if (scene.continuum.is_explicit ||
+        scene.continuum.linear_solver == scene::LinearSolver::conjugate_gradients)
       {
-        const ElementSpace space(
-          m.rock, mesh, scene.continuum.degree, MPI_COMM_SELF, MassQuadrature::lobatto);
+        const ElementSpace space(m.rock,
+                                 mesh,
+                                 scene.continuum.degree,
+                                 MPI_COMM_SELF,
+                                 scene.continuum.is_explicit ? MassQuadrature::lobatto
+                                                             : MassQuadrature::gauss);
         m.nodes = std::make_unique<ElementNodes>(space.nodes);
         make_boundary();
         m.add_point_loads(scene.point_loads);
-        m.waves = std::make_unique<ExplicitWaves>(m.rock,
-                                                  space,
-                                                  m.cell_material,
-                                                  m.joint_stiffness,
-                                                  m.point_loads,
-                                                  *m.boundary,
-                                                  RockDamping{m.rayleigh_mass,
-                                                              m.rayleigh_stiffness,
-                                                              m.make_maxwell(scene.maxwell)},
-                                                  communicator);
+        const RockDamping damping{m.rayleigh_mass,
+                                  m.rayleigh_stiffness,
+                                  m.make_maxwell(scene.maxwell)};
+        if (scene.continuum.is_explicit)
+          m.waves = std::make_unique<ExplicitWaves>(m.rock,
+                                                    space,
+                                                    m.cell_material,
+                                                    m.joint_stiffness,
+                                                    m.point_loads,
+                                                    *m.boundary,
+                                                    damping,
+                                                    communicator);
+        else
+          m.waves = std::make_unique<ImplicitWaves>(ImplicitWaves::Model{m.rock,
+                                                                         space,
+                                                                         m.cell_material,
+                                                                         m.joint_stiffness,
+                                                                         m.point_loads,
+                                                                         *m.boundary,
+                                                                         damping,
+                                                                         m.newmark},
+                                                    communicator);
         take_static_model();
         m.add_wave(scene.initial_wave, mesh);
         return;

@@ -270,7 +270,7 @@ namespace hybrid::continuum
     const std::size_t n      = m.n_dofs();
     if (m.waves != nullptr) // collect() has put both into the state
       {
-        if (m.waves->is_damped())
+        if (m.waves->keeps_rock_work())
           energy.damping_loss += energy.rock_work - energy.strain;
       }
     else

@@ -5,8 +5,11 @@
 #include <deal.II/matrix_free/tools.h>
 
 #include <hybrid/continuum/elastic_product.h>
+#include <hybrid/continuum/inertia_correction.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <functional>
 
 namespace hybrid::continuum
@@ -96,19 +99,122 @@ namespace hybrid::continuum
 
 
 
-  ElasticProduct::Vector ElasticProduct::diagonal() const
+  template <typename Evaluation>
+  void ElasticProduct::apply(const Weights &weights, Evaluation &cell) const
+  {
+    const unsigned int   batch    = cell.get_current_cell_index();
+    const CellModuli    &of       = moduli[batch];
+    const bool           corrects = weights.correction != 0. && !corrections.empty();
+    AlignedVector<Lanes> values;
+    if (corrects)
+      {
+        values.resize_fast(cell.dofs_per_cell);
+        std::copy_n(cell.begin_dof_values(), cell.dofs_per_cell, values.begin());
+      }
+    const auto flags =
+      (weights.stiffness != 0. ? EvaluationFlags::gradients : EvaluationFlags::nothing) |
+      (weights.mass != 0. ? EvaluationFlags::values : EvaluationFlags::nothing);
+    cell.evaluate(flags);
+    if (weights.stiffness != 0.)
+      submit_stress(cell, weights.stiffness * of.lambda, weights.stiffness * of.shear);
+    if (weights.mass != 0.)
+      for (unsigned int q = 0; q < cell.n_q_points; ++q)
+        cell.submit_value(weights.mass * of.density * cell.get_value(q), q);
+    cell.integrate(flags);
+    if (corrects)
+      corrections.add_product(batch, weights.correction, values.begin(), cell.begin_dof_values());
+  }
+
+
+
+  void ElasticProduct::multiply(const Weights &weights, const Vector &u, Vector &f) const
+  {
+    const std::function<void(const MatrixFree &, Vector &, const Vector &, const Range &)> add =
+      [&](const MatrixFree &, Vector &force, const Vector &by, const Range &range) {
+        CellEvaluation cell(loop);
+        for (unsigned int batch = range.first; batch < range.second; ++batch)
+          {
+            cell.reinit(batch);
+            cell.read_dof_values(by);
+            apply(weights, cell);
+            cell.distribute_local_to_global(force);
+          }
+      };
+    loop.cell_loop(add, f, u, true);
+  }
+
+
+
+  ElasticProduct::Vector ElasticProduct::diagonal(const Weights &weights) const
   {
     Vector result = make_vector();
     MatrixFreeTools::compute_diagonal<2, -1, 0, 2, double, Lanes>(
-      loop, result, [this](CellEvaluation &cell) {
-        const CellModuli &of = moduli[cell.get_current_cell_index()];
-        cell.evaluate(EvaluationFlags::gradients);
-        submit_stress(cell, of.lambda, of.shear);
-        cell.integrate(EvaluationFlags::gradients);
-      });
+      loop, result, [&](CellEvaluation &cell) { apply(weights, cell); });
     for (const unsigned int i : loop.get_constrained_dofs())
       result.local_element(i) = 1.;
     return result;
+  }
+
+
+
+  CellCorrections::Key ElasticProduct::key(const unsigned int batch, const unsigned int lane) const
+  {
+    // Edges are told apart to 36 binary digits of the cell's size.
+    const auto           cell    = loop.get_cell_iterator(batch, lane);
+    const double         quantum = std::ldexp(1., std::ilogb(cell->diameter()) - 36);
+    const CellModuli    &of      = moduli[batch];
+    CellCorrections::Key result{};
+    for (unsigned int v = 1; v < 4; ++v)
+      for (unsigned int d = 0; d < 2; ++d)
+        result[2 * (v - 1) + d] = std::lround((cell->vertex(v)[d] - cell->vertex(0)[d]) / quantum);
+    const double kinds[3] = {of.lambda[lane], of.shear[lane], of.density[lane]};
+    std::memcpy(&result[6], kinds, sizeof(kinds));
+    return result;
+  }
+
+
+
+  void ElasticProduct::correct_inertia(const double step)
+  {
+    corrections = CellCorrections();
+    CellEvaluation     cell(loop);
+    const unsigned int n = cell.dofs_per_cell;
+    for (unsigned int batch = 0; batch < loop.n_cell_batches(); ++batch)
+      {
+        const unsigned int             last = loop.n_active_entries_per_cell_batch(batch) - 1;
+        std::array<int, Lanes::size()> numbers;
+        for (unsigned int lane = 0; lane < Lanes::size(); ++lane)
+          {
+            const auto kind = key(batch, std::min(lane, last));
+            numbers[lane]   = corrections.find(kind);
+            if (numbers[lane] >= 0)
+              continue;
+            Eigen::MatrixXd matrix[2]; // mass, stiffness
+            cell.reinit(batch);
+            for (int which = 0; which < 2; ++which)
+              {
+                matrix[which].resize(n, n);
+                const Weights weights{which == 1 ? 1. : 0., which == 0 ? 1. : 0., 0.};
+                for (unsigned int i = 0; i < n; ++i)
+                  {
+                    for (unsigned int j = 0; j < n; ++j)
+                      cell.begin_dof_values()[j] = i == j ? 1. : 0.;
+                    apply(weights, cell);
+                    for (unsigned int j = 0; j < n; ++j)
+                      matrix[which](j, i) = cell.begin_dof_values()[j][lane];
+                  }
+              }
+            numbers[lane] = corrections.add(kind, inertia_correction(matrix[0], matrix[1], step));
+          }
+        corrections.append_batch(numbers);
+      }
+  }
+
+
+
+  double ElasticProduct::memory() const
+  {
+    return static_cast<double>(loop.memory_consumption()) + corrections.memory();
   }
 
 

@@ -30,7 +30,7 @@ namespace hybrid::continuum
 
 
 
-  ExplicitWaves::ExplicitWaves(const RockMesh              &rock,
+  ExplicitWaves::ExplicitWaves(const RockMesh              &rock_mesh,
                                const ElementSpace          &space,
                                const std::vector<Material> &material,
                                const JointStiffness        &joint_stiffness,
@@ -38,28 +38,32 @@ namespace hybrid::continuum
                                BoundaryForces              &boundary,
                                const RockDamping           &of_rock,
                                const MPI_Comm               communicator)
-    : damping(of_rock)
-    , n(2 * space.nodes.positions.size())
-    , rock_operator(space, material, communicator)
-    , edges(rock, space.nodes, joint_stiffness, loads, boundary, of_rock)
-    , places(edges.nodes(), rock_operator.unknowns(), communicator)
-    , owned(rock_operator.unknowns(), n, communicator)
-    , u(rock_operator.make_vector())
-    , f(rock_operator.make_vector())
-    , v(rock_operator.unknowns().size(), 0.)
+    : SharedWaves(space, communicator)
+    , damping(of_rock)
+    , stiffness(rock().dofs(),
+                material,
+                nothing_supported(),
+                dealii::QGaussLobatto<1>(space.nodes.line.degree() + 1))
+    , edges(rock_mesh, space.nodes, joint_stiffness, loads, boundary, of_rock)
+    , places(edges.nodes(), unknowns(), communicator)
+    , u(stiffness.make_vector())
+    , f(stiffness.make_vector())
+    , v(unknowns().size(), 0.)
     , a(v)
   {
-    if (is_damped())
+    if (keeps_rock_work())
       {
-        strained = rock_operator.make_vector();
+        strained = stiffness.make_vector();
         force0.assign(v.size(), 0.);
         branch.assign(damping.body.n_branches(), v);
       }
-    for (const double m : rock_operator.mass())
+    const Vector masses = stiffness.masses();
+    mass.assign(masses.begin(), masses.end());
+    for (const double m : mass)
       inverse_mass.push_back(1. / m);
-    std::vector<double> mass;
-    places.gather(rock_operator.mass().data(), mass);
-    edges.set_mass(mass);
+    std::vector<double> of_places;
+    places.gather(mass.data(), of_places);
+    edges.set_mass(of_places);
     find_stable_step();
   }
 
@@ -67,7 +71,6 @@ namespace hybrid::continuum
 
   void ExplicitWaves::find_stable_step()
   {
-    using Vector = WaveOperator::Vector;
     struct Stiffness
     {
       ExplicitWaves &waves;
@@ -84,12 +87,12 @@ namespace hybrid::continuum
       }
     };
 
-    dealii::DiagonalMatrix<Vector> scaling(rock_operator.make_vector());
-    Vector                         start = rock_operator.make_vector(), result = start;
+    dealii::DiagonalMatrix<Vector> scaling(stiffness.make_vector());
+    Vector                         start = stiffness.make_vector(), result = start;
     for (std::size_t i = 0; i < v.size(); ++i)
       {
         scaling.get_vector().local_element(i) = inverse_mass[i];
-        start.local_element(i) = scattered(rock_operator.unknowns()[i]) * rock_operator.mass()[i];
+        start.local_element(i)                = scattered(unknowns()[i]) * mass[i];
       }
     dealii::IterationNumberControl control(lanczos_steps, 0.);
     dealii::SolverCG<Vector>       lanczos(control);
@@ -119,32 +122,24 @@ namespace hybrid::continuum
   double ExplicitWaves::memory() const
   {
     constexpr double of_operator = 12., of_step = 6.; // numbers per unknown; cells' metric, motion
-    const double     of_damping = is_damped() ? 2. + static_cast<double>(branch.size()) : 0.;
+    const double     of_damping = keeps_rock_work() ? 2. + static_cast<double>(branch.size()) : 0.;
     return sizeof(double) * (of_operator + of_step + of_damping) * static_cast<double>(v.size());
-  }
-
-
-
-  double ExplicitWaves::static_memory() const
-  {
-    constexpr double of_products = 8., of_solver = 8., of_coarse = 4.; // numbers per unknown
-    return sizeof(double) * (of_products + of_solver + of_coarse) * static_cast<double>(v.size());
   }
 
 
 
   bool ExplicitWaves::load(const ContinuumState &state)
   {
-    const bool is_asked = edges.has_moving_base() || is_damped();
+    const bool is_asked = edges.has_moving_base() || keeps_rock_work();
     bool       is_same  = true;
     const auto take     = [&](const double *there, double *here) {
       if (is_alone())
         {
-          is_same = is_same && (!is_asked || std::equal(there, there + n, here));
-          std::copy(there, there + n, here);
+          is_same = is_same && (!is_asked || std::equal(there, there + n_unknowns(), here));
+          std::copy(there, there + n_unknowns(), here);
           return;
         }
-      for (const int unknown : rock_operator.unknowns())
+      for (const int unknown : unknowns())
         {
           is_same = is_same && *here == there[unknown];
           *here++ = there[unknown];
@@ -155,11 +150,11 @@ namespace hybrid::continuum
     take(state.acceleration.data(), a.data());
     for (std::size_t l = 0; l < branch.size(); ++l)
       take(state.maxwell.strain.data() + l * state.displacement.size(), branch[l].data());
-    edges.take(state, n);
+    edges.take(state, n_unknowns());
     if (!is_asked)
       return false;
     int differs = is_same ? 0 : 1;
-    MPI_Allreduce(MPI_IN_PLACE, &differs, 1, MPI_INT, MPI_MAX, rock_operator.communicator());
+    MPI_Allreduce(MPI_IN_PLACE, &differs, 1, MPI_INT, MPI_MAX, rock().communicator());
     return differs == 0;
   }
 
@@ -169,9 +164,9 @@ namespace hybrid::continuum
   {
     const auto put = [this](const double *here, double *there) {
       if (is_alone())
-        std::copy(here, here + n, there);
+        std::copy(here, here + n_unknowns(), there);
       else
-        for (const int unknown : rock_operator.unknowns())
+        for (const int unknown : unknowns())
           there[unknown] = *here++;
     };
     put(u.begin(), state.displacement.data());
@@ -179,14 +174,14 @@ namespace hybrid::continuum
     put(a.data(), state.acceleration.data());
     for (std::size_t l = 0; l < branch.size(); ++l)
       put(branch[l].data(), state.maxwell.strain.data() + l * state.displacement.size());
-    edges.put(state, n);
+    edges.put(state, n_unknowns());
   }
 
 
 
-  void ExplicitWaves::find_rock_force(WaveOperator::Vector &by)
+  void ExplicitWaves::find_rock_force(Vector &by)
   {
-    rock_operator.elastic_force(by, f);
+    stiffness.multiply(-1., by, f);
     places.gather(f.begin(), rock_force1);
     if (!edges.has_joints())
       return;
@@ -199,7 +194,7 @@ namespace hybrid::continuum
 
   void ExplicitWaves::find_rock_force_now(const double later)
   {
-    if (!is_damped())
+    if (!keeps_rock_work())
       return find_rock_force(u);
     for (std::size_t i = 0; i < v.size(); ++i)
       {
@@ -220,7 +215,7 @@ namespace hybrid::continuum
     find_rock_force_now(0.);
     edges.find_acceleration(state.time, rock_force1);
     for (std::size_t i = 0; i < a.size(); ++i)
-      a[i] = f.local_element(i) / rock_operator.mass()[i] - damping.mass * v[i];
+      a[i] = f.local_element(i) / mass[i] - damping.mass * v[i];
     places.scatter(edges.motion().acceleration, a.data());
     store(state);
     double stored = stored_energy();
@@ -237,7 +232,7 @@ namespace hybrid::continuum
     const double part    = dt / count;
     const bool   is_same = load(state);
     // The half velocity of before is rounded anew: always, so that a resumed run does the same.
-    if (damping.stiffness > 0. || (!is_same && (edges.has_moving_base() || is_damped())))
+    if (damping.stiffness > 0. || (!is_same && (edges.has_moving_base() || keeps_rock_work())))
       find_rock_force_now(0.5 * state.last_step);
     double sums[4] = {inertia(), 0., 0., 0.};
     damped = rock_work = 0.;
@@ -277,7 +272,7 @@ namespace hybrid::continuum
         for (std::size_t i = 0; i < v.size(); ++i)
           branch[l][i] = kept * branch[l][i] + gained * v[i];
       }
-    if (is_damped())
+    if (keeps_rock_work())
       std::copy(f.begin(), f.end(), force0.begin());
     std::swap(rock_force0, rock_force1);
     find_rock_force_now(0.);
@@ -292,9 +287,8 @@ namespace hybrid::continuum
 
   void ExplicitWaves::accelerate(const double dt)
   {
-    const std::vector<double> &mass = rock_operator.mass();
-    const double               half = 0.5 * dt, drag = damping.mass;
-    const double               resisting = 1. + half * drag;
+    const double half = 0.5 * dt, drag = damping.mass;
+    const double resisting = 1. + half * drag;
     if (drag != 0.)
       {
         // Of the nodes with a place the edges know the acceleration.
@@ -334,7 +328,7 @@ namespace hybrid::continuum
   {
     double sum = 0.;
     for (std::size_t i = 0; i < a.size(); ++i)
-      sum += rock_operator.mass()[i] * a[i] * a[i];
+      sum += mass[i] * a[i] * a[i];
     return sum;
   }
 
@@ -342,7 +336,7 @@ namespace hybrid::continuum
 
   double ExplicitWaves::stored_energy()
   {
-    const auto energy = [this](WaveOperator::Vector &by) {
+    const auto energy = [this](Vector &by) {
       find_rock_force(by);
       double sum = 0.;
       for (std::size_t i = 0; i < v.size(); ++i)
@@ -365,62 +359,10 @@ namespace hybrid::continuum
     load(state);
     double sums[2] = {0., stored_energy()};
     for (std::size_t i = 0; i < v.size(); ++i)
-      sums[0] += 0.5 * rock_operator.mass()[i] * v[i] * v[i];
+      sums[0] += 0.5 * mass[i] * v[i] * v[i];
     add_up(sums, 2);
     state.energy.kinetic = sums[0];
     state.energy.strain  = sums[1];
     find_rock_force_now(0.5 * state.last_step); // the next step begins with it
-  }
-
-
-
-  void ExplicitWaves::add_up(double *values, const int count) const
-  {
-    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_SUM, rock_operator.communicator());
-  }
-
-
-
-  void ExplicitWaves::watch(const std::vector<int> &nodes)
-  {
-    watched = SharedNodes(nodes, rock_operator.unknowns(), rock_operator.communicator());
-  }
-
-
-
-  void ExplicitWaves::collect_watched(ContinuumState &state)
-  {
-    if (is_alone())
-      return;
-    const std::vector<int> &nodes = watched.nodes();
-    const auto              bring = [&](const double *mine, std::vector<double> &all) {
-      watched.gather(mine, work);
-      for (std::size_t k = 0; k < work.size(); ++k)
-        all[2 * nodes[k / 2] + k % 2] = work[k];
-    };
-    bring(u.begin(), state.displacement);
-    bring(v.data(), state.velocity);
-    bring(a.data(), state.acceleration);
-  }
-
-
-
-  void ExplicitWaves::collect(ContinuumState &state)
-  {
-    if (is_alone())
-      return;
-    std::vector<double *> parts{state.displacement.data(),
-                                state.velocity.data(),
-                                state.acceleration.data()};
-    for (std::size_t l = 0; l < branch.size(); ++l)
-      parts.push_back(state.maxwell.strain.data() + l * state.displacement.size());
-    packed.clear();
-    for (const int unknown : owned.unknowns())
-      for (const double *part : parts)
-        packed.push_back(part[unknown]);
-    whole.clear();
-    owned.gather(packed, static_cast<int>(parts.size()), whole);
-    for (std::size_t k = 0; k < whole.size(); ++k)
-      parts[k % parts.size()][k / parts.size()] = whole[k];
   }
 } // namespace hybrid::continuum

@@ -19,7 +19,7 @@ namespace hybrid::continuum
 
 
 
-  RestrainedRock::RestrainedRock(const WaveOperator          &shared,
+  RestrainedRock::RestrainedRock(const SharedRock            &shared,
                                  const RockMesh              &rock,
                                  const ElementNodes          &nodes,
                                  const std::vector<Material> &material,

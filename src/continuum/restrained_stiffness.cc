@@ -12,7 +12,7 @@ namespace hybrid::continuum
   namespace
   {
     /// What of @p supported this rank has to do with.
-    AffineConstraints<double> make_constraints(const WaveOperator      &shared,
+    AffineConstraints<double> make_constraints(const SharedRock        &shared,
                                                const std::vector<char> &supported)
     {
       IndexSet relevant;
@@ -34,13 +34,13 @@ namespace hybrid::continuum
 
 
 
-  RestrainedStiffness::RestrainedStiffness(const WaveOperator          &shared,
+  RestrainedStiffness::RestrainedStiffness(const SharedRock            &shared,
                                            const RockMesh              &rock,
                                            const ElementNodes          &nodes,
                                            const std::vector<Material> &material,
                                            const JointStiffness        &joints,
                                            const std::vector<char>     &supported)
-    : of_waves(shared)
+    : shared_rock(shared)
     , constraints(make_constraints(shared, supported))
     , cells(shared.dofs(), material, constraints, QGauss<1>(nodes.line.degree() + 1))
     , planes(rock,
@@ -80,7 +80,7 @@ namespace hybrid::continuum
 
   RestrainedStiffness::Vector RestrainedStiffness::diagonal() const
   {
-    Vector result = cells.diagonal();
+    Vector result = cells.diagonal({1., 0., 0.});
     if (planes.nodes().empty())
       return result;
     places.gather(result.begin(), shared_f);
@@ -105,7 +105,7 @@ namespace hybrid::continuum
 
   types::global_dof_index RestrainedStiffness::m() const
   {
-    return of_waves.dofs().n_dofs();
+    return shared_rock.dofs().n_dofs();
   }
 
 

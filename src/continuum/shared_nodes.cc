@@ -71,4 +71,12 @@ namespace hybrid::continuum
     for (const Share &share : shares)
       mine[share.local] = shared[share.place];
   }
+
+
+
+  void SharedNodes::add(const std::vector<double> &shared, double *mine) const
+  {
+    for (const Share &share : shares)
+      mine[share.local] += shared[share.place];
+  }
 } // namespace hybrid::continuum

@@ -6,12 +6,12 @@
 #include <hybrid/continuum/condensed_factor.h>
 #include <hybrid/continuum/continuum.h>
 #include <hybrid/continuum/element_nodes.h>
-#include <hybrid/continuum/explicit_waves.h>
 #include <hybrid/continuum/initial_rock_stress.h>
 #include <hybrid/continuum/maxwell_memory.h>
 #include <hybrid/continuum/node_matrices.h>
 #include <hybrid/continuum/point_loads.h>
 #include <hybrid/continuum/rock_mesh.h>
+#include <hybrid/continuum/shared_waves.h>
 #include <hybrid/continuum/system_pattern.h>
 #include <hybrid/continuum/wave_packet.h>
 
@@ -39,7 +39,7 @@ namespace hybrid::continuum
     std::unique_ptr<WavePacket>        wave; ///< at t = 0; null: none
     WaveReach                          wave_reach;
     Newmark                            newmark;
-    std::unique_ptr<ExplicitWaves>     waves; ///< null: implicit; else there is no factored system
+    std::unique_ptr<SharedWaves>       waves; ///< null: there is a factored system
     double                             rayleigh_mass = 0., rayleigh_stiffness = 0.;
     MaxwellMemory                      maxwell; ///< Maxwell damping
 

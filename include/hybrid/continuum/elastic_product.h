@@ -10,6 +10,7 @@
 
 #include <deal.II/matrix_free/matrix_free.h>
 
+#include <hybrid/continuum/cell_corrections.h>
 #include <hybrid/scene/material.h>
 
 #include <utility>
@@ -18,7 +19,7 @@
 namespace hybrid::continuum
 {
   /**
-   * Products with the stiffness of the rock as sums over the cells of this rank: no matrix
+   * Products with stiffness and mass of the rock as sums over the cells of this rank: no matrix
    * (Kronbichler and Kormann 2012). Bedding planes and boundaries are not part of it.
    */
   class ElasticProduct
@@ -41,8 +42,24 @@ namespace hybrid::continuum
     /// f = factor K u [N/m].
     void multiply(double factor, const Vector &u, Vector &f) const;
 
-    /// Diagonal of K [N/m per m]; 1 of supported unknowns.
-    Vector diagonal() const;
+    /// Of a sum of matrices.
+    struct Weights
+    {
+      double stiffness  = 0.; ///< of K
+      double mass       = 0.; ///< of M
+      double correction = 0.; ///< of what correct_inertia() adds to M
+    };
+
+    /// Find what inertia_correction() adds to the mass for this step [s].
+    void correct_inertia(double step);
+
+    /// f = (stiffness K + mass M + correction N) u.
+    void multiply(const Weights &weights, const Vector &u, Vector &f) const;
+
+    /// Diagonal of such a sum; 1 of supported unknowns.
+    Vector diagonal(const Weights &weights) const;
+
+    double memory() const; ///< of this rank [B]
 
     /// int rho N_i dA [kg/m]: the mass matrix where the points are the nodes.
     Vector masses() const;
@@ -57,10 +74,18 @@ namespace hybrid::continuum
       Lanes lambda, shear, density; ///< [Pa], [Pa], [kg/m3]
     };
 
+    /// From values of a batch's unknowns to those of their product.
+    template <typename Evaluation>
+    void apply(const Weights &weights, Evaluation &cell) const;
+
+    /// Shape and material of a cell: the same numbers for the same matrices.
+    CellCorrections::Key key(unsigned int batch, unsigned int lane) const;
+
     void take_materials(const std::vector<Material> &material);
     void add_masses(const MatrixFree &, Vector &mass, const Vector &, const Range &) const;
 
     MatrixFree                        loop;
     dealii::AlignedVector<CellModuli> moduli; ///< per batch of cells
+    CellCorrections                   corrections;
   };
 } // namespace hybrid::continuum

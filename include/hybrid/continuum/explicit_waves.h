@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/continuum/ownership.h>
-#include <hybrid/continuum/shared_nodes.h>
+#include <hybrid/continuum/elastic_product.h>
+#include <hybrid/continuum/shared_waves.h>
 #include <hybrid/continuum/wave_edges.h>
-#include <hybrid/continuum/wave_operator.h>
 
-#include <memory>
 #include <vector>
 
 namespace hybrid::continuum
@@ -15,9 +13,10 @@ namespace hybrid::continuum
    * Waves alone by central differences, the pair beta = 0, gamma = 1/2 of Newmark:
    *   v_h = v0 + dt/2 a0,  u1 = u0 + dt v_h,
    *   (M + dt/2 C) a1 = f(t1) - K u1 - C v_h,  v1 = v_h + dt/2 a1.
-   * M is diagonal (WaveOperator), C too but for the 2 x 2 blocks of dashpots on slanting edges, so
-   * no system is solved. It is stable for dt <= 2 / w_max; a longer step of the run is divided into
-   * equal parts.
+   * M is diagonal, as all integrals are by Gauss-Lobatto quadrature on the nodes themselves
+   * (spectral elements, Komatitsch and Vilotte 1998), C too but for the 2 x 2 blocks of dashpots on
+   * slanting edges, so no system is solved. It is stable for dt <= 2 / w_max; a longer step of the
+   * run is divided into equal parts.
    *
    * Energy: with D the change over a part, each force does the work Du . (F_0 + F_1) / 2, and
    *   D[1/2 v M v] = Du . (F_0 + F_1) / 2 + dt^2/8 D[a M a],  F = M a the sum of all forces,
@@ -31,7 +30,7 @@ namespace hybrid::continuum
    * dt^2 w_max^2 m + 2 beta_K w_max^2 dt <= 4, m the modulus of the body at once over the
    * material's. What damping takes is the work on w less what is stored.
    */
-  class ExplicitWaves
+  class ExplicitWaves final : public SharedWaves
   {
   public:
     /// @param boundary on an edge basis by Lobatto's quadrature; must outlive this object.
@@ -44,55 +43,24 @@ namespace hybrid::continuum
                   const RockDamping           &damping,
                   MPI_Comm                     communicator);
 
-    /// Equal parts into which a step of @p dt [s] is divided.
-    int parts(double dt) const;
+    int    parts(double dt) const override;
+    void   start(ContinuumState &state) override;
+    bool   step(ContinuumState &state, double dt) override;
+    void   take_energy(ContinuumState &state) override;
+    double memory() const override;
 
-    /// Acceleration and energy of a state whose displacement and velocity are given.
-    void start(ContinuumState &state);
-
-    /// One step of the run. On each rank only its own unknowns, places and columns are those of
-    /// now; collect() makes the first one's whole. @return false if the motion is not finite.
-    bool step(ContinuumState &state, double dt);
-
-    /// The whole motion on the first rank; all ranks call it.
-    void collect(ContinuumState &state);
-
-    /// Nodes whose motion collect_watched() brings to all ranks.
-    void watch(const std::vector<int> &nodes);
-
-    void collect_watched(ContinuumState &state);
-
-    /// Kinetic energy, that of strains, and what damping has taken, which a step does not add up;
-    /// all ranks call it.
-    void take_energy(ContinuumState &state);
-
-    /// By stresses: its strain is part of ContinuumEnergy::rock_work.
-    bool is_damped() const
+    /// By stresses.
+    bool keeps_rock_work() const override
     {
       return damping.stiffness > 0. || damping.body.n_branches() > 0;
     }
 
-    const Ownership &ownership() const
-    {
-      return owned;
-    }
-
-    const WaveOperator &rock() const
-    {
-      return rock_operator;
-    }
-
-    /// What this rank holds besides the state [B].
-    double memory() const;
-
-    /// What RestrainedRock takes besides, as long as it is there [B].
-    double static_memory() const;
-
   private:
-    /// On a single rank its unknowns are all.
-    bool is_alone() const
+    using Vector = ElasticProduct::Vector;
+
+    std::array<const double *, 3> motion() const override
     {
-      return owned.is_alone();
+      return {u.begin(), v.data(), a.data()};
     }
 
     void find_stable_step();
@@ -102,7 +70,7 @@ namespace hybrid::continuum
     void store(ContinuumState &state) const;
 
     /// Force of rock and joints strained by @p by, on this rank's unknowns and on the places.
-    void find_rock_force(WaveOperator::Vector &by);
+    void find_rock_force(Vector &by);
 
     /// The same for the motion of now, whose velocity is the one @p later [s] after w's.
     void find_rock_force_now(double later);
@@ -112,19 +80,15 @@ namespace hybrid::continuum
     double inertia() const; ///< a M a of this rank
     double stored_energy(); ///< of this rank [J/m]; leaves f of another displacement
 
-    /// The same on all ranks, of all.
-    void add_up(double *values, int count) const;
+    const RockDamping   damping;
+    ElasticProduct      stiffness;
+    std::vector<double> mass; ///< of this rank's unknowns [kg/m]
+    WaveEdges           edges;
+    SharedNodes         places;
+    double              stable_step = 0.; ///< [s]
 
-    const RockDamping damping;
-    const std::size_t n; ///< unknowns of the rock
-    WaveOperator      rock_operator;
-    WaveEdges         edges;
-    SharedNodes       places, watched;
-    Ownership         owned;
-    double            stable_step = 0.; ///< [s]
-
-    WaveOperator::Vector             u, f;
-    WaveOperator::Vector             strained; ///< w, of rock that damps
+    Vector                           u, f;
+    Vector                           strained; ///< w, of rock that damps
     std::vector<double>              force0;   ///< f at the start of a part, likewise
     std::vector<std::vector<double>> branch;   ///< s_l [m]
     std::vector<double>              v, a;
@@ -133,7 +97,5 @@ namespace hybrid::continuum
     std::vector<double>              work;                     ///< of places
     double                           damped = 0.; ///< by mass, of this rank, in the step [J/m]
     double rock_work = 0.; ///< on rock that damps, of this rank, in the step [J/m]
-
-    std::vector<double> packed, whole; ///< work of collect()
   };
 } // namespace hybrid::continuum

@@ -25,7 +25,7 @@ namespace hybrid::continuum
 
     /// @param shared, supported as RestrainedStiffness has them; @p shared must outlive this
     /// object.
-    RestrainedRock(const WaveOperator          &shared,
+    RestrainedRock(const SharedRock            &shared,
                    const RockMesh              &rock,
                    const ElementNodes          &nodes,
                    const std::vector<Material> &material,

@@ -6,7 +6,7 @@
 #include <hybrid/continuum/elastic_joints.h>
 #include <hybrid/continuum/elastic_product.h>
 #include <hybrid/continuum/shared_nodes.h>
-#include <hybrid/continuum/wave_operator.h>
+#include <hybrid/continuum/shared_rock.h>
 
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace hybrid::continuum
 {
   /**
    * Stiffness of the restrained bedrock with its elastic planes as deal.II's solvers take a matrix,
-   * shared out among the ranks as WaveOperator; no rank holds it. All integrals are by Gauss
+   * shared out among the ranks as SharedRock; no rank holds it. All integrals are by Gauss
    * quadrature as in assemble_elastic(). Supported unknowns have a row with 1 on the diagonal.
    */
   class RestrainedStiffness : public dealii::Subscriptor
@@ -24,7 +24,7 @@ namespace hybrid::continuum
 
     /// @param shared must outlive this object @param material per cell
     /// @param supported per unknown (2 node + component): does not move
-    RestrainedStiffness(const WaveOperator          &shared,
+    RestrainedStiffness(const SharedRock            &shared,
                         const RockMesh              &rock,
                         const ElementNodes          &nodes,
                         const std::vector<Material> &material,
@@ -52,7 +52,7 @@ namespace hybrid::continuum
     double el(unsigned int row, unsigned int column) const;
 
   private:
-    const WaveOperator               &of_waves;
+    const SharedRock                 &shared_rock;
     dealii::AffineConstraints<double> constraints;
     ElasticProduct                    cells;
     ElasticJoints                     planes;

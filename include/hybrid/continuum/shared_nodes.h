@@ -39,6 +39,9 @@ namespace hybrid::continuum
     /// Values of places into those of this rank's unknowns.
     void scatter(const std::vector<double> &shared, double *mine) const;
 
+    /// The same, added.
+    void add(const std::vector<double> &shared, double *mine) const;
+
   private:
     /// An unknown of this rank that is shared.
     struct Share

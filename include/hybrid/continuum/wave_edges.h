@@ -5,20 +5,12 @@
 #include <hybrid/continuum/continuum_state.h>
 #include <hybrid/continuum/joint_stiffness.h>
 #include <hybrid/continuum/point_loads.h>
+#include <hybrid/continuum/rock_damping.h>
 
 #include <vector>
 
 namespace hybrid::continuum
 {
-  /// Damping of the rock.
-  struct RockDamping
-  {
-    double      mass      = 0.; ///< alpha_M [1/s]
-    double      stiffness = 0.; ///< beta_K [s]
-    MaxwellBody body;
-  };
-
-
   /**
    * What acts on the rock of ExplicitWaves besides itself: base and sides with their free-field
    * columns, bedding planes that stay elastic, point loads. Nodes that one of these acts on have a

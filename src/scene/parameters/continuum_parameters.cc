@@ -34,6 +34,15 @@ namespace hybrid::scene
       "implicit: Newmark's steps (Time/Scheme). explicit: central differences on a diagonal mass, "
       "for waves alone, with no matrix and in as many parts of Time/Time step as are stable; "
       "mpirun shares the cells out. automatic: explicit where that is possible and takes less time.");
+    section.choice<LinearSolver>(
+      "Linear solver",
+      continuum.linear_solver,
+      {{"automatic", LinearSolver::automatic},
+       {"factor", LinearSolver::factor},
+       {"conjugate gradients", LinearSolver::conjugate_gradients}},
+      "Of implicit steps. factor: sparse Cholesky, on one process. conjugate gradients: for waves "
+      "alone, with no matrix; mpirun shares the cells out. Both give the same motion. automatic: "
+      "factor if it fits the memory, else conjugate gradients where they are possible.");
     section.value(
       "Materials",
       "a material's name, or 'region: material; region: material; ...'",

@@ -13,7 +13,7 @@ namespace hybrid::scene
 
 
 
-  std::string why_not_explicit(const SceneParameters &scene)
+  std::string why_not_waves_alone(const SceneParameters &scene)
   {
     if (!scene.has_continuum())
       return "the bedrock is not of finite elements (Model/Bedrock)";
@@ -21,15 +21,28 @@ namespace hybrid::scene
       return "blocks stand on the bedrock (Model/Blocks)";
     if (!scene.bedding.names.empty() && scene.bedding.slips)
       return "bedding planes may slip (Bedding planes/Strength)";
-    if (scene.time.scheme != "automatic")
-      return "Time/Scheme names an implicit one";
     return "";
+  }
+
+
+
+  std::string why_not_explicit(const SceneParameters &scene)
+  {
+    const std::string reason = why_not_waves_alone(scene);
+    if (reason.empty() && scene.time.scheme != "automatic")
+      return "Time/Scheme names an implicit one";
+    return reason;
   }
 
 
 
   void resolve_time_integrator(SceneParameters &scene, const ParameterTable &table)
   {
+    if (scene.continuum.linear_solver == LinearSolver::conjugate_gradients)
+      if (const std::string why = why_not_waves_alone(scene); !why.empty())
+        throw table.error("Continuum/Linear solver",
+                          "conjugate gradients is for waves alone, and " + why +
+                            "; allowed here: automatic | factor");
     if (scene.continuum.integrator != TimeIntegrator::explicit_steps)
       return;
     const std::string reason = why_not_explicit(scene);

@@ -118,7 +118,7 @@ namespace
     const RockMesh     rock = split_bedding_planes(section, {"bedding_1"});
     const ElementSpace space(rock, section, degree, MPI_COMM_SELF, MassQuadrature::lobatto);
     const std::vector<Material> material(rock.cells.size(), test::rock_material());
-    const WaveOperator          shared(space, material, MPI_COMM_SELF);
+    const SharedRock          shared(space, MPI_COMM_SELF);
     std::vector<char>           supported;
     std::vector<double>         load;
     for (const Vec2 &at : space.nodes.positions)

@@ -64,12 +64,21 @@ namespace hybrid::scene
     automatic       ///< explicit where that is possible and takes less time
   };
 
+  /// What solves the equations of an implicit step of the bedrock.
+  enum class LinearSolver
+  {
+    automatic,          ///< what the scene, the machine and the number of processes allow
+    factor,             ///< a sparse Cholesky factor, on one process
+    conjugate_gradients ///< without a matrix, on all processes, for waves alone
+  };
+
   /// Section "Continuum".
   struct ContinuumParameters
   {
-    TimeIntegrator integrator  = TimeIntegrator::implicit_steps;
-    bool           is_explicit = false; ///< what the integrator stands for in this scene
-    int            degree      = 2;     ///< polynomial degree of FE_Q, 1..8
+    TimeIntegrator integrator    = TimeIntegrator::implicit_steps;
+    bool           is_explicit   = false; ///< what the integrator stands for in this scene
+    LinearSolver   linear_solver = LinearSolver::automatic;
+    int            degree        = 2;                   ///< polynomial degree of FE_Q, 1..8
     std::map<std::string, std::string> region_material; ///< region name ("bedrock") -> material
                                                         ///< name; "*": every region without its own
     BaseBoundary base  = compliant_base();

@@ -6,10 +6,15 @@
 
 namespace hybrid::scene
 {
+  /// What of a scene is more than waves alone in a bedrock of finite elements, in words; empty:
+  /// nothing.
+  std::string why_not_waves_alone(const SceneParameters &scene);
+
   /// What of a scene explicit integration of the bedrock cannot do, in words; empty: nothing.
   std::string why_not_explicit(const SceneParameters &scene);
 
-  /// Take Continuum/Time integrator = explicit into the scene. @throws InputError if it cannot be.
+  /// Take Continuum/Time integrator = explicit into the scene. @throws InputError if it cannot be,
+  /// or if Continuum/Linear solver asks for what cannot be.
   void resolve_time_integrator(SceneParameters &scene, const ParameterTable &table);
 
   /// Central differences from now on.

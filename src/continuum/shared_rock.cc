@@ -2,9 +2,7 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_description.h>
 
-#include <deal.II/lac/affine_constraints.h>
-
-#include <hybrid/continuum/wave_operator.h>
+#include <hybrid/continuum/shared_rock.h>
 
 #include <algorithm>
 #include <numeric>
@@ -13,14 +11,11 @@ namespace hybrid::continuum
 {
   using namespace dealii;
 
-  WaveOperator::WaveOperator(const ElementSpace          &space,
-                             const std::vector<Material> &material,
-                             const MPI_Comm               communicator)
+  SharedRock::SharedRock(const ElementSpace &space, const MPI_Comm communicator)
     : triangulation(communicator)
     , fe(FE_Q<2>(space.nodes.line.degree()), 2)
     , dof_handler(triangulation)
   {
-    assert(material.size() == space.nodes.cells.size());
     {
       Triangulation<2> whole;
       whole.copy_triangulation(space.triangulation);
@@ -31,20 +26,11 @@ namespace hybrid::continuum
     }
     dof_handler.distribute_dofs(fe);
     number_unknowns(space);
-
-    AffineConstraints<double> none;
-    none.close();
-    stiffness         = std::make_unique<ElasticProduct>(dof_handler,
-                                                 material,
-                                                 none,
-                                                 QGaussLobatto<1>(space.nodes.line.degree() + 1));
-    const Vector mass = stiffness->masses();
-    diagonal_mass.assign(mass.begin(), mass.end());
   }
 
 
 
-  void WaveOperator::number_unknowns(const ElementSpace &space)
+  void SharedRock::number_unknowns(const ElementSpace &space)
   {
     const IndexSet                      &mine  = dof_handler.locally_owned_dofs();
     const types::global_dof_index        first = mine.n_elements() > 0 ? *mine.begin() : 0;

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <hybrid/continuum/continuum_state.h>
+#include <hybrid/continuum/ownership.h>
+#include <hybrid/continuum/shared_nodes.h>
+#include <hybrid/continuum/shared_rock.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <array>
+#include <vector>
+
+namespace hybrid::continuum
+{
+  /**
+   * Waves alone, shared out among the ranks: after a step each rank knows the motion of its own
+   * unknowns, of boundaries and joints, and of the free-field columns; collect() makes the first
+   * one's whole.
+   */
+  class SharedWaves
+  {
+  public:
+    virtual ~SharedWaves() = default;
+
+    /// Equal parts into which a step of @p dt [s] is divided.
+    virtual int parts(double dt) const = 0;
+
+    /// Acceleration and energy of a state whose displacement and velocity are given.
+    virtual void start(ContinuumState &state) = 0;
+
+    /// One step of the run. @return false if the motion is not finite, or was not found.
+    virtual bool step(ContinuumState &state, double dt) = 0;
+
+    /// Energies of now, which a step does not add up; all ranks call it.
+    virtual void take_energy(ContinuumState &state) = 0;
+
+    /// What this rank holds besides the state [B].
+    virtual double memory() const = 0;
+
+    /// ContinuumEnergy::rock_work counts, for strain and damping together.
+    virtual bool keeps_rock_work() const
+    {
+      return false;
+    }
+
+    /// What RestrainedRock takes besides, as long as it is there [B].
+    double static_memory() const;
+
+    /// The whole motion on the first rank; all ranks call it.
+    void collect(ContinuumState &state);
+
+    /// Nodes whose motion collect_watched() brings to all ranks.
+    void watch(const std::vector<int> &nodes);
+
+    void collect_watched(ContinuumState &state);
+
+    const Ownership &ownership() const
+    {
+      return owned;
+    }
+
+    const SharedRock &rock() const
+    {
+      return shared;
+    }
+
+  protected:
+    SharedWaves(const ElementSpace &space, MPI_Comm communicator);
+
+    /// Displacement, velocity, acceleration of this rank's unknowns after a step.
+    virtual std::array<const double *, 3> motion() const = 0;
+
+    /// On a single rank its unknowns are all.
+    bool is_alone() const
+    {
+      return owned.is_alone();
+    }
+
+    const std::vector<int> &unknowns() const
+    {
+      return shared.unknowns();
+    }
+
+    /// Of the whole rock.
+    std::size_t n_unknowns() const
+    {
+      return all_unknowns;
+    }
+
+    /// Sums over the ranks.
+    void add_up(double *values, int count) const;
+
+    /// For products in which all unknowns move.
+    static const dealii::AffineConstraints<double> &nothing_supported();
+
+  private:
+    const std::size_t   all_unknowns;
+    SharedRock          shared;
+    Ownership           owned;
+    SharedNodes         watched;
+    std::vector<double> packed, whole; ///< work of collecting
+  };
+} // namespace hybrid::continuum

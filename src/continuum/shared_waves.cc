@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/continuum/shared_waves.h>
+
+namespace hybrid::continuum
+{
+  SharedWaves::SharedWaves(const ElementSpace &space, const MPI_Comm communicator)
+    : all_unknowns(2 * space.nodes.positions.size())
+    , shared(space, communicator)
+    , owned(shared.unknowns(), all_unknowns, communicator)
+  {}
+
+
+
+  const dealii::AffineConstraints<double> &SharedWaves::nothing_supported()
+  {
+    static const dealii::AffineConstraints<double> none = [] {
+      dealii::AffineConstraints<double> constraints;
+      constraints.close();
+      return constraints;
+    }();
+    return none;
+  }
+
+
+
+  double SharedWaves::static_memory() const
+  {
+    constexpr double of_products = 8., of_solver = 8., of_coarse = 4.; // numbers per unknown
+    return sizeof(double) * (of_products + of_solver + of_coarse) *
+           static_cast<double>(unknowns().size());
+  }
+
+
+
+  void SharedWaves::add_up(double *values, const int count) const
+  {
+    MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_SUM, shared.communicator());
+  }
+
+
+
+  void SharedWaves::watch(const std::vector<int> &nodes)
+  {
+    watched = SharedNodes(nodes, unknowns(), shared.communicator());
+  }
+
+
+
+  void SharedWaves::collect_watched(ContinuumState &state)
+  {
+    if (is_alone())
+      return;
+    const std::vector<int> &nodes = watched.nodes();
+    const auto              bring = [&](const double *mine, std::vector<double> &all) {
+      watched.gather(mine, whole);
+      for (std::size_t k = 0; k < whole.size(); ++k)
+        all[2 * nodes[k / 2] + k % 2] = whole[k];
+    };
+    const auto [u, v, a] = motion();
+    bring(u, state.displacement);
+    bring(v, state.velocity);
+    bring(a, state.acceleration);
+  }
+
+
+
+  void SharedWaves::collect(ContinuumState &state)
+  {
+    if (is_alone())
+      return;
+    std::vector<double *> parts{state.displacement.data(),
+                                state.velocity.data(),
+                                state.acceleration.data()};
+    if (!state.acceleration_change.empty())
+      parts.push_back(state.acceleration_change.data());
+    for (std::size_t at = 0; at < state.maxwell.strain.size(); at += state.displacement.size())
+      parts.push_back(state.maxwell.strain.data() + at);
+    packed.clear();
+    for (const int unknown : unknowns())
+      for (const double *part : parts)
+        packed.push_back(part[unknown]);
+    whole.clear();
+    owned.gather(packed, static_cast<int>(parts.size()), whole);
+    for (std::size_t k = 0; k < whole.size(); ++k)
+      parts[k % parts.size()][k / parts.size()] = whole[k];
+  }
+} // namespace hybrid::continuum
