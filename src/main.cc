@@ -8,6 +8,7 @@
 #include <hybrid/restart/write_error.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/parameters/linear_solver.h>
 #include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/scene/parameters/scene_reader.h>
 #include <hybrid/scene/parameters/time_integrator.h>
@@ -46,10 +47,12 @@ namespace
   /// Of all processes, if the scene can be shared out among them.
   MPI_Comm communicator_of(const scene::SceneParameters &scene, const Processes &processes)
   {
-    const bool together = processes.count() > 1 &&
-                          scene.continuum.integrator != scene::TimeIntegrator::implicit_steps &&
-                          scene::why_not_explicit(scene).empty();
-    return together ? MPI_COMM_WORLD : MPI_COMM_SELF;
+    const bool is_explicit = scene.continuum.integrator != scene::TimeIntegrator::implicit_steps &&
+                             scene::why_not_explicit(scene).empty();
+    const bool iterates =
+      scene::with_linear_solver(scene, processes.count()).continuum.linear_solver ==
+      scene::LinearSolver::conjugate_gradients;
+    return processes.count() > 1 && (is_explicit || iterates) ? MPI_COMM_WORLD : MPI_COMM_SELF;
   }
 
 
@@ -64,7 +67,8 @@ namespace
     processes.compute_alone();
     log.warning("mpirun started " + std::to_string(processes.count()) +
                 " processes, and this scene is computed by the first one alone: only waves "
-                "alone with Continuum/Time integrator = explicit are shared out");
+                "alone with Continuum/Time integrator = explicit or Continuum/Linear solver = "
+                "conjugate gradients are shared out");
     return processes.is_first();
   }
 

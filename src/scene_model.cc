@@ -5,12 +5,15 @@
 #include <hybrid/dda/model/model_builder.h>
 #include <hybrid/dda/statics/lifts.h>
 #include <hybrid/dda/step/initial_state.h>
+#include <hybrid/output/memory_estimate.h>
 #include <hybrid/output/mesh_progress.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/output/sample_line.h>
 #include <hybrid/scene/checks/mesh_check.h>
 #include <hybrid/scene/mesh/edge_chain.h>
 #include <hybrid/scene/mesh/stable_step.h>
+#include <hybrid/scene/parameters/linear_solver.h>
+#include <hybrid/scene/parameters/time_integrator.h>
 #include <hybrid/scene_model.h>
 
 #include <algorithm>
@@ -19,6 +22,15 @@ namespace hybrid
 {
   namespace
   {
+    int size_of(const MPI_Comm communicator)
+    {
+      int size = 1;
+      MPI_Comm_size(communicator, &size);
+      return size;
+    }
+
+
+
     /// The polyline of a rigid base: sliding surface and ground of the mesh, left to right.
     std::vector<Vec2> surface_of(const scene::SectionMesh &mesh)
     {
@@ -50,19 +62,41 @@ namespace hybrid
                          output::Log                  &log,
                          MPI_Comm                      communicator)
     : mesh(output::read_section_mesh(parameters.mesh, log))
-    , scene(scene::with_time_integrator(parameters, mesh))
+    , scene(scene::with_linear_solver(scene::with_time_integrator(parameters, mesh),
+                                      size_of(communicator)))
     , input(scene::make_input_motion(parameters.motion, parameters.time))
     , motion(input.motion, parameters.motion)
   {
     const auto heartbeat = output::tell_of_preparation(mesh, log);
     scene::check_section_mesh(mesh, scene);
     if (scene.has_continuum())
-      continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
+      make_continuum(log, communicator);
     if (scene.has_blocks())
       make_blocks();
     if (scene.environment.is_staged())
       dda::check_lifts(*blocks);
     check_points();
+  }
+
+
+
+  void SceneModel::make_continuum(output::Log &log, const MPI_Comm communicator)
+  {
+    continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
+    if (scene.continuum.is_explicit ||
+        scene.continuum.linear_solver != scene::LinearSolver::automatic ||
+        !scene::why_not_waves_alone(scene).empty())
+      return;
+    const double needed = output::estimate_memory(scene, mesh, nullptr, continuum.get()).total();
+    const double there  = output::available_memory();
+    if (needed <= there)
+      return;
+    log.info("A factor of the bedrock does not fit the memory of this machine: implicit steps by "
+             "conjugate gradients");
+    scene::SceneParameters iterated  = scene;
+    iterated.continuum.linear_solver = scene::LinearSolver::conjugate_gradients;
+    continuum.reset();
+    continuum = std::make_unique<continuum::Continuum>(mesh, iterated, motion, communicator);
   }
 
 

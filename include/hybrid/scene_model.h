@@ -37,6 +37,8 @@ namespace hybrid
     std::unique_ptr<coupling::Foundation> foundation; ///< what the blocks stand on, or null
 
   private:
+    /// With a factor if it fits the memory, where the scene leaves that open.
+    void make_continuum(output::Log &log, MPI_Comm communicator);
     void make_blocks();
 
     /// A bedrock of blocks and what it stands on.

@@ -63,6 +63,16 @@ namespace hybrid::continuum
     multiply_rayleigh(v, load, product2);
     for (std::size_t i = 0; i < n; ++i)
       product[i] = -predicted[i] - load[i];
+    if (maxwell.is_on())
+      {
+        state.maxwell.elastic = predicted; // the branches are at rest
+        if (slip != nullptr)
+          add_joint_force(-1.,
+                          u,
+                          state.maxwell.elastic); // joints that may slip have no such damping
+        for (std::size_t i = 0; i < n; ++i)
+          product[i] -= maxwell.excess_force(state.maxwell, i);
+      }
     boundary->incoming(state.time, u + n, v + n, incoming0);
     gather_boundary(state.velocity, edge0);
     boundary->forces(incoming0, edge0, edge_force0);

@@ -298,6 +298,13 @@ namespace hybrid::continuum
   }
 
 
+  bool Continuum::is_iterated() const
+  {
+    return impl->waves != nullptr && impl->newmark.beta > 0.;
+  }
+
+
+
   int Continuum::parts_of_step(const double dt) const
   {
     return impl->waves != nullptr ? impl->waves->parts(dt) : 1;

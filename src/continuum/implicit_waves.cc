@@ -13,7 +13,11 @@ namespace hybrid::continuum
   namespace
   {
     constexpr int    most_iterations_of_step = 5000;
-    constexpr double step_residual           = 1e-12; ///< over the right-hand side
+    constexpr double step_residual           = 1e-13; ///< over the right-hand side
+
+    /// The same for the inertia alone, which a correction makes small for what the step does not
+    /// resolve.
+    constexpr double start_residual = 1e-15;
 
 
 
@@ -212,7 +216,11 @@ namespace hybrid::continuum
 
 
 
-  bool ImplicitWaves::solve(const System &system, const Vector &inverse, Vector &load, Vector &a)
+  bool ImplicitWaves::solve(const System &system,
+                            const Vector &inverse,
+                            const double  residual_left,
+                            Vector       &load,
+                            Vector       &a)
   {
     // What is known of a goes to the right.
     if (!boundary.moving_nodes().empty())
@@ -231,7 +239,7 @@ namespace hybrid::continuum
     system.vmult(work2, from_work);
     load -= work2;
     dealii::DiagonalMatrix<Vector> preconditioner(inverse);
-    dealii::SolverControl          control(most_iterations_of_step, step_residual * size);
+    dealii::SolverControl          control(most_iterations_of_step, residual_left * size);
     dealii::SolverCG<Vector>       solver(control);
     work = 0.;
     try
@@ -370,7 +378,7 @@ namespace hybrid::continuum
       }
     std::copy(before.a.begin(), before.a.end(), a1.begin());
     set_supported(a1, boundary.base_acceleration(state.time + dt));
-    if (!solve(system, diagonal, f, a1))
+    if (!solve(system, diagonal, step_residual, f, a1))
       return false;
     finish(dt);
     add_energy(state, state.time, dt);
@@ -408,7 +416,7 @@ namespace hybrid::continuum
     find_force(before, branch, incoming1, edges0, state.time);
     now = before;
     a1  = 0.;
-    if (!solve(inertia(), inverse_diagonal(inertia()), f, a1))
+    if (!solve(inertia(), inverse_diagonal(inertia()), start_residual, f, a1))
       return;
     const std::vector<Support> &supports = boundary.supports();
     for (std::size_t k = 0; k < now.a.size(); ++k)

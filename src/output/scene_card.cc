@@ -406,13 +406,15 @@ namespace hybrid::output
     if (scene.continuum.is_explicit && continuum != nullptr)
       card.text += describe_explicit_time(scene, *continuum);
     else
-      card.text += line("Time       %g s in steps of %g s, scheme %s: Newmark beta %g, gamma %g%s",
-                        scene.time.end_time,
-                        scene.time.time_step,
-                        scene.time.scheme.c_str(),
-                        scene.time.newmark.beta,
-                        scene.time.newmark.gamma,
-                        scene.time.newmark.filter > 0. ? ", filtered" : "");
+      card.text +=
+        line("Time       %g s in steps of %g s, scheme %s: Newmark beta %g, gamma %g%s%s",
+             scene.time.end_time,
+             scene.time.time_step,
+             scene.time.scheme.c_str(),
+             scene.time.newmark.beta,
+             scene.time.newmark.gamma,
+             scene.time.newmark.filter > 0. ? ", filtered" : "",
+             continuum != nullptr && continuum->is_iterated() ? ", conjugate gradients" : "");
     warn(step_warning(scene.time.time_step, resolutions.wanted), card);
     if (continuum != nullptr)
       {

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Scenes under mpirun: the same answers on any number of processes, and nothing is lost when one ends.
 
-Usage: processes_test.py HYBRID_BINARY PART WORK_DIR     PART: equal, resume, faults
+Usage: processes_test.py HYBRID_BINARY PART WORK_DIR     PART: equal, solvers, resume, faults
 """
 import json
 import os
@@ -35,6 +35,15 @@ SHARED = {
     "joints": ("oblique_joints", [EXPLICIT, "Time/End time=0.4"]),
     "rigid": ("free_field", [EXPLICIT, "Time/End time=0.5", "Continuum/Base=rigid", "Continuum/Rayleigh stiffness=0"]),
     "wave": ("wave_packet", [EXPLICIT, "Time/End time=0.1"]),
+}
+ITERATED = "Continuum/Linear solver=conjugate gradients"
+FACTOR = "Continuum/Linear solver=factor"
+# Implicit steps without a matrix; the factor gives the same motion.
+IMPLICIT = {
+    "lamb": ("lamb", [o for o in SMALL_LAMB if o != EXPLICIT] + ["Time/Time step=0.002"]),
+    "free_field": ("free_field", ["Time/End time=0.3", "Continuum/Rayleigh mass=0.3", "Maxwell damping/Bedrock ratio=0.03"]),
+    "rigid": ("free_field", ["Time/End time=0.3", "Continuum/Base=rigid", "Time/Scheme=filtered"]),
+    "joints": ("oblique_joints", ["Time/End time=0.2"]),
 }
 COUPLED = ("restart_coupled", ["Time/End time=0.05"])
 complaints = []
@@ -106,6 +115,28 @@ def check_static_stress():
         worst = numpy.abs(static_stress(found) - static_stress(known)).max() / peak
         print(f"static stress, {processes} processes: {worst:.2g} of the largest off that of the factor")
         require(worst < 1e-7, f"static stress, {processes} processes: {worst:.2g} of the largest off")
+
+
+def check_solvers():
+    """Conjugate gradients on 1, 2 and 4 processes and the factor have the same histories."""
+    for name, (scene, overrides) in IMPLICIT.items():
+        known = WORK / f"factor_{name}"
+        run(1, words_of(scene, known, [*overrides, FACTOR]))
+        for processes in (1, 2, 4) if name == "lamb" else (1, 2):
+            directory = WORK / f"iterated_{name}_{processes}"
+            result = run(processes, words_of(scene, directory, [*overrides, ITERATED]))
+            require(result.stdout.count("Finished") == 1 and "alone" not in result.stdout, f"iterated {name}, {processes} processes: all compute")
+            for prefix in ("monitors/", "energy/", "fields/"):
+                worst, where = largest_difference(series(known), series(directory), prefix)
+                print(f"implicit {name}: factor and {processes} iterating processes differ by {worst:.2g} of the peak ({where})")
+                require(worst < 1e-8, f"implicit {name}: factor and {processes} iterating processes differ by {worst:.2g} in {where}")
+    scene, overrides = IMPLICIT["rigid"]
+    part = WORK / "iterated_part"
+    run(2, words_of(scene, part, [o for o in overrides if "End time" not in o] + ["Time/End time=0.15", "Checkpoint/Step interval=20", ITERATED]))
+    resume(2, part, ["Time/End time=0.3"])
+    expected, found = series(WORK / "iterated_rigid_2"), series(part)
+    different = [n for n in expected if n.startswith(("monitors/", "energy/")) and expected[n].tobytes() != found[n].tobytes()]
+    require(not different, f"iterated, resumed by as many: the same bits, but for {different[:4]}")
 
 
 def check_equal():
@@ -216,7 +247,7 @@ def check_faults():
 
 
 shutil.rmtree(WORK, ignore_errors=True)
-{"equal": check_equal, "resume": check_resume, "faults": check_faults}[PART]()
+{"equal": check_equal, "solvers": check_solvers, "resume": check_resume, "faults": check_faults}[PART]()
 if complaints:
     sys.exit(f"{len(complaints)} complaints, first: {complaints[0]}")
 print("ok")

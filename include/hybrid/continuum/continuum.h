@@ -50,8 +50,8 @@ namespace hybrid::continuum
 
   /**
    * The bedrock: linear elastodynamics in plane strain on deal.II finite elements. Without blocks
-   * and slip the scene can ask for explicit integration, shared out among MPI ranks
-   * (ExplicitWaves). Else
+   * and slip the scene can ask for explicit integration or for implicit steps without a matrix,
+   * both shared out among MPI ranks (ExplicitWaves, ImplicitWaves). Else
    *   M u'' + C u' + K u = f(t) + B^T lambda,
    * integrated by Newmark's family; the unknowns of the surface that blocks
    * can touch are condensed:
@@ -147,6 +147,9 @@ namespace hybrid::continuum
     /// A whole step without blocks (lambda = 0). @return false if the slip of bedding planes was
     /// not found; the state is that of before then.
     bool step(ContinuumState &state, double dt);
+
+    /// Conjugate gradients solve the equations of implicit steps.
+    bool is_iterated() const;
 
     /// Equal parts into which a step of @p dt [s] is divided; 1 unless it is explicit.
     int parts_of_step(double dt) const;

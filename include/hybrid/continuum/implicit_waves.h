@@ -19,7 +19,7 @@ namespace hybrid::continuum
    * u_p and v_p what Newmark's pair gives for a1 = 0, N the correction of the inertia
    * (inertia_correction.h), C = alpha_M M + beta_K K + dashpots, K with joints, springs of the
    * boundary and Maxwell branches. Conjugate gradients with the diagonal as preconditioner solve
-   * it, to 1e-12 of the right-hand side, from the acceleration of before.
+   * it, to 1e-13 of the right-hand side, from the acceleration of before.
    *
    * All integrals are by Gauss quadrature as in assemble_elastic(). Energy is added up as in
    * continuum_energy.cc, by each rank for its unknowns; for boundaries and loads by all alike.
@@ -100,8 +100,12 @@ namespace hybrid::continuum
     Vector inverse_diagonal(const System &system);
 
     /// Solve system a = load for free unknowns; supported ones are as @p a has them, the others a
-    /// guess. @return whether it was found.
-    bool solve(const System &system, const Vector &inverse_diagonal, Vector &load, Vector &a);
+    /// guess. @param residual_left over the right-hand side @return whether it was found.
+    bool solve(const System &system,
+               const Vector &inverse_diagonal,
+               double        residual_left,
+               Vector       &load,
+               Vector       &a);
 
     void load_motion(const ContinuumState &state);
     void store(ContinuumState &state, double dt);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/parameters/linear_solver.h>
 #include <hybrid/scene/parameters/parameter_declarations.h>
 #include <hybrid/scene/parameters/scene_reader.h>
 #include <hybrid/scene/parameters/strength_reduction.h>
@@ -76,6 +77,7 @@ namespace hybrid::scene
           material.friction_angle = material.given_friction_angle;
       resolve_scheme(scene, table);
       resolve_time_integrator(scene, table);
+      check_linear_solver(scene, table);
       read_water(scene, table);
       check(scene, table);
       resolve_initial_stress(scene, table);

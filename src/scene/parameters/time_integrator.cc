@@ -38,11 +38,6 @@ namespace hybrid::scene
 
   void resolve_time_integrator(SceneParameters &scene, const ParameterTable &table)
   {
-    if (scene.continuum.linear_solver == LinearSolver::conjugate_gradients)
-      if (const std::string why = why_not_waves_alone(scene); !why.empty())
-        throw table.error("Continuum/Linear solver",
-                          "conjugate gradients is for waves alone, and " + why +
-                            "; allowed here: automatic | factor");
     if (scene.continuum.integrator != TimeIntegrator::explicit_steps)
       return;
     const std::string reason = why_not_explicit(scene);

@@ -13,8 +13,7 @@ namespace hybrid::scene
   /// What of a scene explicit integration of the bedrock cannot do, in words; empty: nothing.
   std::string why_not_explicit(const SceneParameters &scene);
 
-  /// Take Continuum/Time integrator = explicit into the scene. @throws InputError if it cannot be,
-  /// or if Continuum/Linear solver asks for what cannot be.
+  /// Take Continuum/Time integrator = explicit into the scene. @throws InputError if it cannot be.
   void resolve_time_integrator(SceneParameters &scene, const ParameterTable &table);
 
   /// Central differences from now on.

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <hybrid/scene/input_error.h>
+#include <hybrid/scene/parameters/linear_solver.h>
+
+#include "lamb_scene.h"
+
+#include <string>
+
+namespace
+{
+  using namespace hybrid;
+  using namespace hybrid::scene;
+
+  LinearSolver decided(const std::string &given, const int processes, const bool slips = false)
+  {
+    SceneParameters scene = test::lamb_scene({"Continuum/Linear solver=" + given}, "implicit");
+    if (slips)
+      scene.bedding.names = {"bedding_1"};
+    scene.bedding.slips = slips;
+    return with_linear_solver(scene, processes).continuum.linear_solver;
+  }
+
+
+  TEST(LinearSolver, AutomaticIteratesOnManyProcessesOnly)
+  {
+    EXPECT_EQ(decided("automatic", 1), LinearSolver::automatic);
+    EXPECT_EQ(decided("automatic", 7), LinearSolver::automatic);
+    EXPECT_EQ(decided("automatic", 8), LinearSolver::conjugate_gradients);
+    EXPECT_EQ(decided("factor", 8), LinearSolver::factor);
+    EXPECT_EQ(decided("conjugate gradients", 1), LinearSolver::conjugate_gradients);
+    EXPECT_EQ(decided("automatic", 8, true), LinearSolver::automatic);
+  }
+
+
+  TEST(LinearSolver, ConjugateGradientsAreRefusedWithTheReason)
+  {
+    const std::pair<std::string, std::string> wrong[] = {
+      {"Model/Bedrock=rigid", "not of finite elements"},
+      {"Bedding planes/Names=bedding_1", "may slip"}};
+    for (const auto &[override, reason] : wrong)
+      try
+        {
+          test::lamb_scene({override,
+                            "Bedding planes/Strength=Mohr-Coulomb",
+                            "Continuum/Linear solver=conjugate gradients"},
+                           "implicit");
+          ADD_FAILURE() << override;
+        }
+      catch (const InputError &error)
+        {
+          EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+          EXPECT_NE(std::string(error.what()).find("Linear solver"), std::string::npos);
+        }
+  }
+} // namespace
