@@ -42,7 +42,8 @@ namespace hybrid::scene
        {"conjugate gradients", LinearSolver::conjugate_gradients}},
       "Of implicit steps. factor: sparse Cholesky, on one process. conjugate gradients: for waves "
       "alone, with no matrix; mpirun shares the cells out. Both give the same motion. automatic: "
-      "factor if it fits the memory, else conjugate gradients where they are possible.");
+      "conjugate gradients where they are possible and the factor does not fit the memory, or where "
+      "15 processes or more take less time; else factor.");
     section.value(
       "Materials",
       "a material's name, or 'region: material; region: material; ...'",

@@ -6,9 +6,9 @@ namespace hybrid::scene
 {
   namespace
   {
-    /// Time of a step by conjugate gradients over that of one with a factor, on one process, for
-    /// steps of up to seven stable parts and 154,722 unknowns of degree 4: 5 to 7 measured.
-    constexpr int cost_of_iterations = 7;
+    /// Time of a step by conjugate gradients over that of one with a factor, on one process: 5 to
+    /// 14 measured (doc/performance.md).
+    constexpr int cost_of_iterations = 14;
   } // namespace
 
 

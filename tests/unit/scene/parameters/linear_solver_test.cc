@@ -26,11 +26,11 @@ namespace
   TEST(LinearSolver, AutomaticIteratesOnManyProcessesOnly)
   {
     EXPECT_EQ(decided("automatic", 1), LinearSolver::automatic);
-    EXPECT_EQ(decided("automatic", 7), LinearSolver::automatic);
-    EXPECT_EQ(decided("automatic", 8), LinearSolver::conjugate_gradients);
-    EXPECT_EQ(decided("factor", 8), LinearSolver::factor);
+    EXPECT_EQ(decided("automatic", 14), LinearSolver::automatic);
+    EXPECT_EQ(decided("automatic", 15), LinearSolver::conjugate_gradients);
+    EXPECT_EQ(decided("factor", 15), LinearSolver::factor);
     EXPECT_EQ(decided("conjugate gradients", 1), LinearSolver::conjugate_gradients);
-    EXPECT_EQ(decided("automatic", 8, true), LinearSolver::automatic);
+    EXPECT_EQ(decided("automatic", 15, true), LinearSolver::automatic);
   }
 
 
