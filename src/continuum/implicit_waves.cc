@@ -6,7 +6,7 @@
 #include <hybrid/continuum/implicit_waves.h>
 
 #include <algorithm>
-#include <cmath>
+#include <initializer_list>
 
 namespace hybrid::continuum
 {
@@ -250,7 +250,6 @@ namespace hybrid::continuum
       {
         return false;
       }
-    last_iterations = static_cast<int>(control.last_step());
     a += work;
     return true;
   }

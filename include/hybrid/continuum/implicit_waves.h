@@ -51,12 +51,6 @@ namespace hybrid::continuum
     void   take_energy(ContinuumState &state) override;
     double memory() const override;
 
-    /// Of the last step [-].
-    int iterations() const
-    {
-      return last_iterations;
-    }
-
   private:
     using Vector  = ElasticProduct::Vector;
     using Weights = ElasticProduct::Weights;
@@ -182,7 +176,6 @@ namespace hybrid::continuum
     BoundaryForces::Incoming incoming0, incoming1, nothing;
     std::vector<double>      strained, sum, force0, force1, du, du_free, v_free, mean;
     std::vector<double>      shared_x, shared_y, of_joints, joint_force, edge_work;
-    double                   filter          = 0.; ///< Newmark::filter_in() of this step
-    int                      last_iterations = 0;
+    double                   filter = 0.; ///< Newmark::filter_in() of this step
   };
 } // namespace hybrid::continuum
