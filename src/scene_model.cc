@@ -88,8 +88,9 @@ namespace hybrid
         !scene::why_not_waves_alone(scene).empty())
       return;
     const double needed = output::estimate_memory(scene, mesh, nullptr, continuum.get()).total();
-    const double there  = output::available_memory();
-    if (needed <= there)
+    int          fits   = needed <= output::available_memory() ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &fits, 1, MPI_INT, MPI_MIN, communicator); // all do the same
+    if (fits == 1)
       return;
     log.info("A factor of the bedrock does not fit the memory of this machine: implicit steps by "
              "conjugate gradients");
