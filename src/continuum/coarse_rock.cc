@@ -13,10 +13,10 @@ namespace hybrid::continuum
 {
   using namespace dealii;
 
-  CoarseRock::CoarseRock(const Fine &fine)
-    : comm(fine.dofs.get_communicator())
+  CoarseRock::CoarseRock(const RestrainedModel &fine)
+    : comm(fine.shared.communicator())
     , fe(FE_Q<2>(1), 2)
-    , dofs(fine.dofs.get_triangulation())
+    , dofs(fine.shared.dofs().get_triangulation())
   {
     dofs.distribute_dofs(fe);
     DoFTools::extract_locally_relevant_dofs(dofs, relevant);
@@ -35,14 +35,14 @@ namespace hybrid::continuum
     settings.aggregation_threshold = 0.02;
     inverse.initialize(matrix, settings);
 
-    transfer.reinit_polynomial_transfer(fine.dofs, dofs);
+    transfer.reinit_polynomial_transfer(fine.shared.dofs(), dofs);
     load.reinit(dofs.locally_owned_dofs(), relevant, comm);
     correction.reinit(load);
   }
 
 
 
-  void CoarseRock::number_vertices(const Fine &fine)
+  void CoarseRock::number_vertices(const RestrainedModel &fine)
   {
     const int n = fine.nodes.line.degree() + 1, corner[4] = {0, n - 1, n * (n - 1), n * n - 1};
     dof_of.assign(2 * fine.rock.nodes.size(), -1);
@@ -108,7 +108,7 @@ namespace hybrid::continuum
 
 
 
-  void CoarseRock::add_cells(const Fine &fine)
+  void CoarseRock::add_cells(const RestrainedModel &fine)
   {
     const FEValuesExtractors::Vector displacement(0);
     FEValues<2>                      values(fe, QGauss<2>(2), update_gradients | update_JxW_values);

@@ -65,7 +65,7 @@ namespace hybrid::continuum
   {
     const std::vector<char> supported = static_supports();
     const RestrainedRock    restrained(
-      waves->rock(), rock, *nodes, cell_material, joint_stiffness, supported);
+      {waves->rock(), rock, *nodes, cell_material, joint_stiffness, supported});
     RestrainedRock::Solution found = restrained.solve(forces);
     static_displacement.clear();
     StaticSlip result;

@@ -19,15 +19,10 @@ namespace hybrid::continuum
 
 
 
-  RestrainedRock::RestrainedRock(const SharedRock            &shared,
-                                 const RockMesh              &rock,
-                                 const ElementNodes          &nodes,
-                                 const std::vector<Material> &material,
-                                 const JointStiffness        &joints,
-                                 const std::vector<char>     &supported)
-    : unknowns(shared.unknowns())
-    , stiffness(shared, rock, nodes, material, joints, supported)
-    , coarse({shared.dofs(), rock, nodes, material, joints, supported})
+  RestrainedRock::RestrainedRock(const RestrainedModel &model)
+    : unknowns(model.shared.unknowns())
+    , stiffness(model)
+    , coarse(model)
   {
     Smoother::AdditionalData settings;
     settings.degree              = smoothing_degree;

@@ -34,27 +34,26 @@ namespace hybrid::continuum
 
 
 
-  RestrainedStiffness::RestrainedStiffness(const SharedRock            &shared,
-                                           const RockMesh              &rock,
-                                           const ElementNodes          &nodes,
-                                           const std::vector<Material> &material,
-                                           const JointStiffness        &joints,
-                                           const std::vector<char>     &supported)
-    : shared_rock(shared)
-    , constraints(make_constraints(shared, supported))
-    , cells(shared.dofs(), material, constraints, QGauss<1>(nodes.line.degree() + 1))
-    , planes(rock,
-             joints,
-             nodes.line.degree(),
-             [&nodes](const RockFace &face) { return nodes.along(face); })
-    , places(planes.nodes(), shared.unknowns(), shared.communicator())
+  RestrainedStiffness::RestrainedStiffness(const RestrainedModel &model)
+    : shared_rock(model.shared)
+    , constraints(make_constraints(model.shared, model.supported))
+    , cells(model.shared.dofs(),
+            model.material,
+            constraints,
+            QGauss<1>(model.nodes.line.degree() + 1))
+    , planes(model.rock,
+             model.joints,
+             model.nodes.line.degree(),
+             [&model](const RockFace &face) { return model.nodes.along(face); })
+    , places(planes.nodes(), model.shared.unknowns(), model.shared.communicator())
   {
-    for (std::size_t i = 0; i < shared.unknowns().size(); ++i)
-      if (supported[shared.unknowns()[i]])
+    const std::vector<int> &unknowns = model.shared.unknowns();
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      if (model.supported[unknowns[i]])
         held.push_back(static_cast<unsigned int>(i));
     for (const int node : planes.nodes())
       for (int c = 0; c < 2; ++c)
-        held_places.push_back(supported[2 * node + c]);
+        held_places.push_back(model.supported[2 * node + c]);
   }
 
 

@@ -13,7 +13,7 @@
 
 #include <hybrid/continuum/elastic_joints.h>
 #include <hybrid/continuum/elastic_product.h>
-#include <hybrid/continuum/element_nodes.h>
+#include <hybrid/continuum/restrained_model.h>
 
 #include <vector>
 
@@ -30,19 +30,8 @@ namespace hybrid::continuum
   public:
     using Vector = ElasticProduct::Vector;
 
-    /// The rock of higher degree.
-    struct Fine
-    {
-      const dealii::DoFHandler<2> &dofs;
-      const RockMesh              &rock;
-      const ElementNodes          &nodes;
-      const std::vector<Material> &material;  ///< per cell
-      const JointStiffness        &joints;    ///< of bedding planes
-      const std::vector<char>     &supported; ///< per unknown: does not move
-    };
-
-    /// @param fine has to outlive this object.
-    explicit CoarseRock(const Fine &fine);
+    /// @param fine the rock of higher degree; its cells have to outlive this object.
+    explicit CoarseRock(const RestrainedModel &fine);
 
     /// u += P K_1^-1 P^T residual, as ML has the inverse. Supported unknowns have no residual.
     void correct(const Vector &residual, Vector &u) const;
@@ -51,9 +40,9 @@ namespace hybrid::continuum
     using Index = dealii::types::global_dof_index;
 
     /// deal.II's numbers of the unknowns of the rock's vertices, that this rank has to do with.
-    void number_vertices(const Fine &fine);
+    void number_vertices(const RestrainedModel &fine);
     void support_unknowns();
-    void add_cells(const Fine &fine);
+    void add_cells(const RestrainedModel &fine);
     void add_joints(const ElasticJoints &joints);
     void make_pattern(const ElasticJoints &joints);
 

@@ -23,14 +23,8 @@ namespace hybrid::continuum
   public:
     using Vector = RestrainedStiffness::Vector;
 
-    /// @param shared, supported as RestrainedStiffness has them; @p shared must outlive this
-    /// object.
-    RestrainedRock(const SharedRock            &shared,
-                   const RockMesh              &rock,
-                   const ElementNodes          &nodes,
-                   const std::vector<Material> &material,
-                   const JointStiffness        &joints,
-                   const std::vector<char>     &supported);
+    /// @param model its cells have to outlive this object.
+    explicit RestrainedRock(const RestrainedModel &model);
 
     struct Solution
     {

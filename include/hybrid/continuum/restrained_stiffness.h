@@ -5,8 +5,8 @@
 
 #include <hybrid/continuum/elastic_joints.h>
 #include <hybrid/continuum/elastic_product.h>
+#include <hybrid/continuum/restrained_model.h>
 #include <hybrid/continuum/shared_nodes.h>
-#include <hybrid/continuum/shared_rock.h>
 
 #include <vector>
 
@@ -22,14 +22,8 @@ namespace hybrid::continuum
   public:
     using Vector = ElasticProduct::Vector;
 
-    /// @param shared must outlive this object @param material per cell
-    /// @param supported per unknown (2 node + component): does not move
-    RestrainedStiffness(const SharedRock            &shared,
-                        const RockMesh              &rock,
-                        const ElementNodes          &nodes,
-                        const std::vector<Material> &material,
-                        const JointStiffness        &joints,
-                        const std::vector<char>     &supported);
+    /// @param model its cells have to outlive this object.
+    explicit RestrainedStiffness(const RestrainedModel &model);
 
     Vector make_vector() const
     {

@@ -118,7 +118,7 @@ namespace
     const RockMesh     rock = split_bedding_planes(section, {"bedding_1"});
     const ElementSpace space(rock, section, degree, MPI_COMM_SELF, MassQuadrature::lobatto);
     const std::vector<Material> material(rock.cells.size(), test::rock_material());
-    const SharedRock          shared(space, MPI_COMM_SELF);
+    const SharedRock            shared(space, MPI_COMM_SELF);
     std::vector<char>           supported;
     std::vector<double>         load;
     for (const Vec2 &at : space.nodes.positions)
@@ -128,7 +128,7 @@ namespace
                               (at.y() == 0. || (c == 0 && (at.x() == 0. || at.x() == 100.))));
           load.push_back(c == 0 ? at.y() : -1. - at.x());
         }
-    return RestrainedRock(shared, rock, space.nodes, material, joints, supported).solve(load);
+    return RestrainedRock({shared, rock, space.nodes, material, joints, supported}).solve(load);
   }
 
 
