@@ -119,6 +119,21 @@ namespace hybrid::dda
 
 
 
+  bool SpringStiffness::serves(const Kept    &old,
+                               const Springs &springs,
+                               const int      s,
+                               const Choice  &choice)
+  {
+    const Springs::Spring   &spring   = springs.springs[s];
+    const Springs::Response &response = springs.responses[s];
+    if (spring.settled && same_bodies(old, spring))
+      return true;
+    return !choice.all && same(old, spring, response) &&
+           old.stiffness == coefficients(spring, response, choice);
+  }
+
+
+
   void SpringStiffness::update(const Springs &springs, const Trial &trial, const Choice &choice)
   {
     const int n       = static_cast<int>(springs.springs.size());
@@ -136,19 +151,18 @@ namespace hybrid::dda
     for (int s = n; s < n_old; ++s)
       mark(kept[s].block, kept[s].other);
     kept.resize(n);
+    is_new.resize(n);
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
+    for (int s = 0; s < n; ++s)
+      is_new[s] = s >= n_old || !serves(kept[s], springs, s, choice) ? 1 : 0;
     renewed.clear();
     for (int s = 0; s < n; ++s)
       {
-        const Springs::Spring   &spring   = springs.springs[s];
-        const Springs::Response &response = springs.responses[s];
-        if (spring.settled && s < n_old && same_bodies(kept[s], spring))
-          continue;
-        if (!choice.all && s < n_old && same(kept[s], spring, response) &&
-            kept[s].stiffness == coefficients(spring, response, choice))
+        if (is_new[s] == 0)
           continue;
         if (s < n_old)
           mark(kept[s].block, kept[s].other);
-        mark(spring.block, spring.other);
+        mark(springs.bodies[s].block, springs.bodies[s].other);
         renewed.push_back(s);
       }
     renew(springs, trial, choice);
@@ -208,8 +222,7 @@ namespace hybrid::dda
                     k.stiffness,
                     is_first ? k.of_other : k.of_block,
                     -1.,
-                    (block < there ? matrix.off_diagonal
-                                   : matrix.lower)[springs.springs[s].slot[0]]);
+                    (block < there ? matrix.off_diagonal : matrix.lower)[springs.slot(s)[0]]);
       }
   }
 
@@ -220,9 +233,13 @@ namespace hybrid::dda
     for (const int s : springs.on_foundation())
       if (!kept[s].stiffness.none())
         add_foundation_spring(springs, s, matrix);
-    for (const Kept &k : kept)
-      if (k.stiffness.tn != 0. || k.stiffness.nn < 0. || k.stiffness.tt < 0.)
-        matrix.symmetric = false;
+    bool symmetric = matrix.symmetric;
+#pragma omp parallel for schedule(static) reduction(&& : symmetric) \
+  if (is_worth_sharing(kept.size()))
+    for (std::size_t s = 0; s < kept.size(); ++s)
+      symmetric = symmetric && kept[s].stiffness.tn == 0. && kept[s].stiffness.nn >= 0. &&
+                  kept[s].stiffness.tt >= 0.;
+    matrix.symmetric = symmetric;
   }
 
 
@@ -245,8 +262,8 @@ namespace hybrid::dda
         const double w = response.weight[i];
         if (w == 0.)
           continue;
-        matrix.block_node[spring.slot[i]] -= w * right;
-        matrix.node_block[spring.slot[i]] -= w * left;
+        matrix.block_node[springs.slot(s)[i]] -= w * right;
+        matrix.node_block[springs.slot(s)[i]] -= w * left;
         matrix.node_diagonal[spring.node[i]] += w * w * nodal;
       }
     if (spring.node[1] == spring.node[0] + 1)

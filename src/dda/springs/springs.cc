@@ -2,11 +2,9 @@
 #include <hybrid/dda/contact/contact_frame.h>
 #include <hybrid/dda/geometry/outline_frames.h>
 #include <hybrid/dda/linear/shared_loop.h>
-#include <hybrid/dda/springs/contact_length.h>
 #include <hybrid/dda/springs/springs.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace hybrid::dda
 {
@@ -15,20 +13,6 @@ namespace hybrid::dda
     Vec2 foundation_displacement(const Eigen::VectorXd &w, const int node)
     {
       return {w[2 * node], w[2 * node + 1]};
-    }
-
-
-
-    /// Part of a contact's springs on which its residual cohesion acts [-]: blocks that were bonded
-    /// to each other, or what a belt bonds still.
-    double cohesive_fraction(const Model &model, const Contact &c, const ContactLength &length)
-    {
-      if (length.spring <= 0.)
-        return 0.;
-      if (is_surface(model.initial, c.vertex_body) || is_surface(model.initial, c.edge_body))
-        return length.bonded / length.spring;
-      return model.contacts.were_bonded(c.vertex_body, c.edge_body) ? length.overlap / length.spring
-                                                                    : 0.;
     }
 
 
@@ -50,162 +34,6 @@ namespace hybrid::dda
       response.k_tn           = r.k_tn;
     }
   } // namespace
-
-
-
-  void Springs::collect(const Model &model, const DdaState &state)
-  {
-    springs.clear();
-    contact_parts.clear();
-    if (springs.capacity() == 0)
-      springs.reserve(2 * model.joints.size() + state.contacts.size());
-    block_pairs.clear();
-    node_pairs.clear();
-    collect_joints(model, state);
-    collect_contacts(model, state);
-    responses.resize(springs.size());
-    sort_by_block(model.n_blocks());
-  }
-
-
-
-  void Springs::sort_by_block(const int n_blocks)
-  {
-    foundation_springs.clear();
-    for (std::size_t s = 0; s < springs.size(); ++s)
-      if (springs[s].other == foundation_body)
-        foundation_springs.push_back(static_cast<int>(s));
-    block_begin.assign(n_blocks + 2, 0); // one place later while counting and filling
-    const auto for_each = [&](const auto &act) {
-      for (std::size_t s = 0; s < springs.size(); ++s)
-        {
-          act(springs[s].block, 2 * static_cast<int>(s));
-          if (springs[s].other != foundation_body)
-            act(springs[s].other, 2 * static_cast<int>(s) + 1);
-        }
-    };
-    for_each([&](const int block, int) { ++block_begin[block + 2]; });
-    std::partial_sum(block_begin.begin(), block_begin.end(), block_begin.begin());
-    block_springs.resize(block_begin.back());
-    for_each(
-      [&](const int block, const int entry) { block_springs[block_begin[block + 1]++] = entry; });
-  }
-
-
-
-  void Springs::collect_joints(const Model &model, const DdaState &state)
-  {
-    for (std::size_t j = 0; j < model.joints.size(); ++j)
-      {
-        const Joint &joint = model.joints[j];
-        if (state.joints[j].released || (model.hold_bedrock && joint.within_bedrock()))
-          continue;
-        for (int end = 0; end < 2; ++end)
-          {
-            Spring s;
-            s.block            = joint.block;
-            s.other            = joint.other;
-            s.joint            = static_cast<int>(j);
-            s.end              = end;
-            s.law              = &joint.law;
-            s.length           = 0.5 * joint.length;
-            s.old              = state.joints[j].points[end];
-            s.contact_fraction = joint.law.contact_fraction(s.old.history);
-            s.coulomb          = s.contact_fraction == 1. &&
-                        joint.law.is_coulomb(s.old.history, s.cohesion_length_ratio);
-            if (s.contact_fraction > 0. && s.contact_fraction < 1.)
-              {
-                s.part = static_cast<int>(contact_parts.size());
-                contact_parts.emplace_back();
-              }
-            if (joint.other == foundation_body)
-              {
-                s.node[0] = s.node[1] = joint.points[end].other_vertex;
-                node_pairs.push_back({s.block, s.node[0]});
-              }
-            else
-              block_pairs.push_back({s.block, s.other});
-            springs.push_back(s);
-          }
-      }
-  }
-
-
-
-  void Springs::collect_contacts(const Model &model, const DdaState &state)
-  {
-    const Geometry &geometry = state.geometry;
-    bonded_area.update(model, state);
-    for (std::size_t c = 0; c < state.contacts.size(); ++c)
-      {
-        const Contact    &contact       = state.contacts[c];
-        const bool        node_on_block = contact.vertex_body == foundation_body;
-        const bool        on_foundation = node_on_block || contact.edge_body == foundation_body;
-        const int         owner         = node_on_block ? contact.edge_body : contact.vertex_body;
-        const ContactLaw &law = model.contacts.law(model.initial, contact, model.n_mass());
-        Spring            s;
-        s.block            = owner;
-        s.other            = on_foundation ? foundation_body : contact.edge_body;
-        s.contact          = static_cast<int>(c);
-        s.contact_fraction = 1.;
-        s.law              = &law.law;
-        const ContactLength length =
-          contact_length(geometry, state.contacts, contact, law.length, &bonded_area);
-        s.length = length.spring;
-        if (law.law.has_residual_cohesion())
-          s.cohesion_length_ratio = cohesive_fraction(model, contact, length);
-        if (on_foundation)
-          {
-            s.node[0] = node_on_block ? contact.vertex : contact.edge;
-            s.node[1] = node_on_block ? contact.vertex : contact.edge + 1;
-            node_pairs.push_back({s.block, s.node[0]});
-            node_pairs.push_back({s.block, s.node[1]});
-          }
-        else
-          block_pairs.push_back({s.block, s.other});
-
-        const ContactFrame frame(contact, places(contact, geometry));
-        s.along                    = frame.along;
-        s.old.history.plastic_slip = contact.plastic_slip;
-        s.old.gap                  = frame.gap - contact.stress_free_gap;
-        s.old.slip                 = frame.slip;
-        const JointResponse r =
-          law.law.respond({s.old.gap, frame.slip, s.cohesion_length_ratio}, s.old.history);
-        s.old.history = r.history;
-        s.old.normal = s.old.elastic_normal = r.normal;
-        s.old.shear = s.old.elastic_shear = r.shear;
-        // At its limit it slides on, though the law calls that sticking until more is asked of it.
-        const bool slid = contact.state == ContactState::sliding;
-        s.old.state     = slid && r.state == ContactState::locked ? contact.state : r.state;
-        s.coulomb       = law.law.is_coulomb(s.old.history, s.cohesion_length_ratio);
-        springs.push_back(s);
-      }
-  }
-
-
-
-  void Springs::connect(const Model &model, BlockMatrix &matrix)
-  {
-    const auto find_slots = [&]() {
-      for (Spring &s : springs)
-        if (s.other == foundation_body)
-          {
-            for (int k = 0; k < 2; ++k)
-              if ((s.slot[k] = matrix.node_slot(s.block, s.node[k])) < 0)
-                return false;
-          }
-        else if ((s.slot[0] =
-                    matrix.block_slot(std::min(s.block, s.other), std::max(s.block, s.other))) < 0)
-          return false;
-      return true;
-    };
-    const bool same_size =
-      matrix.n_blocks() == model.n_blocks() && matrix.n_nodes() == model.n_foundation_nodes();
-    if (same_size && matrix.pairs.size() <= 2 * block_pairs.size() + 64 && find_slots())
-      return;
-    matrix.set_pattern(model.n_blocks(), model.n_foundation_nodes(), block_pairs, node_pairs);
-    find_slots();
-  }
 
 
 

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/springs/surface_force.h>
 
 namespace hybrid::dda
 {
   SurfaceForce surface_force(const Model &model, const Springs &springs)
   {
-    const auto   is_mass = [&](const int body) { return body >= 0 && body < model.n_mass(); };
-    SurfaceForce sum;
-    for (std::size_t s = 0; s < springs.springs.size(); ++s)
-      {
+    const auto is_mass = [&](const int body) { return body >= 0 && body < model.n_mass(); };
+    return shared_sum<SurfaceForce>(
+      springs.springs.size(), [&](const std::size_t s, SurfaceForce &sum) {
+        if (is_mass(springs.bodies[s].block) == is_mass(springs.bodies[s].other))
+          return;
         const Springs::Spring &spring = springs.springs[s];
-        if (is_mass(spring.block) == is_mass(spring.other) || spring.length <= 0.)
-          continue;
+        if (spring.length <= 0.)
+          return;
         const Springs::Response &response = springs.responses[s];
         const SpringState       &now      = response.now;
         // The force on Q; a mass that is Q does the opposite to P, towards which -n points.
@@ -22,7 +24,6 @@ namespace hybrid::dda
         sum.shear += shear.dot(along);
         sum.normal += spring.length * now.normal;
         sum.strength += spring.length * response.shear_strength;
-      }
-    return sum;
+      });
   }
 } // namespace hybrid::dda

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/springs/bedrock_forces.h>
 #include <hybrid/dda/springs/spring_work.h>
 #include <hybrid/dda/step/block_energy.h>
@@ -7,54 +8,52 @@ namespace hybrid::dda
 {
   namespace
   {
-    /// Blocks: kinetic, stress and weight.
-    void audit_blocks(const StepAudit &step, BlockEnergy &energy)
+    /// One block: kinetic, stress and weight.
+    void audit_block(const StepAudit &step, const std::size_t b, BlockEnergy &energy)
     {
       const Newmark         &nm = step.model.newmark;
       const double           dt = step.trial.dt, excess = nm.gamma - 0.5;
-      const double           filter         = nm.filter_in(dt, step.before.last_step);
-      const double           k01            = step.model.dynamic_coefficient;
-      const MaxwellStresses &maxwell        = step.stresses.branches();
-      double                 kinetic_before = 0.;
-      energy.kinetic = energy.strain = 0.;
-      for (int b = 0; b < step.model.n_blocks(); ++b)
+      const double           filter  = nm.filter_in(dt, step.before.last_step);
+      const double           k01     = step.model.dynamic_coefficient;
+      const MaxwellStresses &maxwell = step.stresses.branches();
+      const BlockProperties &p       = step.model.blocks[b];
+      const BlockState      &s       = step.before.blocks[b];
+      const Mat6            &m       = step.mass[b];
+      const Vec6            &d = step.trial.increment[b], &v = step.trial.rate[b];
+      const int              block = static_cast<int>(b);
+      energy.kinetic += 0.5 * v.dot(m * v);
+      if (k01 != 1. || step.at_rest)
         {
-          const BlockProperties &p = step.model.blocks[b];
-          const BlockState      &s = step.before.blocks[b];
-          const Mat6            &m = step.mass[b];
-          const Vec6            &d = step.trial.increment[b], &v = step.trial.rate[b];
-          kinetic_before += 0.5 * s.velocity.dot(m * s.velocity);
-          energy.kinetic += 0.5 * v.dot(m * v);
-
-          const Eigen::Vector3d e       = step.stresses.elastic_strain(d.tail<3>(), b);
-          const Eigen::Vector3d plastic = step.stresses.plastic_strain(b);
-          const Eigen::Vector3d stiff   = p.elasticity * e;
-          const Eigen::Vector3d viscous = step.damping_time[b] / dt * stiff;
-          const Eigen::Vector3d change  = step.stresses.change(stiff, e, b);
-          if (maxwell.is_on())
-            {
-              energy.strain +=
-                p.area * maxwell.stored(step.model, step.before, s.stress + change, e, b);
-              energy.damping_loss += p.area * maxwell.loss(step.model, step.before, e, b);
-            }
-          else
-            energy.strain += p.area * strain_energy_density(p.elasticity, s.stress + change);
-          energy.integration_loss += excess * p.area * change.dot(e);
-          if (filter > 0.)
-            energy.integration_loss += filter * d.dot(m * s.acceleration_change);
-          if (!step.at_rest)
-            energy.integration_loss += step.kinematics.filter_loss(b, m, v);
-          energy.gravity +=
-            p.weight * step.model.gravity * d[1] - p.pushed_mass * step.model.horizontal * d[0];
-          energy.damping_loss +=
-            p.area * e.dot((1. - nm.gamma) * s.viscous_stress + nm.gamma * viscous);
-          energy.yield_loss +=
-            p.area * plastic.dot((1. - nm.gamma) * (s.stress + s.viscous_stress) +
-                                 nm.gamma * (s.stress + change + viscous));
+          const double before = 0.5 * s.velocity.dot(m * s.velocity);
+          energy.damping_loss += (1. - k01 * k01) * before;
+          if (step.at_rest)
+            energy.integration_loss += k01 * k01 * before;
         }
-      energy.damping_loss += (1. - k01 * k01) * kinetic_before;
-      if (step.at_rest)
-        energy.integration_loss += k01 * k01 * kinetic_before;
+
+      const Eigen::Vector3d e       = step.stresses.elastic_strain(d.tail<3>(), block);
+      const Eigen::Vector3d plastic = step.stresses.plastic_strain(block);
+      const Eigen::Vector3d stiff   = p.elasticity * e;
+      const Eigen::Vector3d viscous = step.damping_time[b] / dt * stiff;
+      const Eigen::Vector3d change  = step.stresses.change(stiff, e, block);
+      if (maxwell.is_on())
+        {
+          energy.strain +=
+            p.area * maxwell.stored(step.model, step.before, s.stress + change, e, block);
+          energy.damping_loss += p.area * maxwell.loss(step.model, step.before, e, block);
+        }
+      else
+        energy.strain += p.area * strain_energy_density(p.elasticity, s.stress + change);
+      energy.integration_loss += excess * p.area * change.dot(e);
+      if (filter > 0.)
+        energy.integration_loss += filter * d.dot(m * s.acceleration_change);
+      if (!step.at_rest)
+        energy.integration_loss += step.kinematics.filter_loss(block, m, v);
+      energy.gravity +=
+        p.weight * step.model.gravity * d[1] - p.pushed_mass * step.model.horizontal * d[0];
+      energy.damping_loss +=
+        p.area * e.dot((1. - nm.gamma) * s.viscous_stress + nm.gamma * viscous);
+      energy.yield_loss += p.area * plastic.dot((1. - nm.gamma) * (s.stress + s.viscous_stress) +
+                                                nm.gamma * (s.stress + change + viscous));
     }
 
 
@@ -96,8 +95,9 @@ namespace hybrid::dda
       const bool   changes = step.model.water.changes();
       const Water  before  = step.model.water.at(step.before.time),
                   after    = step.model.water.at(step.before.time + step.trial.dt);
-      for (int b = 0; b < step.model.n_mass(); ++b)
-        {
+      energy +=
+        shared_sum<BlockEnergy>(step.model.n_mass(), [&](const std::size_t n, BlockEnergy &sum) {
+          const int       b     = static_cast<int>(n);
           const Vec6     &d     = step.trial.increment[b];
           const WaterLoad start = load_at_start(step, before, b), end = load_at_end(step, after, b);
           const Vec2      moved = d.head<2>();
@@ -106,15 +106,15 @@ namespace hybrid::dda
             {
               change = 0.5 * (potential_change(start, load_at_end(step, before, b), moved) +
                               potential_change(load_at_start(step, after, b), end, moved));
-              energy.water_work -= change;
+              sum.water_work -= change;
             }
           else
             {
               change = potential_change(start, end, moved);
-              energy.gravity += change;
+              sum.gravity += change;
             }
-          energy.integration_loss -= change + d.dot((1. - gamma) * start.force + gamma * end.force);
-        }
+          sum.integration_loss -= change + d.dot((1. - gamma) * start.force + gamma * end.force);
+        });
     }
 
 
@@ -182,49 +182,44 @@ namespace hybrid::dda
 
 
 
-    /// Joints and contacts, each spring by its own kinematics.
-    void audit_springs(const StepAudit &step, BlockEnergy &energy)
+    /// One joint's end or contact, by its own kinematics. What it stored before is taken off
+    /// spring_replacement_loss: of the sum with the energy of all springs then, nothing is left but
+    /// that of springs that are gone.
+    void audit_spring(const StepAudit &step, const std::size_t i, BlockEnergy &energy)
     {
-      const SpringStep moved{step.model, step.before, step.trial, step.springs};
-      double           before = 0.;
-      energy.springs          = 0.;
-      for (std::size_t i = 0; i < step.springs.springs.size(); ++i)
-        {
-          const Springs::Spring &spring = step.springs.springs[i];
-          const SpringState     &old = spring.old, &now = step.springs.responses[i].now;
-          const WeightedTraction traction{step.model.newmark.gamma, spring, now};
-          const double           shear = traction.shear(old.shear, now.shear);
-          const double           gap = now.gap - old.gap, slip = now.slip - old.slip;
-          const double           work    = traction.normal() * gap + shear * slip;
-          const double           plastic = now.history.plastic_slip - old.history.plastic_slip;
-          const double           elastic =
-            traction.elastic_normal() * gap +
-            traction.shear(old.elastic_shear, now.elastic_shear) * (slip - plastic);
-          const double stored_before = spring.law->stored_energy({old.gap, old.slip}, old.history);
-          const double stored        = spring.law->stored_energy({now.gap, now.slip}, now.history);
-          const double friction      = -shear * plastic;
-          const double fracture =
-            spring.law->fracture_loss(now.history) - spring.law->fracture_loss(old.history);
+      const SpringStep       moved{step.model, step.before, step.trial, step.springs};
+      const Springs::Spring &spring = step.springs.springs[i];
+      const SpringState     &old = spring.old, &now = step.springs.responses[i].now;
+      const WeightedTraction traction{step.model.newmark.gamma, spring, now};
+      const double           shear = traction.shear(old.shear, now.shear);
+      const double           gap = now.gap - old.gap, slip = now.slip - old.slip;
+      const double           work    = traction.normal() * gap + shear * slip;
+      const double           plastic = now.history.plastic_slip - old.history.plastic_slip;
+      const double           elastic =
+        traction.elastic_normal() * gap +
+        traction.shear(old.elastic_shear, now.elastic_shear) * (slip - plastic);
+      const double stored_before = spring.law->stored_energy({old.gap, old.slip}, old.history);
+      const double stored        = spring.law->stored_energy({now.gap, now.slip}, now.history);
+      const double friction      = -shear * plastic;
+      const double fracture =
+        spring.law->fracture_loss(now.history) - spring.law->fracture_loss(old.history);
 
-          before += spring.length * stored_before;
-          energy.springs += spring.length * stored;
-          if (spring.joint >= 0 && step.model.joints[spring.joint].kind == JointKind::bedding)
-            energy.bedding_loss += spring.length * (friction + fracture);
-          else
-            {
-              energy.friction_loss += spring.length * friction;
-              energy.fracture_loss += spring.length * fracture;
-            }
-          energy.damping_loss += spring.length * (elastic - work - friction);
-          const TurningWork turning = turning_work(moved,
-                                                   i,
-                                                   traction.beyond_mean(old, traction.before),
-                                                   traction.beyond_mean(now, traction.after));
-          energy.integration_loss +=
-            spring.length * (-elastic - (stored - stored_before) - fracture) - turning.rotation -
-            turning.arc;
+      energy.spring_replacement_loss -= spring.length * stored_before;
+      energy.springs += spring.length * stored;
+      if (spring.joint >= 0 && step.model.joints[spring.joint].kind == JointKind::bedding)
+        energy.bedding_loss += spring.length * (friction + fracture);
+      else
+        {
+          energy.friction_loss += spring.length * friction;
+          energy.fracture_loss += spring.length * fracture;
         }
-      energy.spring_replacement_loss += step.before.energy.springs - before;
+      energy.damping_loss += spring.length * (elastic - work - friction);
+      const TurningWork turning = turning_work(moved,
+                                               i,
+                                               traction.beyond_mean(old, traction.before),
+                                               traction.beyond_mean(now, traction.after));
+      energy.integration_loss += spring.length * (-elastic - (stored - stored_before) - fracture) -
+                                 turning.rotation - turning.arc;
     }
   } // namespace
 
@@ -232,13 +227,24 @@ namespace hybrid::dda
 
   BlockEnergy audit_step(const StepAudit &step)
   {
+    BlockEnergy change =
+      shared_sum<BlockEnergy>(step.model.blocks.size(), [&](const std::size_t b, BlockEnergy &sum) {
+        audit_block(step, b, sum);
+      });
+    BlockEnergy of_springs = shared_sum<BlockEnergy>(step.springs.springs.size(),
+                                                     [&](const std::size_t s, BlockEnergy &sum) {
+                                                       audit_spring(step, s, sum);
+                                                     });
+    of_springs.spring_replacement_loss += step.before.energy.springs;
+    change += of_springs;
+
     BlockEnergy energy = step.before.energy;
-    audit_blocks(step, energy);
+    energy.kinetic = energy.strain = energy.springs = 0.; // those of now
+    energy += change;
     if (step.model.water.action != Water::Action::none)
       audit_water(step, energy);
     if (!step.model.edge_loads.edges.empty())
       audit_edge_loads(step, energy);
-    audit_springs(step, energy);
     if (step.model.n_bedrock > 0)
       audit_bedrock({step.model, step.before, step.trial, step.incoming}, energy);
     return energy;

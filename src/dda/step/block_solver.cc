@@ -2,6 +2,7 @@
 #include <hybrid/dda/contact/contact_tolerances.h>
 #include <hybrid/dda/failure/joint_release.h>
 #include <hybrid/dda/geometry/outline_frames.h>
+#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/step/block_solver.h>
 #include <hybrid/restart/archive.h>
 #include <hybrid/scene/stopwatch.h>
@@ -159,10 +160,11 @@ namespace hybrid::dda
   {
     if (held_off.empty())
       find_blocks_on_surface();
-    int now = 0;
-    for (const JointState &joint : state.joints)
-      now += (joint.has_yielded ? 1 : 0) + (joint.failure != FailureKind::none ? 1 : 0) +
+    const int now = shared_sum<int>(state.joints.size(), [&](const std::size_t j, int &sum) {
+      const JointState &joint = state.joints[j];
+      sum += (joint.has_yielded ? 1 : 0) + (joint.failure != FailureKind::none ? 1 : 0) +
              (joint.released ? 1 : 0);
+    });
     if (now == changes)
       return false;
     changes = now;

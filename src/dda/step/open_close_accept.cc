@@ -41,48 +41,74 @@ namespace hybrid::dda
 
   void OpenCloseIteration::judge(const Model &model, StepResult &result) const
   {
-    double unbalanced = 0.;
-    for (int b = 0; b < model.n_blocks(); ++b)
+    struct Judgement
+    {
+      double unbalanced = 0., ratio = 0.;
+      int    largest = -1;
+
+      void operator+=(const Judgement &other)
       {
-        const double size = model.blocks[b].size, ratio = displacement_ratio(model, b);
-        if (ratio > result.displacement_ratio || result.largest_block < 0)
+        unbalanced += other.unbalanced;
+        if (other.ratio > ratio || largest < 0)
           {
-            result.displacement_ratio = ratio;
-            result.largest_block      = b;
+            ratio   = other.ratio;
+            largest = other.largest;
           }
-        const Vec6 inertia = mass[b] * (acceleration[b] + contact_acceleration[b]);
-        unbalanced +=
-          inertia.head<2>().squaredNorm() + inertia.tail<4>().squaredNorm() / (size * size);
       }
-    result.unbalanced = std::sqrt(unbalanced) / std::max(reference, 1e-300);
+    };
+    const Judgement all =
+      shared_sum<Judgement>(model.blocks.size(), [&](const std::size_t b, Judgement &sum) {
+        const double size    = model.blocks[b].size;
+        const Vec6   inertia = mass[b] * (acceleration[b] + contact_acceleration[b]);
+        sum += {inertia.head<2>().squaredNorm() + inertia.tail<4>().squaredNorm() / (size * size),
+                displacement_ratio(model, static_cast<int>(b)),
+                static_cast<int>(b)};
+      });
+    result.displacement_ratio = all.ratio;
+    result.largest_block      = all.largest;
+    result.unbalanced         = std::sqrt(all.unbalanced) / std::max(reference, 1e-300);
   }
 
 
 
   void OpenCloseIteration::carry_contact_accelerations(const Model &model, DdaState &state) const
   {
-    const int       n = model.n_blocks();
+    const int         n        = model.n_blocks();
+    const std::size_t n_joints = springs.first_contact();
+    const auto        gone     = [&](const std::size_t s) {
+      return state.joints[springs.springs[s].joint].released;
+    };
+    const auto fraction_at_end = [&](const std::size_t s) {
+      const Springs::Spring &spring = springs.springs[s];
+      if (spring.contact_fraction == 1. || gone(s))
+        return 1.;
+      return spring.law->contact_fraction(springs.responses[s].now.history);
+    };
+    const auto changes = [&](const std::size_t s) {
+      return fraction_at_end(s) != springs.springs[s].contact_fraction;
+    };
+    bool any = false;
+#pragma omp parallel for schedule(static) reduction(|| : any) if (is_worth_sharing(n_joints))
+    for (std::size_t s = 0; s < n_joints; ++s)
+      any = any || changes(s);
     Eigen::VectorXd torn; // forces of what becomes a contact of joints
-    for (std::size_t s = 0; s < springs.springs.size(); ++s)
+    if (any)
+      torn = Eigen::VectorXd::Zero(contact_force.size());
+    for (std::size_t s = 0; s < n_joints && any; ++s)
       {
-        const Springs::Spring &spring = springs.springs[s];
-        const SpringState     &now    = springs.responses[s].now;
-        const bool             gone   = spring.joint >= 0 && state.joints[spring.joint].released;
-        if (spring.contact_fraction == 1.)
+        if (!changes(s))
           continue;
-        const double fraction = gone ? 1. : spring.law->contact_fraction(now.history);
-        if (fraction == spring.contact_fraction)
-          continue;
-        if (torn.size() == 0)
-          torn = Eigen::VectorXd::Zero(contact_force.size());
-        const Springs::Traction then = spring.contact_traction(now);
-        const Springs::Traction next = gone ? Springs::Traction{now.normal, now.shear}
-                                            : Springs::contact_traction(now, fraction);
+        const Springs::Spring  &spring = springs.springs[s];
+        const SpringState      &now    = springs.responses[s].now;
+        const Springs::Traction then   = spring.contact_traction(now);
+        const Springs::Traction next   = gone(s) ? Springs::Traction{now.normal, now.shear}
+                                                 : Springs::contact_traction(now, fraction_at_end(s));
         springs.add_force(trial, s, {next.normal - then.normal, next.shear - then.shear}, torn);
       }
     state.foundation_contact_force = contact_force.tail(2 * model.n_foundation_nodes());
     if (torn.size() > 0)
       state.foundation_contact_force += torn.tail(2 * model.n_foundation_nodes());
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
         Vec6 c = contact_acceleration[b];
@@ -146,7 +172,9 @@ namespace hybrid::dda
         if (at_rest)
           block.velocity_change = block.acceleration_change = Vec6::Zero();
       }
-    for (std::size_t v = 0; v < state.geometry.vertices.size(); ++v)
+    const std::size_t n_vertices = state.geometry.vertices.size();
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n_vertices))
+    for (std::size_t v = 0; v < n_vertices; ++v)
       state.geometry.vertices[v] += trial.displacement[v];
     state.foundation_displacement = trial.foundation;
     state.foundation_force        = force_increment + state.static_force;
@@ -154,20 +182,22 @@ namespace hybrid::dda
       state.geometry.foundation_nodes[k] =
         model.initial.foundation_nodes[k] + trial.foundation.segment<2>(2 * k);
 
-    for (std::size_t s = 0; s < springs.springs.size(); ++s)
+    const std::size_t n_springs = springs.springs.size(), n_joints = springs.first_contact() / 2;
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n_joints))
+    for (std::size_t k = 0; k < n_joints; ++k)
       {
-        const Springs::Spring   &spring   = springs.springs[s];
+        const int   j     = springs.springs[2 * k].joint;
+        JointState &joint = state.joints[j];
+        for (int end = 0; end < 2; ++end)
+          joint.points[end] = springs.responses[2 * k + end].now;
+        update_failure(model.joints[j], state.time, joint, model.blocks_yield);
+      }
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n_springs - 2 * n_joints))
+    for (std::size_t s = 2 * n_joints; s < n_springs; ++s)
+      {
         const Springs::Response &response = springs.responses[s];
-        if (spring.joint >= 0)
-          {
-            JointState &joint        = state.joints[spring.joint];
-            joint.points[spring.end] = response.now;
-            if (spring.end == 1)
-              update_failure(model.joints[spring.joint], state.time, joint, model.blocks_yield);
-            continue;
-          }
-        Contact &contact      = state.contacts[spring.contact];
-        contact.edge_position = response.edge_position;
+        Contact                 &contact  = state.contacts[springs.springs[s].contact];
+        contact.edge_position             = response.edge_position;
         // From where friction holds it now: the digits of a long way are wider than what a stiff
         // contact feels.
         contact.slip         = response.now.slip - response.now.history.plastic_slip;

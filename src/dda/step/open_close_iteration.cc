@@ -133,10 +133,13 @@ namespace hybrid::dda
 
   void OpenCloseIteration::add_water(const Model &model, const DdaState &state)
   {
-    const Geometry &g     = state.geometry;
-    const Water     water = model.water.at(state.time + trial.dt);
-    for (const int b : islands.at_work())
+    const Geometry         &g      = state.geometry;
+    const Water             water  = model.water.at(state.time + trial.dt);
+    const std::vector<int> &blocks = islands.at_work();
+#pragma omp parallel for schedule(static) if (is_worth_sharing(blocks.size()))
+    for (std::size_t k = 0; k < blocks.size(); ++k)
       {
+        const int b = blocks[k];
         if (model.is_bedrock(b))
           continue;
         const int first = g.offset[b];
@@ -322,8 +325,10 @@ namespace hybrid::dda
 
   void OpenCloseIteration::take(const Step &step, const double fraction)
   {
-    for (const int b : islands.at_work())
-      trial.increment[b] += fraction * update.segment<6>(6 * b);
+    const std::vector<int> &blocks = islands.at_work();
+#pragma omp parallel for schedule(static) if (is_worth_sharing(blocks.size()))
+    for (std::size_t k = 0; k < blocks.size(); ++k)
+      trial.increment[blocks[k]] += fraction * update.segment<6>(6 * blocks[k]);
     if (!step.foundation.prescribed)
       trial.foundation += fraction * update.tail(trial.foundation.size());
   }

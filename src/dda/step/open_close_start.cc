@@ -67,9 +67,19 @@ namespace hybrid::dda
   double OpenCloseIteration::unbalanced_without_motion(const Model    &model,
                                                        const DdaState &state) const
   {
-    double unbalanced = 0., weight = 0.;
-    for (int b = 0; b < model.n_blocks(); ++b)
+    struct Squares
+    {
+      double unbalanced = 0., weight = 0.;
+
+      void operator+=(const Squares &other)
       {
+        unbalanced += other.unbalanced;
+        weight += other.weight;
+      }
+    };
+    const Squares all =
+      shared_sum<Squares>(model.blocks.size(), [&](const std::size_t n, Squares &sum) {
+        const int              b     = static_cast<int>(n);
         const BlockProperties &p     = model.blocks[b];
         const BlockState      &block = state.blocks[b];
         // Springs and stresses stay as they were, so they still balance the accelerations.
@@ -77,11 +87,10 @@ namespace hybrid::dda
           mass[b] * (block.acceleration - block.contact_acceleration +
                      StepKinematics::contact_weight(model.newmark) * block.contact_acceleration +
                      kinematics.inertia(b) * kinematics.predicted(b));
-        unbalanced +=
-          left.head<2>().squaredNorm() + left.tail<4>().squaredNorm() / (p.size * p.size);
-        weight += std::pow(p.weight * model.gravity, 2);
-      }
-    return std::sqrt(unbalanced / std::max(weight, 1e-300));
+        sum += {left.head<2>().squaredNorm() + left.tail<4>().squaredNorm() / (p.size * p.size),
+                std::pow(p.weight * model.gravity, 2)};
+      });
+    return std::sqrt(all.unbalanced / std::max(all.weight, 1e-300));
   }
 
 

@@ -33,11 +33,11 @@ namespace hybrid::dda
     left.resize(n);
     std::iota(root.begin(), root.end(), 0);
     n_islands = n;
-    for (const Springs::Spring &spring : springs.springs)
+    for (const Springs::Bodies &bodies : springs.bodies)
       {
-        if (spring.other == foundation_body)
+        if (bodies.other == foundation_body)
           continue;
-        const int a = find(spring.block), b = find(spring.other);
+        const int a = find(bodies.block), b = find(bodies.other);
         n_islands -= a == b ? 0 : 1;
         root[std::max(a, b)] = std::min(a, b);
       }

@@ -75,6 +75,28 @@ namespace hybrid::dda
     double edge_load_work          = 0.; ///< done by tractions on the blocks' edges
     double water_work              = 0.; ///< done by water whose level changes
 
+    BlockEnergy &operator+=(const BlockEnergy &other)
+    {
+      kinetic += other.kinetic;
+      strain += other.strain;
+      gravity += other.gravity;
+      springs += other.springs;
+      friction_loss += other.friction_loss;
+      yield_loss += other.yield_loss;
+      bedding_loss += other.bedding_loss;
+      fracture_loss += other.fracture_loss;
+      damping_loss += other.damping_loss;
+      integration_loss += other.integration_loss;
+      spring_replacement_loss += other.spring_replacement_loss;
+      foundation_work += other.foundation_work;
+      boundary_loss += other.boundary_loss;
+      input_work += other.input_work;
+      static_work += other.static_work;
+      edge_load_work += other.edge_load_work;
+      water_work += other.water_work;
+      return *this;
+    }
+
     /// Energy now held plus energy lost, less the work received: constant if nothing is created
     /// [J/m].
     double balance() const
@@ -94,6 +116,15 @@ namespace hybrid::dda
     double shear    = 0.;           ///< sum of shear, positive towards +x along a level surface
     double normal   = 0.;           ///< sum of normal forces, compression positive
     double strength = 0.;           ///< that the shear may reach, of all that presses or is bonded
+
+    SurfaceForce &operator+=(const SurfaceForce &other)
+    {
+      force += other.force;
+      shear += other.shear;
+      normal += other.normal;
+      strength += other.strength;
+      return *this;
+    }
   };
 
 

@@ -103,6 +103,9 @@ namespace hybrid::dda
     /// The kept spring would be assembled as it was.
     static bool same(const Kept &, const Springs::Spring &, const Springs::Response &);
 
+    /// The kept spring may stay: nothing has changed, or the choice does not ask for it.
+    static bool serves(const Kept &, const Springs &, int number, const Choice &);
+
     /// Rebuild the kept springs in the list renewed.
     void renew(const Springs &springs, const Trial &trial, const Choice &choice);
 
@@ -116,5 +119,6 @@ namespace hybrid::dda
     std::vector<int>  renewed;   ///< springs, in the last update
     std::vector<int>  changed;   ///< blocks, in the last update
     std::vector<char> is_marked; ///< blocks, work
+    std::vector<char> is_new;    ///< springs, work
   };
 } // namespace hybrid::dda

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace hybrid::dda
@@ -60,14 +61,13 @@ namespace hybrid::dda
     /// Fixed data of one spring during a step.
     struct Spring
     {
-      int    block;                 ///< of P
-      int    other;                 ///< block of Q, or foundation_body
-      int    node[2] = {0, 0};      ///< foundation nodes of Q
-      int    slot[2] = {-1, -1};    ///< in the block matrix: pair of blocks, or block and node
-      int    joint   = -1;          ///< number of the joint, or -1
-      int    contact = -1;          ///< number of the contact, or -1
-      int    end     = 0;           ///< of the joint
-      double contact_fraction = 0.; ///< that acts as a contact [-]: 1, or the joint's damage
+      int    block;                     ///< of P
+      int    other;                     ///< block of Q, or foundation_body
+      int    node[2]          = {0, 0}; ///< foundation nodes of Q
+      int    joint            = -1;     ///< number of the joint, or -1
+      int    contact          = -1;     ///< number of the contact, or -1
+      int    end              = 0;      ///< of the joint
+      double contact_fraction = 0.;     ///< that acts as a contact [-]: 1, or the joint's damage
       const JointLaw *law     = nullptr;
       double          length  = 0.;               ///< [m]
       double          cohesion_length_ratio = 1.; ///< see JointKinematics [-]
@@ -76,6 +76,12 @@ namespace hybrid::dda
       bool            settled = false;        ///< its blocks are, in this step: the response stays
       int             part    = -1;           ///< of a joint that acts as both: in contact_parts
       SpringState     old;                    ///< when the step began
+
+      /// A joint with a damage between none and all.
+      bool acts_as_both() const
+      {
+        return joint >= 0 && contact_fraction > 0. && contact_fraction < 1.;
+      }
 
       /// What acts as a contact at the start or end of the step.
       Traction contact_traction(const SpringState &state) const
@@ -193,7 +199,33 @@ namespace hybrid::dda
       return foundation_springs;
     }
 
+    /// Whom a spring connects.
+    struct Bodies
+    {
+      int                block, other; ///< of P and Q
+      std::array<int, 2> node;         ///< foundation nodes of Q
+
+      bool operator==(const Bodies &second) const
+      {
+        return block == second.block && other == second.other && node == second.node;
+      }
+    };
+
+    /// The number of the first contact; joints come before.
+    std::size_t first_contact() const
+    {
+      return 2 * collected.size();
+    }
+
+    /// Where a spring is in the block matrix, after connect(): the slot of a pair of blocks twice,
+    /// or those of the block with both nodes.
+    const std::array<int, 2> &slot(const std::size_t number) const
+    {
+      return slots[number];
+    }
+
     std::vector<Spring>   springs;
+    std::vector<Bodies>   bodies; ///< of each spring
     std::vector<Response> responses;
     std::vector<Forces>   contact_parts; ///< of joints that act as both, in the trial: what their
                                          ///< parts that are contacts bear; likewise without sense
@@ -202,6 +234,16 @@ namespace hybrid::dda
     void collect_joints(const Model &model, const DdaState &state);
 
     void collect_contacts(const Model &model, const DdaState &state);
+
+    static Spring joint_spring(const Model &model, const DdaState &state, int j, int end);
+
+    Spring contact_spring(const Model &model, const DdaState &state, int c) const;
+
+    /// Set spring number @p s. @return whether it connects others than the one before did.
+    bool take(std::size_t s, const Spring &spring);
+
+    /// @return whether the matrix has them all.
+    bool find_slots(const BlockMatrix &matrix);
 
     /// List the springs of each block and of the foundation.
     void sort_by_block(int n_blocks);
@@ -227,10 +269,13 @@ namespace hybrid::dda
                                  const JointKinematics &kinematics,
                                  const JointDamping    &damping);
 
-    BondedArea                     bonded_area;             ///< when the step began
-    std::vector<BlockMatrix::Pair> block_pairs, node_pairs; ///< of these springs
-    std::vector<int>               block_begin;             ///< CSR over blocks of block_springs
-    std::vector<int>               block_springs;           ///< of_block(), one after the other
-    std::vector<int>               foundation_springs;      ///< on_foundation()
+    BondedArea                      bonded_area;        ///< when the step began
+    std::vector<int>                collected;          ///< joints that are springs
+    std::vector<int>                block_begin;        ///< CSR over blocks of block_springs
+    std::vector<int>                block_springs;      ///< of_block(), one after the other
+    std::vector<int>                foundation_springs; ///< on_foundation()
+    std::vector<std::array<int, 2>> slots;
+    bool                            bodies_changed    = true; ///< since the step before
+    int                             connected_pattern = -1; ///< of the matrix, for slots; -1: none
   };
 } // namespace hybrid::dda
