@@ -5,6 +5,17 @@
 
 namespace hybrid::continuum
 {
+  namespace
+  {
+    /// Rows of which a thread does more in the time it takes to wake it.
+    bool is_worth_sharing(const int rows)
+    {
+      return rows >= 2000;
+    }
+  } // namespace
+
+
+
   int NodeMatrices::entry(const int row, const int col) const
   {
     const auto begin = column.begin() + row_start[row], end = column.begin() + row_start[row + 1];
@@ -15,6 +26,7 @@ namespace hybrid::continuum
 
   void NodeMatrices::multiply_mass(const double *x, double *y) const
   {
+#pragma omp parallel for schedule(static) if (is_worth_sharing(last_row - first_row))
     for (int i = first_row; i < last_row; ++i)
       {
         double sx = 0., sy = 0.;
@@ -42,6 +54,7 @@ namespace hybrid::continuum
   {
     if (inertia_correction.empty())
       return;
+#pragma omp parallel for schedule(static) if (is_worth_sharing(last_row - first_row))
     for (int i = first_row; i < last_row; ++i)
       {
         double sx = 0., sy = 0.;
@@ -61,6 +74,7 @@ namespace hybrid::continuum
 
   void NodeMatrices::multiply_stiffness(const double *x, double *y) const
   {
+#pragma omp parallel for schedule(static) if (is_worth_sharing(last_row - first_row))
     for (int i = first_row; i < last_row; ++i)
       {
         double sx = 0., sy = 0.;
