@@ -2,6 +2,8 @@
 #include <hybrid/dda/block/block.h>
 #include <hybrid/scene/input_error.h>
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -15,15 +17,28 @@ namespace hybrid::dda
 
 
 
-  Mat6 mass_matrix(const BlockProperties &block, const double rotation)
+  BlockMass::BlockMass(const BlockProperties &block, const double rotation)
+    : mass(block.mass)
   {
     const double c = std::cos(rotation), s = std::sin(rotation);
-    const double sxx = c * c * block.sxx - 2. * c * s * block.sxy + s * s * block.syy;
-    const double syy = s * s * block.sxx + 2. * c * s * block.sxy + c * c * block.syy;
-    const double sxy = c * s * (block.sxx - block.syy) + (c * c - s * s) * block.sxy;
+    sxx = c * c * block.sxx - 2. * c * s * block.sxy + s * s * block.syy;
+    syy = s * s * block.sxx + 2. * c * s * block.sxy + c * c * block.syy;
+    sxy = c * s * (block.sxx - block.syy) + (c * c - s * s) * block.sxy;
+  }
 
+
+
+  Vec6 BlockMass::solve(const Vec6 &f) const
+  {
+    return matrix().llt().solve(f);
+  }
+
+
+
+  Mat6 BlockMass::matrix() const
+  {
     Mat6 m  = Mat6::Zero();
-    m(0, 0) = m(1, 1) = block.mass;
+    m(0, 0) = m(1, 1) = mass;
     m(2, 2)           = sxx + syy;
     m(2, 3) = m(3, 2) = -sxy;
     m(2, 4) = m(4, 2) = sxy;
@@ -34,6 +49,13 @@ namespace hybrid::dda
     m(4, 5) = m(5, 4) = 0.5 * sxy;
     m(5, 5)           = 0.25 * (sxx + syy);
     return m;
+  }
+
+
+
+  Mat6 mass_matrix(const BlockProperties &block, const double rotation)
+  {
+    return BlockMass(block, rotation).matrix();
   }
 
 

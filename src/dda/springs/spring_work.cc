@@ -82,13 +82,14 @@ namespace hybrid::dda
 
 
 
-    /// Of a force on a body, at a place at the start of the step.
-    double
-    work_on_body(const SpringStep &step, const int body, const Vec2 &place, const Vec2 &force)
+    /// Of a place at the start of the step, by the derivative of the motion there: what forces at
+    /// the start do their work on [m].
+    Vec2 moved_at_start(const SpringStep &step, const int body, const Vec2 &place)
     {
-      BlockMotion at_rest;
-      at_rest.old_centroid = at_rest.centroid = step.before.blocks[body].centroid;
-      return at_rest.gradient(place, force).dot(step.trial.increment[body]);
+      const Vec6 &d = step.trial.increment[body];
+      const Vec2  r = place - step.before.blocks[body].centroid;
+      return {d[0] - d[2] * r.y() + d[3] * r.x() + 0.5 * d[5] * r.y(),
+              d[1] + d[2] * r.x() + d[4] * r.y() + 0.5 * d[5] * r.x()};
     }
 
 
@@ -98,9 +99,9 @@ namespace hybrid::dda
                          const Start           &start,
                          const Vec2            &force)
     {
-      double work = -work_on_body(step, spring.block, start.place, force);
+      double work = -force.dot(moved_at_start(step, spring.block, start.place));
       if (spring.other != foundation_body)
-        return work + work_on_body(step, spring.other, start.place, force);
+        return work + force.dot(moved_at_start(step, spring.other, start.place));
       for (int k = 0; k < 2; ++k)
         work += start.weight[k] * force.dot(foundation_moved(step, spring.node[k]));
       return work;
@@ -132,14 +133,14 @@ namespace hybrid::dda
     arc_work_at_start(const SpringStep &step, const Springs::Spring &spring, const Start &start)
     {
       const Vec2 force  = force_of(spring, start, {spring.old.normal, spring.old.shear});
-      const auto on_arc = [&](const int b) {
-        return work_on_body(step, b, start.place, force) -
-               force.dot(step.trial.motion[b].displacement(start.place));
+      const auto on_arc = [&](const int b) -> Vec2 {
+        return moved_at_start(step, b, start.place) -
+               step.trial.motion[b].displacement(start.place);
       };
-      double work = -on_arc(spring.block);
+      Vec2 arc = -on_arc(spring.block);
       if (spring.other != foundation_body)
-        work += on_arc(spring.other);
-      return work;
+        arc += on_arc(spring.other);
+      return force.dot(arc);
     }
 
 
@@ -153,9 +154,10 @@ namespace hybrid::dda
         return force.dot(step.trial.increment[b]) -
                force.head<2>().dot(step.trial.motion[b].displacement_to(response.place));
       };
-      double work = on_arc(spring.block, response.force.on_block);
+      const Springs::Forces &force = step.springs.forces[number];
+      double                 work  = on_arc(spring.block, force.on_block);
       if (spring.other != foundation_body)
-        work += on_arc(spring.other, response.force.on_other);
+        work += on_arc(spring.other, force.on_other);
       return work;
     }
   } // namespace

@@ -59,9 +59,8 @@ namespace hybrid::dda
 #pragma omp parallel for schedule(static) reduction(|| : any) if (is_worth_sharing(springs.size()))
     for (std::size_t s = 0; s < springs.size(); ++s)
       {
-        if (springs[s].settled || conditions[s] == Condition::law ||
-            conditions[s] == condition(s) ||
-            (!springs[s].coulomb && conditions[s] != Condition::sticks))
+        if (conditions[s] == Condition::law || conditions[s] == condition(s) ||
+            springs[s].settled || (!springs[s].coulomb && conditions[s] != Condition::sticks))
           continue;
         any = true;
         if (springs[s].joint >= 0)
@@ -213,24 +212,30 @@ namespace hybrid::dda
     const Response &response = responses[s];
     const Vec2      force =
       spring.length * (traction.normal * response.normal + traction.shear * response.tangent);
-    Forces forces;
-    forces.on_block = -trial.motion[spring.block].gradient(response.place, force);
+    Forces result;
+    result.on_block = -trial.motion[spring.block].gradient(response.place, force);
     if (spring.other != foundation_body)
-      forces.on_other = trial.motion[spring.other].gradient(response.place, force);
-    return forces;
+      result.on_other = trial.motion[spring.other].gradient(response.place, force);
+    return result;
   }
 
 
 
   void Springs::set_forces(const Trial &trial, const std::size_t s)
   {
-    const Spring &spring   = springs[s];
-    Response     &response = responses[s];
-    if (response.now.normal == 0. && response.now.shear == 0.)
+    const Spring      &spring = springs[s];
+    const SpringState &now    = responses[s].now;
+    bearing[s]                = {Role::none, condition_of(now)};
+    if (now.normal == 0. && now.shear == 0.)
       return;
-    response.force = forces_of(trial, s, {response.now.normal, response.now.shear});
+    forces[s] = forces_of(trial, s, {now.normal, now.shear});
     if (spring.part >= 0)
-      contact_parts[spring.part] = forces_of(trial, s, spring.contact_traction(response.now));
+      {
+        bearing[s].role            = Role::both;
+        contact_parts[spring.part] = forces_of(trial, s, spring.contact_traction(now));
+      }
+    else
+      bearing[s].role = spring.contact_fraction == 1. ? Role::contact : Role::bond;
   }
 
 
@@ -238,28 +243,28 @@ namespace hybrid::dda
   void Springs::add_force(const Trial      &trial,
                           const std::size_t s,
                           const Traction   &traction,
-                          Eigen::VectorXd  &forces) const
+                          Eigen::VectorXd  &sum) const
   {
     if (traction.normal == 0. && traction.shear == 0.)
       return;
     const Spring &spring = springs[s];
     const Forces  force  = forces_of(trial, s, traction);
-    Eigen::Map<Vec6>(forces.data() + 6 * spring.block) += force.on_block;
+    Eigen::Map<Vec6>(sum.data() + 6 * spring.block) += force.on_block;
     if (spring.other != foundation_body)
-      Eigen::Map<Vec6>(forces.data() + 6 * spring.other) += force.on_other;
+      Eigen::Map<Vec6>(sum.data() + 6 * spring.other) += force.on_other;
     else
-      add_force_on_foundation(s, force, forces);
+      add_force_on_foundation(s, force, sum);
   }
 
 
 
   void Springs::add_force_on_foundation(const std::size_t s,
                                         const Forces     &force,
-                                        Eigen::VectorXd  &forces) const
+                                        Eigen::VectorXd  &sum) const
   {
     const Spring   &spring   = springs[s];
     const Response &response = responses[s];
-    double         *nodes    = forces.data() + 6 * n_blocks();
+    double         *nodes    = sum.data() + 6 * n_blocks();
     for (int k = 0; k < 2; ++k)
       Eigen::Map<Vec2>(nodes + 2 * spring.node[k]) -= response.weight[k] * force.on_block.head<2>();
   }
@@ -279,21 +284,21 @@ namespace hybrid::dda
         Vec6      bond = Vec6::Zero(), contact = Vec6::Zero();
         for (const int entry : of_block(b))
           {
-            const int       s        = entry / 2;
-            const Response &response = responses[s];
-            if (response.now.normal == 0. && response.now.shear == 0.)
+            const int  s    = entry / 2;
+            const Role role = bearing[s].role;
+            if (role == Role::none)
               continue;
             const auto on_this = [entry](const Forces &force) -> const Vec6 & {
               return entry % 2 == 0 ? force.on_block : force.on_other;
             };
-            const Vec6 &force = on_this(response.force);
-            const int   part  = springs[s].part;
-            if (part < 0)
-              (springs[s].contact_fraction == 1. ? contact : bond) += force;
+            const Vec6 &force = on_this(forces[s]);
+            if (role != Role::both)
+              (role == Role::contact ? contact : bond) += force;
             else
               {
-                contact += on_this(contact_parts[part]);
-                bond += force - on_this(contact_parts[part]);
+                const Vec6 &part = on_this(contact_parts[springs[s].part]);
+                contact += part;
+                bond += force - part;
               }
             absolute[b] += force.head<2>().norm();
           }
@@ -309,19 +314,18 @@ namespace hybrid::dda
   {
     for (const int s : foundation_springs)
       {
-        const Response &response = responses[s];
-        if (response.now.normal == 0. && response.now.shear == 0.)
+        const Role role = bearing[s].role;
+        if (role == Role::none)
           continue;
-        const int part = springs[s].part;
-        if (part < 0)
+        if (role != Role::both)
           {
-            const bool is_contact = springs[s].contact_fraction == 1.;
-            add_force_on_foundation(s, response.force, is_contact ? contacts : bonds);
+            add_force_on_foundation(s, forces[s], role == Role::contact ? contacts : bonds);
             continue;
           }
-        add_force_on_foundation(s, contact_parts[part], contacts);
-        Forces bond = response.force;
-        bond.on_block -= contact_parts[part].on_block;
+        const Forces &part = contact_parts[springs[s].part];
+        add_force_on_foundation(s, part, contacts);
+        Forces bond = forces[s];
+        bond.on_block -= part.on_block;
         add_force_on_foundation(s, bond, bonds);
       }
   }

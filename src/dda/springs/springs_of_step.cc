@@ -39,6 +39,8 @@ namespace hybrid::dda
       springs.reserve(2 * model.joints.size() + state.contacts.size());
     springs.resize(n);
     responses.resize(n);
+    forces.resize(n);
+    bearing.resize(n);
     bodies_changed = bodies.size() != n;
     bodies.resize(n);
     collect_joints(model, state);

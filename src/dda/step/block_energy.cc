@@ -18,7 +18,7 @@ namespace hybrid::dda
       const MaxwellStresses &maxwell = step.stresses.branches();
       const BlockProperties &p       = step.model.blocks[b];
       const BlockState      &s       = step.before.blocks[b];
-      const Mat6            &m       = step.mass[b];
+      const BlockMass       &m       = step.mass[b];
       const Vec6            &d = step.trial.increment[b], &v = step.trial.rate[b];
       const int              block = static_cast<int>(b);
       energy.kinetic += 0.5 * v.dot(m * v);

@@ -5,8 +5,6 @@
 #include <hybrid/dda/step/block_energy.h>
 #include <hybrid/dda/step/open_close_iteration.h>
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 
@@ -113,7 +111,7 @@ namespace hybrid::dda
       {
         Vec6 c = contact_acceleration[b];
         if (torn.size() > 0)
-          c += mass[b].llt().solve(torn.segment<6>(6 * b));
+          c += mass[b].solve(torn.segment<6>(6 * b));
         const BlockMotion &move              = trial.motion[b];
         state.blocks[b].contact_acceleration = rotated_rates(c, move.cosine, move.sine);
       }

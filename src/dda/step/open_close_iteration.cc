@@ -5,8 +5,6 @@
 #include <hybrid/restart/archive.h>
 #include <hybrid/scene/stopwatch.h>
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +30,7 @@ namespace hybrid::dda
     const Vec6 force = contact_force.segment<6>(6 * block);
     if (force.isZero(0.))
       return Vec6::Zero();
-    return mass[block].llt().solve(force);
+    return mass[block].solve(force);
   }
 
 
@@ -203,7 +201,7 @@ namespace hybrid::dda
         const int              b = rows[k];
         const BlockProperties &p = model.blocks[b];
         matrix.set_row_zero(b);
-        matrix.diagonal[b] = kinematics.inertia(b) * mass[b];
+        matrix.diagonal[b] = kinematics.inertia(b) * mass[b].matrix();
         matrix.diagonal[b].bottomRightCorner<3, 3>() +=
           p.area * stresses.tangent(p, damping_time[b] / dt, b);
         stiffness.add_rows(springs, b, matrix);

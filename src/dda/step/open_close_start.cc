@@ -31,7 +31,7 @@ namespace hybrid::dda
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
-        mass[b] = mass_matrix(model.blocks[b], state.blocks[b].rotation);
+        mass[b] = BlockMass(model.blocks[b], state.blocks[b].rotation);
         scale.segment<4>(6 * b + 2).setConstant(model.blocks[b].size);
       }
     assert(foundation.displacement.size() == 2 * m);

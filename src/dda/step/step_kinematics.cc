@@ -58,7 +58,7 @@ namespace hybrid::dda
 
 
 
-  double StepKinematics::filter_loss(const int block, const Mat6 &mass, const Vec6 &end) const
+  double StepKinematics::filter_loss(const int block, const BlockMass &mass, const Vec6 &end) const
   {
     if (filter[block] == 0.)
       return 0.;

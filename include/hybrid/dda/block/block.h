@@ -69,6 +69,36 @@ namespace hybrid::dda
    * moments, strain rates and accelerations are turned together: that is how
    * a step ends, so a rotation update neither gains nor loses energy.
    */
+  class BlockMass
+  {
+  public:
+    BlockMass() = default;
+
+    BlockMass(const BlockProperties &block, double rotation);
+
+    /// M x
+    Vec6 operator*(const Vec6 &x) const
+    {
+      const double half = 0.5 * sxy, difference = 0.5 * (sxx - syy), sum = sxx + syy;
+      Vec6         y;
+      y << mass * x[0], mass * x[1], sum * x[2] - sxy * x[3] + sxy * x[4] + difference * x[5],
+        sxx * x[3] - sxy * x[2] + half * x[5], syy * x[4] + sxy * x[2] + half * x[5],
+        difference * x[2] + half * (x[3] + x[4]) + 0.25 * sum * x[5];
+      return y;
+    }
+
+    /// M^-1 f
+    Vec6 solve(const Vec6 &f) const;
+
+    Mat6 matrix() const;
+
+  private:
+    double mass = 0.;                    ///< [kg/m]
+    double sxx = 0., sxy = 0., syy = 0.; ///< moments of the mass, turned [kg m]
+  };
+
+
+  /// BlockMass as a matrix.
   Mat6 mass_matrix(const BlockProperties &block, double rotation);
 
 

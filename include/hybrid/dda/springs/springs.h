@@ -112,7 +112,6 @@ namespace hybrid::dda
       SpringState now;                      ///< if the step is accepted
       double      shear_strength = 0.;      ///< that its shear may reach [Pa]
       double      mohr_coulomb   = 0.;      ///< see JointResponse [Pa]
-      Forces      force;                    ///< without sense if there is no traction
       double      k_nn = 0., shear_by_slip = 0., k_tn = 0.; ///< tangents [Pa/m]
     };
 
@@ -129,7 +128,7 @@ namespace hybrid::dda
     /// What a spring did in the trial evaluated last.
     Condition condition(std::size_t number) const
     {
-      return condition_of(responses[number].now);
+      return bearing[number].condition;
     }
 
     static Condition condition_of(const SpringState &state);
@@ -158,7 +157,7 @@ namespace hybrid::dda
     void add_force(const Trial     &trial,
                    std::size_t      number,
                    const Traction  &traction,
-                   Eigen::VectorXd &forces) const;
+                   Eigen::VectorXd &sum) const;
 
     int n_blocks() const
     {
@@ -227,10 +226,26 @@ namespace hybrid::dda
     std::vector<Spring>   springs;
     std::vector<Bodies>   bodies; ///< of each spring
     std::vector<Response> responses;
+    std::vector<Forces>   forces;        ///< in the trial; without sense where no traction acts
     std::vector<Forces>   contact_parts; ///< of joints that act as both, in the trial: what their
                                          ///< parts that are contacts bear; likewise without sense
 
   private:
+    /// As what a spring bears in the trial.
+    enum class Role : char
+    {
+      none,
+      bond,
+      contact,
+      both
+    };
+
+    struct Bearing
+    {
+      Role      role      = Role::none;
+      Condition condition = Condition::law;
+    };
+
     void collect_joints(const Model &model, const DdaState &state);
 
     void collect_contacts(const Model &model, const DdaState &state);
@@ -248,7 +263,7 @@ namespace hybrid::dda
     /// List the springs of each block and of the foundation.
     void sort_by_block(int n_blocks);
 
-    void add_force_on_foundation(std::size_t s, const Forces &force, Eigen::VectorXd &forces) const;
+    void add_force_on_foundation(std::size_t s, const Forces &force, Eigen::VectorXd &sum) const;
 
     void add_forces_on_foundation(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts) const;
 
@@ -274,6 +289,7 @@ namespace hybrid::dda
     std::vector<int>                block_begin;        ///< CSR over blocks of block_springs
     std::vector<int>                block_springs;      ///< of_block(), one after the other
     std::vector<int>                foundation_springs; ///< on_foundation()
+    std::vector<Bearing>            bearing;            ///< of each spring
     std::vector<std::array<int, 2>> slots;
     bool                            bodies_changed    = true; ///< since the step before
     int                             connected_pattern = -1; ///< of the matrix, for slots; -1: none

@@ -19,15 +19,15 @@ namespace hybrid::dda
    */
   struct StepAudit
   {
-    const Model               &model;
-    const DdaState            &before; ///< state when the step began
-    const Trial               &trial;
-    const Springs             &springs;
-    const BlockStresses       &stresses;
-    const std::vector<Mat6>   &mass;
-    const std::vector<double> &damping_time; ///< beta_K of each block [s]
-    const StepKinematics      &kinematics;
-    const Eigen::VectorXd     &incoming; ///< at artificial boundaries, end of the step [N/m]
+    const Model                  &model;
+    const DdaState               &before; ///< state when the step began
+    const Trial                  &trial;
+    const Springs                &springs;
+    const BlockStresses          &stresses;
+    const std::vector<BlockMass> &mass;
+    const std::vector<double>    &damping_time; ///< beta_K of each block [s]
+    const StepKinematics         &kinematics;
+    const Eigen::VectorXd        &incoming; ///< at artificial boundaries, end of the step [N/m]
     bool at_rest = false; ///< the blocks stop: what they had is lost to the integration
   };
 

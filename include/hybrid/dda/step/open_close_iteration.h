@@ -108,17 +108,17 @@ namespace hybrid::dda
     }
 
   private:
-    Watch                 watch;
-    Springs               springs;
-    SpringStiffness       stiffness;
-    BlockMatrix           matrix;
-    LinearSolver          solver;
-    SlidingRegularisation sliding_regularisation;
-    Trial                 trial;
-    BlockStresses         stresses;
-    std::vector<Mat6>     mass;
-    StepKinematics        kinematics;
-    std::vector<double>   damping_time; ///< beta_K of each block in this step [s]
+    Watch                  watch;
+    Springs                springs;
+    SpringStiffness        stiffness;
+    BlockMatrix            matrix;
+    LinearSolver           solver;
+    SlidingRegularisation  sliding_regularisation;
+    Trial                  trial;
+    BlockStresses          stresses;
+    std::vector<BlockMass> mass;
+    StepKinematics         kinematics;
+    std::vector<double>    damping_time; ///< beta_K of each block in this step [s]
     std::vector<Vec6> acceleration; ///< of all but contacts, end of the solved step, not yet turned
     std::vector<Vec6> contact_acceleration; ///< of contacts, likewise
     Eigen::VectorXd   residual, absolute, scale, update, kept_update, force_increment,

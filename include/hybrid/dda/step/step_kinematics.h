@@ -54,7 +54,7 @@ namespace hybrid::dda
     Vec6 remembered(const int block, const Vec6 &end) const;
 
     /// What the velocity filter takes of the block's energy [J/m].
-    double filter_loss(const int block, const Mat6 &mass, const Vec6 &end) const;
+    double filter_loss(const int block, const BlockMass &mass, const Vec6 &end) const;
 
   private:
     /// Blocks that touch others, or may in this step, have a velocity filter.
