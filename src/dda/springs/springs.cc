@@ -2,6 +2,7 @@
 #include <hybrid/dda/contact/contact_frame.h>
 #include <hybrid/dda/geometry/outline_frames.h>
 #include <hybrid/dda/linear/shared_loop.h>
+#include <hybrid/dda/springs/spring_condition.h>
 #include <hybrid/dda/springs/springs.h>
 
 #include <algorithm>
@@ -34,19 +35,6 @@ namespace hybrid::dda
       response.k_tn           = r.k_tn;
     }
   } // namespace
-
-
-
-  Condition Springs::condition_of(const SpringState &now)
-  {
-    if (now.state == ContactState::open)
-      return Condition::open;
-    if (now.state == ContactState::locked)
-      return Condition::sticks;
-    if (now.shear == 0.)
-      return Condition::law; // no strength, no direction
-    return now.shear > 0. ? Condition::slides_forward : Condition::slides_backward;
-  }
 
 
 

@@ -10,6 +10,28 @@
 
 namespace hybrid::dda
 {
+  namespace
+  {
+    /// Part of a joint's spring that acts as a contact once the step is accepted [-].
+    double contact_fraction_at_end(const Springs &springs, const DdaState &state, const int s)
+    {
+      const Springs::Spring &spring = springs.springs[s];
+      if (spring.contact_fraction == 1. || state.joints[spring.joint].released)
+        return 1.;
+      return spring.law->contact_fraction(springs.responses[s].now.history);
+    }
+
+
+
+    /// A joint's spring that becomes a contact, or more of one.
+    bool tears(const Springs &springs, const DdaState &state, const int s)
+    {
+      return contact_fraction_at_end(springs, state, s) != springs.springs[s].contact_fraction;
+    }
+  } // namespace
+
+
+
   double OpenCloseIteration::displacement_ratio(const Model &model, const int block) const
   {
     const Vec6 &d = trial.increment[block];
@@ -69,38 +91,26 @@ namespace hybrid::dda
 
 
 
-  void OpenCloseIteration::carry_contact_accelerations(const Model &model, DdaState &state) const
+  void OpenCloseIteration::carry_contact_accelerations(const Model &model,
+                                                       DdaState    &state,
+                                                       const bool   any_tears) const
   {
-    const int         n        = model.n_blocks();
-    const std::size_t n_joints = springs.first_contact();
-    const auto        gone     = [&](const std::size_t s) {
-      return state.joints[springs.springs[s].joint].released;
-    };
-    const auto fraction_at_end = [&](const std::size_t s) {
-      const Springs::Spring &spring = springs.springs[s];
-      if (spring.contact_fraction == 1. || gone(s))
-        return 1.;
-      return spring.law->contact_fraction(springs.responses[s].now.history);
-    };
-    const auto changes = [&](const std::size_t s) {
-      return fraction_at_end(s) != springs.springs[s].contact_fraction;
-    };
-    bool any = false;
-#pragma omp parallel for schedule(static) reduction(|| : any) if (is_worth_sharing(n_joints))
-    for (std::size_t s = 0; s < n_joints; ++s)
-      any = any || changes(s);
+    const int       n        = model.n_blocks();
+    const int       n_joints = static_cast<int>(springs.first_contact());
     Eigen::VectorXd torn; // forces of what becomes a contact of joints
-    if (any)
+    if (any_tears)
       torn = Eigen::VectorXd::Zero(contact_force.size());
-    for (std::size_t s = 0; s < n_joints && any; ++s)
+    for (int s = 0; s < n_joints && any_tears; ++s)
       {
-        if (!changes(s))
+        if (!tears(springs, state, s))
           continue;
         const Springs::Spring  &spring = springs.springs[s];
         const SpringState      &now    = springs.responses[s].now;
         const Springs::Traction then   = spring.contact_traction(now);
-        const Springs::Traction next   = gone(s) ? Springs::Traction{now.normal, now.shear}
-                                                 : Springs::contact_traction(now, fraction_at_end(s));
+        const Springs::Traction next =
+          state.joints[spring.joint].released
+            ? Springs::Traction{now.normal, now.shear}
+            : Springs::contact_traction(now, contact_fraction_at_end(springs, state, s));
         springs.add_force(trial, s, {next.normal - then.normal, next.shear - then.shear}, torn);
       }
     state.foundation_contact_force = contact_force.tail(2 * model.n_foundation_nodes());
@@ -180,18 +190,21 @@ namespace hybrid::dda
       state.geometry.foundation_nodes[k] =
         model.initial.foundation_nodes[k] + trial.foundation.segment<2>(2 * k);
 
-    const std::size_t n_springs = springs.springs.size(), n_joints = springs.first_contact() / 2;
-#pragma omp parallel for schedule(static) if (is_worth_sharing(n_joints))
-    for (std::size_t k = 0; k < n_joints; ++k)
+    const int n_springs = static_cast<int>(springs.springs.size());
+    const int n_joints  = static_cast<int>(springs.first_contact() / 2);
+    bool      any_tears = false;
+#pragma omp parallel for schedule(static) reduction(|| : any_tears) if (is_worth_sharing(n_joints))
+    for (int k = 0; k < n_joints; ++k)
       {
         const int   j     = springs.springs[2 * k].joint;
         JointState &joint = state.joints[j];
         for (int end = 0; end < 2; ++end)
           joint.points[end] = springs.responses[2 * k + end].now;
         update_failure(model.joints[j], state.time, joint, model.blocks_yield);
+        any_tears = any_tears || tears(springs, state, 2 * k) || tears(springs, state, 2 * k + 1);
       }
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n_springs - 2 * n_joints))
-    for (std::size_t s = 2 * n_joints; s < n_springs; ++s)
+    for (int s = 2 * n_joints; s < n_springs; ++s)
       {
         const Springs::Response &response = springs.responses[s];
         Contact                 &contact  = state.contacts[springs.springs[s].contact];
@@ -206,6 +219,6 @@ namespace hybrid::dda
         if (gap >= 0.) // they have parted
           contact.stress_free_gap = 0.;
       }
-    carry_contact_accelerations(model, state);
+    carry_contact_accelerations(model, state, any_tears);
   }
 } // namespace hybrid::dda

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How contacts find their conditions: active sets, then the interior point method.
+#include <hybrid/dda/springs/spring_condition.h>
 #include <hybrid/dda/step/open_close_iteration.h>
 
 #include <algorithm>
@@ -43,7 +44,7 @@ namespace hybrid::dda
     else
       {
         for (std::size_t s = 0; s < n; ++s)
-          conditions[s] = Springs::condition_of(springs.springs[s].old);
+          conditions[s] = condition_of(springs.springs[s].old);
         attempt = iterate_conditions(step, patience);
         if (attempt == Attempt::converged)
           memory = {};

@@ -131,8 +131,6 @@ namespace hybrid::dda
       return bearing[number].condition;
     }
 
-    static Condition condition_of(const SpringState &state);
-
     /// Let springs bear in the trial evaluated last what they would in these conditions: contacts
     /// in any (Spring::coulomb), others if they shall stick. @return whether that changes one.
     bool prescribe(const Model                  &model,

@@ -292,6 +292,6 @@ namespace hybrid::dda
 
     /// Joints that are torn or released in this step hand nothing to the next one either: the
     /// contacts' part of accelerations and of the foundation force is set in @p state.
-    void carry_contact_accelerations(const Model &model, DdaState &state) const;
+    void carry_contact_accelerations(const Model &model, DdaState &state, bool any_tears) const;
   };
 } // namespace hybrid::dda

@@ -2,6 +2,7 @@
 #include "spring_scene.h"
 
 #include <hybrid/dda/joint/rock_bond.h>
+#include <hybrid/dda/springs/spring_condition.h>
 
 #include <gtest/gtest.h>
 
@@ -228,9 +229,9 @@ TEST(Springs, what_slides_without_shear_follows_its_law)
 {
   SpringState now;
   now.state = ContactState::sliding;
-  EXPECT_EQ(Springs::condition_of(now), Condition::law);
+  EXPECT_EQ(condition_of(now), Condition::law);
   now.shear = 1.;
-  EXPECT_EQ(Springs::condition_of(now), Condition::slides_forward);
+  EXPECT_EQ(condition_of(now), Condition::slides_forward);
   now.shear = -1.;
-  EXPECT_EQ(Springs::condition_of(now), Condition::slides_backward);
+  EXPECT_EQ(condition_of(now), Condition::slides_backward);
 }

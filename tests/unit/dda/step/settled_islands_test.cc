@@ -26,6 +26,7 @@ namespace
         spring.block = block;
         spring.other = other;
         springs.springs.push_back(spring);
+        springs.bodies.push_back({spring.block, spring.other, {0, 0}});
       };
       connect(3, 0);
       connect(4, 1);
@@ -115,8 +116,8 @@ TEST(SettledIslands, stay_settled_until_they_are_woken)
 TEST(SettledIslands, one_island_is_never_settled)
 {
   FiveBlocks five;
-  five.springs.springs[2].other = 0;
-  five.springs.springs[3].other = 1;
+  five.springs.bodies[2].other = five.springs.springs[2].other = 0;
+  five.springs.bodies[3].other = five.springs.springs[3].other = 1;
   EXPECT_FALSE(five.settle());
   EXPECT_EQ(five.islands.at_work().size(), 5u);
 }
