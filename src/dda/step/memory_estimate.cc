@@ -64,15 +64,15 @@ namespace hybrid::dda
     const FrontTree tree(model.n_blocks(), pairs);
     const double    per_mat6 = sizeof(Mat6), per_vec6 = sizeof(Vec6), per_int = sizeof(int);
 
-    // Response and stiffness; pair, lists of blocks and conditions.
-    const double in_springs = springs * (sizeof(Springs::Spring) + sizeof(Springs::Response) +
-                                         SpringStiffness::bytes_per_spring() +
-                                         sizeof(BlockMatrix::Pair) + 2. * per_int + 3.);
-    const double in_matrix  = (n + 2. * touch) * per_mat6 + 6. * touch * per_int + 3. * n * per_int;
+    // Forces and stiffness; joint, slots, lists of blocks, role and conditions.
+    const double in_springs =
+      springs * (sizeof(Springs::Spring) + sizeof(Springs::Bodies) + sizeof(Springs::Response) +
+                 sizeof(Springs::Forces) + SpringStiffness::bytes_per_spring() + 5. * per_int + 6.);
+    const double in_matrix = (n + 2. * touch) * per_mat6 + 6. * touch * per_int + 3. * n * per_int;
     // Masses, motions, and vectors of the step, of its updates and of the linear solver.
     constexpr double vectors = 20.;
     const double     in_vectors =
-      n * (per_mat6 + sizeof(BlockMotion) + vectors * per_vec6) + corners * sizeof(Vec2);
+      n * (sizeof(BlockMass) + sizeof(BlockMotion) + vectors * per_vec6) + corners * sizeof(Vec2);
     // Grid and boxes with an entry in each of about six cells, near blocks, bonded pairs.
     constexpr double search    = 350.;
     const double     in_search = n * search;
