@@ -70,6 +70,7 @@ namespace hybrid
       {"compare", "runs side by side: table, verdict, figures"},
       {"animate", "a film of a run (mp4 or gif): blocks where they move, joints that fail"},
       {"report", "a page (HTML) that says what happened in a run, or in several"},
+      {"accuracy", "how far a run is off, by coarser ones: errors of its mesh and of its step"},
       {"study", "what accuracy costs in time: a scene with varied parameters"},
       {"amplification",
        "how much lines of a run (bedding planes, the ground) shake over an outcrop"},

@@ -212,6 +212,17 @@ namespace hybrid::output
 
 
 
+    /// Who finds the error of a mesh of blocks, which one run does not tell.
+    std::string block_mesh_text(const Summary &summary, const std::string &directory)
+    {
+      if (summary.blocks == 0 || summary.monitors.empty() || !summary.finished)
+        return "";
+      return indent + "of the mesh of blocks: hybrid accuracy " + directory +
+             " finds it by coarser runs";
+    }
+
+
+
     /// What half the step costs.
     std::string cost_text(const Summary::ProbableError &error)
     {
@@ -244,7 +255,8 @@ namespace hybrid::output
     const std::string  error = error_text(summary), mesh = mesh_text(summary);
     const std::string  cost = summary.monitors.empty() ? "" : cost_text(summary.probable_error);
     return {reached + " in " + duration_text(summary.wall_time) + found + error + cost + mesh +
-              "\nResults   " + place + "   next: hybrid plot " + place,
+              block_mesh_text(summary, place) + "\nResults   " + place + "   next: hybrid plot " +
+              place,
             reached + found + error + mesh};
   }
 } // namespace hybrid::output
