@@ -29,6 +29,9 @@ namespace hybrid::dda
     /// as the residual is not.
     constexpr double small_fraction = 1e-8;
 
+    /// Entries below this part of the diagonal are left out of the factor of blocks and foundation.
+    constexpr double near_fraction = 1e-3;
+
     /// Entries below this part of the diagonal are held in single precision: what that takes of
     /// them (6e-8) is below the round-off of the diagonal.
     constexpr double far_fraction = 1e-9;
@@ -156,6 +159,7 @@ namespace hybrid::dda
 
     size  = static_cast<int>(stiffness->rows());
     width = std::min(size - 1, std::max(3, half_band_width(*stiffness, small_fraction)));
+    near  = std::min(width, half_band_width(*stiffness, near_fraction));
     // All entries beyond together are lost in the round-off of a row's product.
     const int reach = half_band_width(*stiffness, std::numeric_limits<double>::epsilon() / size);
     const int edge  = std::max(width, half_band_width(*stiffness, far_fraction));

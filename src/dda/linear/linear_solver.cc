@@ -117,6 +117,8 @@ namespace hybrid::dda
   {
     const int nodes = 6 * matrix.n_blocks();
     factor.solve(residual, z);
+    if (factor.has_foundation())
+      return;
     z.tail(z.size() - nodes) = residual.tail(z.size() - nodes);
     matrix.add_blocks_to_nodes(z, z, -1.);
     foundation.solve_alone(z.data() + nodes);
@@ -330,9 +332,10 @@ namespace hybrid::dda
     r                      = b;
     const bool is_definite = is_symmetric && factor.is_symmetric();
     const bool is_decoupled =
-      !foundation.exists() && std::all_of(matrix.node_block.begin(),
-                                          matrix.node_block.end(),
-                                          [](const auto &part) { return part.isZero(0.); });
+      factor.has_foundation() ||
+      (!foundation.exists() && std::all_of(matrix.node_block.begin(),
+                                           matrix.node_block.end(),
+                                           [](const auto &part) { return part.isZero(0.); }));
     const Result result = is_definite && is_decoupled ? conjugate_gradients(system, target)
                                                       : bicgstab(system, target.limit);
     x                   = unknown;
@@ -343,10 +346,10 @@ namespace hybrid::dda
 
   PreconditionerChoice::Costs LinearSolver::costs(const BlockMatrix &matrix) const
   {
-    const SparseFactor::Counts counts      = factor.counts(matrix.n_blocks());
-    const double               n           = n_entries;
-    const bool                 one_product = is_symmetric && !foundation.exists();
-    const double               products = one_product ? 1. : 2.; // with the matrix, in an iteration
+    const SparseFactor::Counts counts = factor.counts(matrix.n_blocks());
+    const double               n      = n_entries;
+    const bool   one_product = is_symmetric && (!foundation.exists() || factor.has_foundation());
+    const double products    = one_product ? 1. : 2.; // with the matrix, in an iteration
     return {(is_symmetric ? 1. : 2.) * n * time_of_sweep,
             products * (n + counts.entries) * time_of_entry,
             counts.products * time_of_product + counts.fronts * time_of_front};
@@ -381,7 +384,9 @@ namespace hybrid::dda
     double    factor_time = 0.;
     {
       const Stopwatch watch(factor_time);
-      factor_is_current = factor.factorize(matrix);
+      // A factor of a symmetric matrix serves for long; another one serves once or twice.
+      const bool is_joined = is_symmetric && foundation.exists();
+      factor_is_current    = factor.factorize(matrix, is_joined ? &foundation : nullptr);
     }
     if (!factor_is_current)
       {

@@ -226,15 +226,21 @@ namespace hybrid::dda
 
 
 
-  bool SparseFactor::factorize(const BlockMatrix &matrix)
+  bool SparseFactor::factorize(const BlockMatrix &matrix, const InterfaceStiffness *foundation)
   {
     size              = 0;
+    n_added           = 0;
     symmetric         = matrix.symmetric;
     const long most   = few_products * matrix.n_blocks();
     const long n      = symmetric ? 0 : block_lu.analyze(matrix, most);
     block_lu_products = static_cast<double>(n);
     if (!symmetric && n <= most && block_lu.factorize(matrix))
       kind = Kind::block_lu;
+    else if (foundation != nullptr && frontal.factorize(joined.join(matrix, *foundation)))
+      {
+        kind    = Kind::frontal;
+        n_added = JoinedMatrix::n_added(matrix.n_nodes());
+      }
     else if (frontal.factorize(matrix))
       kind = Kind::frontal;
     else if (lu->factorize(matrix))
@@ -244,6 +250,7 @@ namespace hybrid::dda
     if (kind != Kind::frontal)
       frontal.forget();
     size = 6 * matrix.n_blocks();
+    make_room();
     return true;
   }
 
@@ -256,7 +263,7 @@ namespace hybrid::dda
     const FrontalLu::Cost &last = frontal.last_cost();
     if (size > 0 && kind == Kind::block_lu)
       return {block_lu.n_entries(), block_lu_products, 0.2 * n};
-    if (tree.n_blocks() != n_blocks)
+    if (tree.n_blocks() != n_blocks + n_added)
       return {2. * n * std::log2(n + 1.), 6. * n * std::sqrt(n), 0.6 * n};
     if (size > 0 && kind == Kind::lu) // UMFPACK exchanges rows
       return {3. * tree.entries, 3. * tree.products, static_cast<double>(tree.n_fronts())};
@@ -267,11 +274,20 @@ namespace hybrid::dda
 
   void SparseFactor::serialize(restart::Archive &archive, const BlockMatrix &matrix)
   {
-    archive(size, kind, symmetric, block_lu_products);
+    archive(size, n_added, kind, symmetric, block_lu_products);
     lu->serialize(archive, matrix, size > 0 && kind == Kind::lu);
     frontal.serialize(archive, size > 0 && kind == Kind::frontal);
     BlockLu none;
     archive(size > 0 && kind == Kind::block_lu ? block_lu : none);
+    if (archive.is_reading())
+      make_room();
+  }
+
+
+
+  void SparseFactor::make_room()
+  {
+    padded.setZero(n_added > 0 ? size + 6 * n_added : 0);
   }
 
 
@@ -288,7 +304,14 @@ namespace hybrid::dda
     switch (kind)
       {
         case Kind::frontal:
-          frontal.solve(b, x);
+          if (n_added == 0)
+            frontal.solve(b, x);
+          else
+            {
+              padded.head(b.size()) = b;
+              frontal.solve(padded, padded);
+              x = padded.head(b.size());
+            }
           break;
         case Kind::lu:
           lu->solve(b, x);

@@ -5,7 +5,9 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <vector>
 
 namespace hybrid::dda
@@ -31,6 +33,19 @@ namespace hybrid::dda
       return source != nullptr;
     }
 
+    /// Distance from the diagonal beyond which entries of S are too small to matter in a factor.
+    int near_width() const
+    {
+      return near;
+    }
+
+    /// S(i, j), or 0 beyond the tangent's band.
+    double entry(const int i, const int j) const
+    {
+      const int below = std::abs(i - j);
+      return below <= width ? band(below, std::min(i, j)) : 0.;
+    }
+
     /// y -= S x for n entries, S to round-off: for residuals.
     void subtract_whole_product(const double *x, double *y) const;
 
@@ -54,6 +69,7 @@ namespace hybrid::dda
     std::array<double, 4>
                     key{}; ///< a few entries of S, to notice another matrix at the same address
     int             size  = 0;
+    int             near  = 0; ///< near_width()
     int             width = 0; ///< half band width of the tangent's S, at least that of P
     Eigen::MatrixXd band;      ///< rows r = 0, 1, ...: S(j + r, j), more than width
     Eigen::MatrixXf far;       ///< the rows after those, as far as they reach over round-off

@@ -23,7 +23,7 @@ namespace hybrid::dda
    * deterministic). Preconditioner of the foundation (InterfaceStiffness): S with joints and
    * contacts before the blocks with sweeps, S alone after them with a factor. The blocks' motion is
    * in the factor's solution, so what is left for the nodes is S and the mass that it carries: soft
-   * beside the joints between them.
+   * beside the joints between them. The factor of a symmetric matrix has the foundation in it.
    */
   class LinearSolver
   {

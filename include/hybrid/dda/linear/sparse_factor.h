@@ -4,6 +4,7 @@
 #include <hybrid/dda/linear/block_lu.h>
 #include <hybrid/dda/linear/block_matrix.h>
 #include <hybrid/dda/linear/frontal_lu.h>
+#include <hybrid/dda/linear/joined_matrix.h>
 
 #include <Eigen/Core>
 
@@ -24,8 +25,9 @@ namespace hybrid::dda
     SparseFactor(const SparseFactor &)            = delete;
     SparseFactor &operator=(const SparseFactor &) = delete;
 
-    /// @return false if the matrix is singular.
-    bool factorize(const BlockMatrix &matrix);
+    /// Of the blocks' part, or of blocks and @p foundation together if LU by fronts serves:
+    /// has_foundation(). @return false if the matrix is singular.
+    bool factorize(const BlockMatrix &matrix, const InterfaceStiffness *foundation = nullptr);
 
     /// What a factor takes, in 6x6 blocks.
     struct Counts
@@ -51,6 +53,12 @@ namespace hybrid::dda
       return symmetric;
     }
 
+    /// The last factor is of blocks and foundation.
+    bool has_foundation() const
+    {
+      return n_added > 0;
+    }
+
     /// True if a factor of this size is there.
     bool ready(int n_blocks) const;
 
@@ -58,10 +66,13 @@ namespace hybrid::dda
     /// as it stands now; the factor may be that of an earlier one.
     void serialize(restart::Archive &archive, const BlockMatrix &matrix);
 
-    /// x = K^-1 b for the first 6 n_blocks entries.
+    /// x = K^-1 b for the first 6 n_blocks entries, of has_foundation() x = (K + S)^-1 b for all.
     void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x);
 
   private:
+    /// For right-hand sides with the foundation.
+    void make_room();
+
     struct Lu;
 
     enum class Kind
@@ -74,7 +85,10 @@ namespace hybrid::dda
     std::unique_ptr<Lu> lu;
     FrontalLu           frontal;
     BlockLu             block_lu;
+    JoinedMatrix        joined;
+    Eigen::VectorXd     padded;                ///< work, with the foundation
     int                 size              = 0; ///< of the factor there is, 0: none
+    int                 n_added           = 0; ///< blocks of nodes in it
     Kind                kind              = Kind::frontal;
     bool                symmetric         = false;
     double              block_lu_products = 0.;

@@ -154,6 +154,20 @@ TEST(LinearSolver, a_factor_and_a_base_take_few_iterations)
 
 
 
+// A base whose stiffness has no tails is in the factor of a symmetric matrix whole.
+TEST(LinearSolver, a_factor_with_the_base_solves_in_one_iteration)
+{
+  BlockMatrix           m          = random_block_matrix(60, 8);
+  const Eigen::MatrixXd foundation = foundation_stiffness(16);
+  stiffen(m, 1e5);
+  LinearSolver solver;
+  ASSERT_TRUE(check(solver, m, &foundation).factored);
+  const LinearSolver::Result again = check(solver, m, &foundation);
+  EXPECT_LE(again.iterations, 2); // round-off of springs of 1e5
+}
+
+
+
 // Joints between blocks and base that are stiff beside both: the blocks follow the base, whose own
 // stiffness is all that is left.
 TEST(LinearSolver, stiff_joints_on_the_base_take_few_iterations)
