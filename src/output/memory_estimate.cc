@@ -67,7 +67,7 @@ namespace hybrid::output
     estimate.preparation = peak_memory();
     if (blocks != nullptr)
       {
-        const dda::SolverMemory solver = dda::estimated_memory(*blocks);
+        const dda::SolverMemory solver = dda::estimated_memory(*blocks, continuum != nullptr);
         estimate.blocks                = solver.bonded;
         estimate.sliding               = solver.sliding;
       }

@@ -249,6 +249,8 @@ namespace hybrid::dda
       return false;
     if (kind != Kind::frontal)
       frontal.forget();
+    if (matrix.n_blocks() >= many_blocks)
+      joined = {};
     size = 6 * matrix.n_blocks();
     make_room();
     return true;

@@ -54,7 +54,7 @@ namespace hybrid::dda
 
 
 
-  SolverMemory estimated_memory(const Model &model)
+  SolverMemory estimated_memory(const Model &model, const bool moving_foundation)
   {
     const auto      pairs   = block_pairs(model);
     const double    n       = model.n_blocks();
@@ -81,8 +81,11 @@ namespace hybrid::dda
     const double in_sweeps =
       model.n_blocks() < LinearSolver::many_blocks ? (n + 2. * touch) * per_mat6 : 0.;
 
+    // The copy that is factored with a foundation; it is there while a factor is made.
+    const double in_joined = moving_foundation ? (n + 2. * touch) * per_mat6 : 0.;
+
     SolverMemory memory = memory_of_factor(tree, touch);
-    memory.bonded += in_springs + in_matrix + in_vectors + in_search + in_sweeps;
+    memory.bonded += in_joined + in_springs + in_matrix + in_vectors + in_search + in_sweeps;
     return memory;
   }
 } // namespace hybrid::dda

@@ -29,7 +29,7 @@ namespace hybrid::dda
   {
   public:
     /// From which the memory of sweeps is given back while factors serve (20 MB or more).
-    static constexpr int many_blocks = 16000;
+    static constexpr int many_blocks = SparseFactor::many_blocks;
 
     struct Result
     {

@@ -25,6 +25,9 @@ namespace hybrid::dda
     SparseFactor(const SparseFactor &)            = delete;
     SparseFactor &operator=(const SparseFactor &) = delete;
 
+    /// Blocks from which the copy that JoinedMatrix makes is given back once it is factored.
+    static constexpr int many_blocks = 16000;
+
     /// Of the blocks' part, or of blocks and @p foundation together if LU by fronts serves:
     /// has_foundation(). @return false if the matrix is singular.
     bool factorize(const BlockMatrix &matrix, const InterfaceStiffness *foundation = nullptr);
