@@ -44,7 +44,8 @@ namespace hybrid::output
       EXPECT_EQ(text.in_file, "Finished  15 s" + found);
       EXPECT_EQ(text.on_screen,
                 "Finished  15 s in 4:07" + found +
-                  "\nResults   output/slope   next: hybrid plot output/slope");
+                  "\n          of the mesh of blocks: hybrid accuracy output/slope finds it by coarser "
+                  "runs\nResults   output/slope   next: hybrid plot output/slope");
     }
 
 
