@@ -2,6 +2,7 @@
 """hybrid accuracy: what coarser runs say of a run's error is within a factor of 3 of what a finer one says."""
 import json
 import math
+import os
 import re
 
 import pytest
@@ -55,6 +56,32 @@ def test_sizes_of_a_mesh_are_those_that_it_was_given_or_the_geometry_s(tmp_path)
     assert coarser.mesh_sizes(scene) == ({"Resolution/h": 2, "Resolution/far": 15}, ["Width = 50"])
     assert coarser.coarser_mesh(scene, 4).overrides == ["Mesh/Numbers=Width = 50; Resolution/h = 8; Resolution/far = 60"]
     assert coarser.coarser_mesh({"Mesh/File": "a.msh", "Mesh/Numbers": ""}, 2) is None
+
+
+def test_a_mesh_that_does_not_become_coarser_says_nothing(hybrid, tmp_path):
+    run = tmp_path / "run"
+    bar(hybrid, run, 320)
+    result = hybrid("accuracy", run, "--mesh")
+    assert result.returncode == 2 and "no coarser run to compare with" in result.stderr
+    assert "did not become coarser as a whole" in result.stdout
+
+
+def test_waves_alone_say_the_error_of_their_step_themselves(hybrid, tmp_path):
+    run = tmp_path / "run"
+    scene = ROOT / "parameters/verification/free_field.prm"
+    assert hybrid(scene, "-s", "Output/Directory=%s" % run, "-s", "Output/Picture interval=0").returncode == 0
+    result = hybrid("accuracy", run, "--step")
+    assert result.returncode == 2 and "see the line 'Error'" in result.stderr
+
+
+def test_a_changed_mesh_is_told(hybrid, tmp_path):
+    run, scene = tmp_path / "run", tmp_path / "bar.prm"
+    (tmp_path / "bonded_blocks.geo").write_text((ROOT / "meshes/bonded_blocks.geo").read_text())
+    text = BAR.read_text().replace("../../meshes/bonded_blocks.geo", str(tmp_path / "bonded_blocks.geo"))
+    scene.write_text(text)
+    assert hybrid(scene, "-s", "Output/Directory=%s" % run).returncode == 0
+    os.utime(tmp_path / "bonded_blocks.geo", (2e9, 2e9))
+    assert "was changed after the run began" in hybrid("accuracy", run, "--step").stdout
 
 
 def test_error_of_a_bar_is_that_against_a_finer_one(hybrid, tmp_path):

@@ -11,6 +11,7 @@ from hybrid_run.parameters import parameters_of_run
 from hybrid_tools.study import program
 from hybrid_tools.study.run_directory import read_json, reason_of, write_json
 
+LEAST_GAIN = 0.4  # of blocks or unknowns that twice the size may leave
 NUMBER = r"[-+0-9.eE]+"
 QUIET = ["Output/Picture interval=0", "Time/Error target=none"]  # nobody looks at their pictures
 
@@ -76,6 +77,41 @@ def parameters(directory):
     return parameters_of_run(directory)
 
 
+def changed_files(directory, scene):
+    """Files of a run's scene that are younger than the run."""
+    begun = os.path.getmtime(os.path.join(directory, "params.used.prm"))
+    names = [value for path, value in scene.items() if path.split("/")[-1].lower().endswith("file") and value]
+    return [name for name in names if os.path.isfile(name) and os.path.getmtime(name) > begun]
+
+
+def counts(directory):
+    """{what: how many} of a run's mesh."""
+    summary = read_json(os.path.join(directory, "summary.json"))
+    found = {"blocks": summary.get("blocks", 0), "unknowns": summary.get("continuum_unknowns", 0)}
+    return {name: number for name, number in found.items() if number}
+
+
+def why_not_coarser(directory, finer):
+    """A sentence where a mesh has not far fewer blocks, or unknowns, than the finer run's; else nothing. Twice the size leaves a quarter."""
+    now, before = counts(directory), counts(finer)
+    for name, number in before.items():
+        if now.get(name, 0) > LEAST_GAIN * number:
+            return "it has %d %s, the finer one %d: its mesh did not become coarser as a whole" % (now[name], name, number)
+    return ""
+
+
+def run_program(words):
+    """(exit code, what it said). What ends this tool ends the run, too."""
+    with subprocess.Popen([program.path(), *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace") as child:
+        try:
+            out, err = child.communicate()
+        except BaseException:
+            child.terminate()
+            child.wait()
+            raise
+    return child.returncode, err + out
+
+
 def compute(directory, coarser):
     """Directory of the coarser run, which is computed unless it is there. @raises UserError with the reason if it fails."""
     path = os.path.join(directory, "accuracy", coarser.name)
@@ -84,9 +120,8 @@ def compute(directory, coarser):
         made_of = {"scene": file.read(), "overrides": overrides, "program": program.version()}
     if read_json(os.path.join(path, "made_of.json")) == made_of and read_json(os.path.join(path, "summary.json")).get("finished"):
         return path
-    done = subprocess.run([program.path(), scene, "--force"] + program.options(overrides + ["Output/Directory=" + path]),
-                          capture_output=True, text=True, errors="replace", check=False)
-    if done.returncode != 0:
-        raise UserError(reason_of(done.stderr + done.stdout))
+    code, said = run_program([scene, "--force"] + program.options(overrides + ["Output/Directory=" + path]))
+    if code != 0:
+        raise UserError(reason_of(said))
     write_json(os.path.join(path, "made_of.json"), made_of)
     return path

@@ -3,6 +3,7 @@
 
 import fnmatch
 import os
+import signal
 
 from hybrid_run import UserError
 from hybrid_tools.accuracy import coarser, estimate
@@ -27,20 +28,37 @@ def read_words(words):
     return arguments.read(words)
 
 
-def plan(parameters, found):
+def why_no_coarser_mesh(path):
+    if not path:
+        return "the blocks are not from a mesh"
+    return "the mesh '%s' %s" % (path, "has no number Resolution/..." if path.endswith(".geo") else "is no .geo file")
+
+
+def tells_its_step(summary):
+    """Waves alone say the error of their step themselves, by the scheme; twice the step of an explicit run is only twice as many parts."""
+    return not summary.get("blocks") and summary.get("probable_error", {}).get("estimated", False)
+
+
+def plan(parameters, summary, found):
     """{kind: [coarser, ...]}, the nearest first; of a mesh that cannot be made coarser nothing."""
     both = found.mesh == found.step
     kinds = {}
     if found.mesh or both:
         meshes = [coarser.coarser_mesh(parameters, factor) for factor in (2, 4)]
+        reason = why_no_coarser_mesh(parameters["Mesh/File"])
         if None not in meshes:
             kinds["mesh"] = meshes
         elif found.mesh:
-            raise UserError("the mesh of the run, '%s', has no number Resolution/... that would make it coarser" % parameters["Mesh/File"])
+            raise UserError(reason + ": it cannot be made coarser")
         else:
-            print("the mesh '%s' has no number Resolution/... that would make it coarser: its error stays unknown" % parameters["Mesh/File"])
+            print(reason + ": it cannot be made coarser, and its error stays unknown")
     if found.step or both:
-        kinds["step"] = [coarser.longer_steps(parameters, 2)]
+        if not tells_its_step(summary):
+            kinds["step"] = [coarser.longer_steps(parameters, 2)]
+        elif found.step:
+            raise UserError("waves alone say the error of their step themselves: see the line 'Error' at the end of the run")
+        else:
+            print("waves alone say the error of their step themselves: see the line 'Error' at the end of the run")
     return kinds
 
 
@@ -48,21 +66,32 @@ def compute(directory, kinds):
     """{kind: [directory, ...]} of runs that are done; one that fails ends its kind, with a word."""
     done = {}
     for kind, runs in kinds.items():
-        done[kind] = []
+        done[kind], finer = [], directory
         for run in runs:
             try:
                 path = coarser.compute(directory, run)
             except UserError as error:
                 print("%-7s failed: %s" % (run.name, error), flush=True)
                 break
+            print("%-7s %8.4g s   %s" % (run.name, time_of(path), ", ".join("%d %s" % (n, name) for name, n in coarser.counts(path).items())),
+                  flush=True)
+            if kind == "mesh" and (reason := coarser.why_not_coarser(path, finer)):
+                print("%-7s is left out: %s" % (run.name, reason), flush=True)
+                break
             done[kind].append(path)
-            print("%-7s %8.4g s" % (run.name, time_of(path)), flush=True)
+            finer = path
     return {kind: paths for kind, paths in done.items() if paths}
 
 
 def time_of(directory):
     """Processor time [s]."""
     return read_json(os.path.join(directory, "summary.json")).get("processor_time_s", 0.0)
+
+
+def time_of_steps(directory):
+    """Wall time of a run's steps, without its start [s]."""
+    timings = read_json(os.path.join(directory, "summary.json")).get("timings_s", {})
+    return timings.get("blocks", 0.0) + timings.get("continuum", 0.0)
 
 
 def shown(error):
@@ -88,8 +117,8 @@ def table_of(run, errors):
     return table
 
 
-def sentences(errors, times, own_time):
-    """What is largest, and what half of it costs."""
+def sentences(errors, run, coarser_runs):
+    """What is largest, and what half of it costs. coarser_runs: {kind: directory of the nearest}."""
     found = []
     for kind, of_kind in errors.items():
         name, error = estimate.largest(of_kind)
@@ -99,26 +128,31 @@ def sentences(errors, times, own_time):
         found.append("Error of the %s: largest %s (%s)%s" % (
             kind, percent(error.value), name,
             "; %d of %d quantities do not converge (~): what is told is how far they scatter" % (scattered, len(of_kind)) if scattered else ""))
-        if times[kind] > 0:
-            found.append("Half the %s takes about %.3g s, as this run took %.3g s and the coarser one %.3g s" % (
-                kind if kind == "step" else "size of the mesh", own_time * own_time / times[kind], own_time, times[kind]))
+        own, other = time_of_steps(run), time_of_steps(coarser_runs[kind])
+        if own > 0 and other > 0:
+            found.append("Half the %s takes about %.3g s, as the steps of this run took %.3g s and those of the coarser one %.3g s" % (
+                kind if kind == "step" else "size of the mesh", own * max(1.0, own / other), own, other))
     return found
 
 
 def main(words):
     found = read_words(words)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     parameters = coarser.parameters(found.run)
-    done = compute(found.run, plan(parameters, found))
+    patterns = [pattern.strip() for pattern in found.quantities.split(",") if pattern.strip()]
+    values(found.run, quantities.end_of(found.run), patterns)  # what cannot be asked for is told before anything is computed
+    for name in coarser.changed_files(found.run, parameters):
+        print("warning: '%s' was changed after the run began; the coarser runs have what is in it now" % name)
+    done = compute(found.run, plan(parameters, read_json(os.path.join(found.run, "summary.json")), found))
     if not done:
-        raise UserError("no coarser run came to its end")
+        raise UserError("there is no coarser run to compare with")
     directories = [path for paths in done.values() for path in paths]
     end = min(quantities.end_of(path) for path in [found.run] + directories)
-    patterns = [pattern.strip() for pattern in found.quantities.split(",") if pattern.strip()]
     run, errors = values(found.run, end, patterns), {}
     for kind, paths in done.items():
         errors[kind] = estimate.errors(run, [values(path, end, patterns) for path in paths])
     table = table_of(run, errors)
-    said = sentences(errors, {kind: time_of(paths[0]) for kind, paths in done.items()}, time_of(found.run))
+    said = sentences(errors, found.run, {kind: paths[0] for kind, paths in done.items()})
     directory = os.path.join(found.run, "accuracy")
     table.write(directory, "accuracy", {"run": os.path.abspath(found.run), "sentences": said}, "# How far this run is off\n\n" + "\n".join(said) + "\n")
     print("\n" + table.text() + "\n\n" + "\n".join(said))
