@@ -41,6 +41,15 @@ namespace hybrid
 
 
 
+    volatile pid_t tool_process = 0;
+
+    extern "C" void end_tool(const int signal)
+    {
+      kill(tool_process, signal);
+    }
+
+
+
     /// Run a program without a shell. @return its exit code.
     int run(std::vector<std::string> words)
     {
@@ -53,6 +62,9 @@ namespace hybrid
         throw InputError("cannot start '" + words[0] +
                          "', the Python that the program was built with");
       std::signal(SIGINT, SIG_IGN); // Ctrl-C reaches the tool too, which ends in its own way
+      tool_process = process;
+      std::signal(SIGTERM, end_tool); // these do not
+      std::signal(SIGHUP, end_tool);
       int status = 0;
       while (waitpid(process, &status, 0) < 0)
         if (errno != EINTR)
