@@ -63,7 +63,19 @@ def test_a_mesh_that_does_not_become_coarser_says_nothing(hybrid, tmp_path):
     bar(hybrid, run, 320)
     result = hybrid("accuracy", run, "--mesh")
     assert result.returncode == 2 and "no coarser run to compare with" in result.stderr
-    assert "did not become coarser as a whole" in result.stdout
+    assert "mesh_2  is left out" in result.stdout
+
+
+def test_blocks_count_where_there_are_some(tmp_path):
+    def run(name, blocks, unknowns):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "summary.json").write_text(json.dumps({"blocks": blocks, "continuum_unknowns": unknowns}))
+        return str(tmp_path / name)
+
+    fine, graded, layer, alone, same = run("a", 1000, 900), run("b", 260, 700), run("c", 900, 250), run("d", 0, 900), run("e", 0, 700)
+    assert coarser.is_coarser(graded, fine) and coarser.unchanged(graded, fine) == {"unknowns": (700, 900)}
+    assert not coarser.is_coarser(layer, fine) and coarser.unchanged(layer, fine) == {"blocks": (900, 1000)}
+    assert not coarser.is_coarser(same, alone)
 
 
 def test_waves_alone_say_the_error_of_their_step_themselves(hybrid, tmp_path):

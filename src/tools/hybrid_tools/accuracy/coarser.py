@@ -91,13 +91,15 @@ def counts(directory):
     return {name: number for name, number in found.items() if number}
 
 
-def why_not_coarser(directory, finer):
-    """A sentence where a mesh has not far fewer blocks, or unknowns, than the finer run's; else nothing. Twice the size leaves a quarter."""
+def unchanged(directory, finer):
+    """{what: (how many, in the finer run)} of what has not become far fewer in a mesh. Twice the size leaves a quarter."""
     now, before = counts(directory), counts(finer)
-    for name, number in before.items():
-        if now.get(name, 0) > LEAST_GAIN * number:
-            return "it has %d %s, the finer one %d: its mesh did not become coarser as a whole" % (now[name], name, number)
-    return ""
+    return {name: (now[name], number) for name, number in before.items() if now.get(name, 0) > LEAST_GAIN * number}
+
+
+def is_coarser(directory, finer):
+    """Blocks are the coarsest part of a mesh: where there are some, they count. Else the unknowns of the bedrock do."""
+    return next(iter(counts(finer)), "") not in unchanged(directory, finer)
 
 
 def run_program(words):

@@ -34,9 +34,13 @@ def why_no_coarser_mesh(path):
     return "the mesh '%s' %s" % (path, "has no number Resolution/..." if path.endswith(".geo") else "is no .geo file")
 
 
-def tells_its_step(summary):
-    """Waves alone say the error of their step themselves, by the scheme; twice the step of an explicit run is only twice as many parts."""
-    return not summary.get("blocks") and summary.get("probable_error", {}).get("estimated", False)
+def why_no_longer_step(parameters, summary):
+    """A sentence; nothing where twice the step tells its error."""
+    if parameters["Continuum/Time integrator"] == "explicit":
+        return "explicit steps are divided into stable parts, which twice the step leaves as they are"
+    if not summary.get("blocks") and summary.get("probable_error", {}).get("estimated", False):
+        return "waves alone say the error of their step themselves: see the line 'Error' at the end of the run"
+    return ""
 
 
 def plan(parameters, summary, found):
@@ -53,12 +57,13 @@ def plan(parameters, summary, found):
         else:
             print(reason + ": it cannot be made coarser, and its error stays unknown")
     if found.step or both:
-        if not tells_its_step(summary):
+        reason = why_no_longer_step(parameters, summary)
+        if not reason:
             kinds["step"] = [coarser.longer_steps(parameters, 2)]
         elif found.step:
-            raise UserError("waves alone say the error of their step themselves: see the line 'Error' at the end of the run")
+            raise UserError(reason)
         else:
-            print("waves alone say the error of their step themselves: see the line 'Error' at the end of the run")
+            print(reason)
     return kinds
 
 
@@ -75,9 +80,13 @@ def compute(directory, kinds):
                 break
             print("%-7s %8.4g s   %s" % (run.name, time_of(path), ", ".join("%d %s" % (n, name) for name, n in coarser.counts(path).items())),
                   flush=True)
-            if kind == "mesh" and (reason := coarser.why_not_coarser(path, finer)):
-                print("%-7s is left out: %s" % (run.name, reason), flush=True)
-                break
+            if kind == "mesh":
+                for name, numbers in coarser.unchanged(path, finer).items():
+                    print("%-7s has %d %s, the finer mesh %d: what these are too coarse for is not told" % ((run.name, numbers[0], name, numbers[1])),
+                          flush=True)
+                if not coarser.is_coarser(path, finer):
+                    print("%-7s is left out" % run.name, flush=True)
+                    break
             done[kind].append(path)
             finer = path
     return {kind: paths for kind, paths in done.items() if paths}

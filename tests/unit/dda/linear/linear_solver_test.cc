@@ -155,7 +155,7 @@ TEST(LinearSolver, a_factor_and_a_base_take_few_iterations)
 
 
 // A base whose stiffness has no tails is in the factor of a symmetric matrix whole.
-TEST(LinearSolver, a_factor_with_the_base_solves_in_one_iteration)
+TEST(LinearSolver, a_factor_with_the_base_solves_in_two_iterations)
 {
   BlockMatrix           m          = random_block_matrix(60, 8);
   const Eigen::MatrixXd foundation = foundation_stiffness(16);
