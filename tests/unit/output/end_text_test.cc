@@ -42,10 +42,11 @@ namespace hybrid::output
         "the end 65 %"
         "\nError     of the time step: not estimated, blocks";
       EXPECT_EQ(text.in_file, "Finished  15 s" + found);
-      EXPECT_EQ(text.on_screen,
-                "Finished  15 s in 4:07" + found +
-                  "\n          of the mesh of blocks: hybrid accuracy output/slope finds it by coarser "
-                  "runs\nResults   output/slope   next: hybrid plot output/slope");
+      EXPECT_EQ(
+        text.on_screen,
+        "Finished  15 s in 4:07" + found +
+          "\n          of the mesh of blocks: hybrid accuracy output/slope finds it by coarser "
+          "runs\nResults   output/slope   next: hybrid plot output/slope");
     }
 
 
