@@ -170,43 +170,6 @@ namespace hybrid::dda
 
 
 
-  void InteriorContacts::centre(const double fraction, const double target)
-  {
-    constexpr double least = 0.1, most = 10.; ///< product over that aimed at
-    for (Point &p : points)
-      {
-        const double   aimed = target / p.length;
-        const Products there = p.products_after(fraction);
-        const auto     move  = [&](const double product) {
-          const double goal = std::max(least * aimed, std::min(most * aimed, product));
-          return std::max(goal - product, -most * aimed);
-        };
-        p.target.parting += move(there.parting);
-        if (!p.slides)
-          continue;
-        p.target.forward += move(there.forward);
-        p.target.backward += move(there.backward);
-      }
-  }
-
-
-
-  void InteriorContacts::keep_direction()
-  {
-    for (Point &p : points)
-      p.kept = p.direction;
-  }
-
-
-
-  void InteriorContacts::take_kept_direction()
-  {
-    for (Point &p : points)
-      p.direction = p.kept;
-  }
-
-
-
   void InteriorContacts::Point::eliminate()
   {
     const double compliance = at.parting + at.normal / k_n;
@@ -247,22 +210,21 @@ namespace hybrid::dda
 
 
 
-  double InteriorContacts::Point::longest_step() const
+  void InteriorContacts::Point::set_longest()
   {
-    double     longest = 1.;
-    const auto limit   = [&longest](const double value, const double change) {
+    longest          = 1.;
+    const auto limit = [this](const double value, const double change) {
       if (change < 0.)
         longest = std::min(longest, -value / change);
     };
     limit(at.normal, direction.normal);
     limit(at.parting, direction.parting);
     if (!slides)
-      return longest;
+      return;
     limit(at.forward, direction.forward);
     limit(at.backward, direction.backward);
     limit(strength_forward, mu * direction.normal - direction.shear);
     limit(strength_backward, mu * direction.normal + direction.shear);
-    return longest;
   }
 
 
@@ -312,9 +274,23 @@ namespace hybrid::dda
           continue;
         const Vec2 moved = stiffness.displacement_jump(springs, p.spring, update);
         p.follow(p.gap_by_opening * moved[0], moved[1]);
-        longest = std::min(longest, p.longest_step());
+        p.set_longest();
+        longest = std::min(longest, p.longest);
       }
     return longest;
+  }
+
+
+
+  void InteriorContacts::Point::move(const double fraction)
+  {
+    at.normal += fraction * direction.normal;
+    at.parting += fraction * direction.parting;
+    at.shear += fraction * direction.shear;
+    at.forward += fraction * direction.forward;
+    at.backward += fraction * direction.backward;
+    direction = {};
+    set_strengths();
   }
 
 
@@ -322,15 +298,15 @@ namespace hybrid::dda
   void InteriorContacts::move(const double fraction)
   {
     for (Point &p : points)
-      {
-        p.at.normal += fraction * p.direction.normal;
-        p.at.parting += fraction * p.direction.parting;
-        p.at.shear += fraction * p.direction.shear;
-        p.at.forward += fraction * p.direction.forward;
-        p.at.backward += fraction * p.direction.backward;
-        p.direction = {};
-        p.set_strengths();
-      }
+      p.move(fraction);
+  }
+
+
+
+  void InteriorContacts::move_each(const double fraction)
+  {
+    for (Point &p : points)
+      p.move(std::min(1., fraction * p.longest));
   }
 
 

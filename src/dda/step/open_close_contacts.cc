@@ -51,9 +51,13 @@ namespace hybrid::dda
       }
     if (attempt != Attempt::failed)
       return attempt;
-    go_back(at_start);
-    result.residual = evaluate(model, state, foundation);
-    attempt         = follow_path(step);
+    for (const Stride stride : {Stride::own, Stride::common})
+      if (attempt == Attempt::failed)
+        {
+          go_back(at_start);
+          result.residual = evaluate(model, state, foundation);
+          attempt         = follow_path(step, stride);
+        }
     if (attempt == Attempt::converged && !path_at_once)
       memory.path_steps = memory.path_span =
         std::min(std::max(2, 2 * memory.path_span), longest_span);

@@ -32,11 +32,13 @@ namespace hybrid::dda
 
 
 
-  double OpenCloseIteration::go_along_path(const Step &step, const bool begins)
+  double OpenCloseIteration::go_along_path(const Step &step, const Stride stride, const bool begins)
   {
     constexpr double too_narrow = 0.1, nearly_all = 0.995, least_centring = 1e-6;
+    constexpr double least_part = 0.01, least_gain = 0.7; // else the path does not advance
+    const double     most_centring                 = stride == Stride::own ? 0.1 : 1.;
     const auto &[model, state, foundation, result] = step;
-    const double mean                              = interior.mean_product();
+    const double before = result.residual, mean = interior.mean_product();
     interior.aim(0., false);
     interior.set_responses(trial, springs);
     double norm = balance(model, state, foundation);
@@ -47,57 +49,33 @@ namespace hybrid::dda
     const double affine = interior.follow(springs, stiffness, update);
     if (begins && affine < too_narrow)
       return 0.;
-    const double left   = interior.mean_product_after(affine) / mean;
-    const double target = std::min(1., std::max(least_centring, left * left * left)) * mean;
-    interior.aim(target, affine > too_narrow);
+    const double left     = interior.mean_product_after(affine) / mean;
+    const double centring = std::max(least_centring, left * left * left);
+    interior.aim(std::min(most_centring, centring) * mean, affine > too_narrow);
     interior.set_responses(trial, springs);
     norm = balance(model, state, foundation);
     solve_linear(step, UpdateAccuracy::finest * norm);
-    const double longest = centre_path(step, interior.follow(springs, stiffness, update), target);
-    const double part    = std::min(1., nearly_all * longest);
-    take(step, part);
-    interior.move(part);
+    const double part = std::min(1., nearly_all * interior.follow(springs, stiffness, update));
+    if (stride == Stride::own)
+      interior.move_each(nearly_all);
+    else
+      interior.move(part);
+    take(step, stride == Stride::own ? 1. : part);
     result.residual = evaluate(model, state, foundation);
+    path_holds = part < least_part && result.residual > least_gain * before ? path_holds + 1 : 0;
     return part;
   }
 
 
 
-  double OpenCloseIteration::centre_path(const Step &step, double longest, const double target)
-  {
-    constexpr int    most_corrections = 2;
-    constexpr double long_enough = 0.9, farther = 0.3, least_gain = 0.03;
-    for (int k = 0; k < most_corrections && longest < long_enough; ++k)
-      {
-        interior.keep_direction();
-        kept_update = update;
-        interior.centre(std::min(1., longest + farther), target);
-        interior.set_responses(trial, springs);
-        solve_linear(step,
-                     UpdateAccuracy::finest * balance(step.model, step.state, step.foundation));
-        const double before = longest;
-        longest             = interior.follow(springs, stiffness, update);
-        if (longest < before)
-          {
-            interior.take_kept_direction();
-            update.swap(kept_update);
-            longest = before;
-          }
-        if (longest < before + least_gain)
-          break;
-      }
-    return longest;
-  }
-
-
-
-  Attempt OpenCloseIteration::follow_path(const Step &step)
+  Attempt OpenCloseIteration::follow_path(const Step &step, const Stride stride)
   {
     constexpr double   few_changes = 0.01, near_balance = 1e-2, wider = 100.;
-    constexpr int      most_widenings = 4;
+    constexpr int      most_widenings = 4, most_holds = 2;
     constexpr Patience to_finish{4, 0};
     const auto &[model, state, foundation, result] = step;
     path_width                                     = 1.;
+    path_holds                                     = 0;
     if (begin_path(step) <= 0.)
       return Attempt::failed;
     path_now.assign(conditions.size(), Condition::law);
@@ -105,7 +83,7 @@ namespace hybrid::dda
     bool begins = true;
     for (int widenings = 0; may_go_on(step);)
       {
-        if (go_along_path(step, begins && widenings < most_widenings) == 0. && begins)
+        if (go_along_path(step, stride, begins && widenings < most_widenings) == 0. && begins)
           {
             path_width *= wider;
             ++widenings;
@@ -114,7 +92,7 @@ namespace hybrid::dda
             continue;
           }
         begins = false;
-        if (!std::isfinite(result.residual))
+        if (!std::isfinite(result.residual) || path_holds == most_holds)
           return Attempt::failed;
         if (result.residual <= model.iteration.tolerance)
           return Attempt::converged;

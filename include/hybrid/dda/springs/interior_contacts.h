@@ -70,15 +70,6 @@ namespace hybrid::dda
     /// second order where @p corrects (Mehrotra 1992).
     void aim(double target, bool corrects);
 
-    /// Aim besides at products that are neither far above nor far below @p target [J/m] where this
-    /// part of the direction ends: those that would be are moved to the nearest that is not
-    /// (centrality correctors, Gondzio 1996).
-    void centre(double fraction, double target);
-
-    /// Remember the direction, or take that which was remembered.
-    void keep_direction();
-    void take_kept_direction();
-
     /// Forces and stiffness in the trial that @p springs have evaluated last.
     void set_responses(const Trial &trial, Springs &springs);
 
@@ -87,8 +78,12 @@ namespace hybrid::dda
     double
     follow(const Springs &springs, const SpringStiffness &stiffness, const Eigen::VectorXd &update);
 
-    /// Go this part of the direction.
+    /// All go this part of the direction.
     void move(double fraction);
+
+    /// Each goes this part of the way that it can, at most the whole direction. What it does not go
+    /// is in the next direction.
+    void move_each(double fraction);
 
     /// What each contact does most; others are left. @return number of them that changed
     int conditions(std::vector<Condition> &now) const;
@@ -116,7 +111,8 @@ namespace hybrid::dda
       double    mu, k_n, k_s;        ///< friction [-], stiffness [Pa/m]
       double    gap_by_opening = 1.; ///< derivative of gap(), see there [-]
       double    origin;              ///< slip at which the shear spring bears nothing [m]
-      Variables at, direction, kept;
+      Variables at, direction;
+      double    longest = 1.; ///< part of the direction that it can go
       Products  target;
       double    parting_left, slip_left;             ///< of both compatibility conditions [m]
       double    k_nn, k_tt, k_tn;                    ///< as eliminated [Pa/m]
@@ -128,7 +124,8 @@ namespace hybrid::dda
       void      set_strengths();
       void      eliminate();
       void      follow(double gap, double slip);
-      double    longest_step() const;
+      void      set_longest();
+      void      move(double fraction);
       Products  products_after(double fraction) const;
       Condition condition() const;
     };

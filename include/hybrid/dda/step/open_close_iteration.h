@@ -121,8 +121,7 @@ namespace hybrid::dda
     std::vector<double>    damping_time; ///< beta_K of each block in this step [s]
     std::vector<Vec6> acceleration; ///< of all but contacts, end of the solved step, not yet turned
     std::vector<Vec6> contact_acceleration; ///< of contacts, likewise
-    Eigen::VectorXd   residual, absolute, scale, update, kept_update, force_increment,
-      contact_increment;
+    Eigen::VectorXd   residual, absolute, scale, update, force_increment, contact_increment;
     // The foundation's balance is taken from where the trial starts: at S w the round-off of a
     // stiff foundation that moves as a whole would hide the forces of soft blocks.
     Eigen::VectorXd  foundation_start; ///< load less S times the displacement at the start [N/m]
@@ -151,6 +150,7 @@ namespace hybrid::dda
     SecantCorrection secant; ///< of the kept tangent
     PartTimes        times;
     double           path_width = 1.; ///< beside that of a path of usual width
+    int              path_holds = 0;  ///< iterations in a row in which it has not advanced
 
     static constexpr double nearly_at_rest = 1e-6; ///< out of balance, of forces or weights [-]
 
@@ -182,19 +182,14 @@ namespace hybrid::dda
     void renew_conditions();
 
     /// The interior point method, from the start of the step.
-    Attempt follow_path(const Step &step);
+    Attempt follow_path(const Step &step, Stride stride);
 
     /// Begin the path. @return its mean product
     double begin_path(const Step &step);
 
     /// One iteration of the path: the affine direction, and that with centring and correction.
-    /// @return part of the update that was taken; 0 if the path is too narrow where it begins
-    double go_along_path(const Step &step, bool begins);
-
-    /// Centrality correctors: solve again with the same factors where only a part, @p longest, of
-    /// the direction can be taken. @param target mean product aimed at
-    /// @return part of the new direction that can
-    double centre_path(const Step &step, double longest, double target);
+    /// @return part of it that all contacts can go; 0 if the path is too narrow where it begins
+    double go_along_path(const Step &step, Stride stride, bool begins);
 
     /// Newton's method with a line search by the laws alone.
     Attempt search(const Step &step);

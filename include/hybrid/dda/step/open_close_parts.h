@@ -28,6 +28,14 @@ namespace hybrid::dda
   };
 
 
+  /// How far contacts go along a direction of the interior point method.
+  enum class Stride
+  {
+    own,   ///< bodies all of it, each contact as far as it can
+    common ///< all as far as all can
+  };
+
+
   /// What a tangent is made of.
   struct Tangent
   {
