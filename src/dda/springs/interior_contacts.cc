@@ -77,12 +77,13 @@ namespace hybrid::dda
         at.shear = spring.old.shear;
         if (p.slides)
           {
-            const double limit = within_strength * p.mu * at.normal;
-            at.shear           = std::max(-limit, std::min(limit, at.shear));
-            p.set_strengths();
-            at.forward  = least / std::max(p.strength_forward, 1e-300);
-            at.backward = least / std::max(p.strength_backward, 1e-300);
-            p.slides    = p.mu > 0.;
+            const double limit  = within_strength * p.mu * at.normal;
+            at.shear            = std::max(-limit, std::min(limit, at.shear));
+            p.strength_forward  = p.mu * at.normal - at.shear;
+            p.strength_backward = p.mu * at.normal + at.shear;
+            at.forward          = least / std::max(p.strength_forward, 1e-300);
+            at.backward         = least / std::max(p.strength_backward, 1e-300);
+            p.slides            = p.mu > 0.;
             if (!p.slides)
               p.k_s = 0.; // frictionless
           }
@@ -109,26 +110,19 @@ namespace hybrid::dda
 
 
 
-  void InteriorContacts::Point::set_strengths()
-  {
-    strength_forward  = mu * at.normal - at.shear;
-    strength_backward = mu * at.normal + at.shear;
-  }
-
-
-
   InteriorContacts::Products InteriorContacts::Point::products_after(const double fraction) const
   {
-    const double n = at.normal + fraction * direction.normal;
-    const double t = at.shear + fraction * direction.shear;
-    Products     now;
+    Products now;
     if (!acts)
       return now;
-    now.parting = n * (at.parting + fraction * direction.parting);
+    now.parting =
+      (at.normal + fraction * direction.normal) * (at.parting + fraction * direction.parting);
     if (slides)
       {
-        now.forward  = (at.forward + fraction * direction.forward) * (mu * n - t);
-        now.backward = (at.backward + fraction * direction.backward) * (mu * n + t);
+        now.forward = (at.forward + fraction * direction.forward) *
+                      (strength_forward + fraction * forward_change());
+        now.backward = (at.backward + fraction * direction.backward) *
+                       (strength_backward + fraction * backward_change());
       }
     return now;
   }
@@ -163,8 +157,8 @@ namespace hybrid::dda
         };
         const Variables &d = p.direction;
         p.target.parting   = less(d.normal * d.parting);
-        p.target.forward   = less(d.forward * (p.mu * d.normal - d.shear));
-        p.target.backward  = less(d.backward * (p.mu * d.normal + d.shear));
+        p.target.forward   = less(d.forward * p.forward_change());
+        p.target.backward  = less(d.backward * p.backward_change());
       }
   }
 
@@ -202,10 +196,10 @@ namespace hybrid::dda
     direction.parting = gap + direction.normal / k_n + parting_left;
     if (!slides)
       return;
-    const double forward = mu * direction.normal - direction.shear;
-    const double back    = mu * direction.normal + direction.shear;
-    direction.forward    = (target.forward - at.forward * forward) / strength_forward - at.forward;
-    direction.backward   = (target.backward - at.backward * back) / strength_backward - at.backward;
+    direction.forward =
+      (target.forward - at.forward * forward_change()) / strength_forward - at.forward;
+    direction.backward =
+      (target.backward - at.backward * backward_change()) / strength_backward - at.backward;
   }
 
 
@@ -223,8 +217,8 @@ namespace hybrid::dda
       return;
     limit(at.forward, direction.forward);
     limit(at.backward, direction.backward);
-    limit(strength_forward, mu * direction.normal - direction.shear);
-    limit(strength_backward, mu * direction.normal + direction.shear);
+    limit(strength_forward, forward_change());
+    limit(strength_backward, backward_change());
   }
 
 
@@ -289,8 +283,10 @@ namespace hybrid::dda
     at.shear += fraction * direction.shear;
     at.forward += fraction * direction.forward;
     at.backward += fraction * direction.backward;
+    // Sums of small changes: mu N - T would be all round-off where the contact slides.
+    strength_forward += fraction * forward_change();
+    strength_backward += fraction * backward_change();
     direction = {};
-    set_strengths();
   }
 
 

@@ -121,13 +121,22 @@ namespace hybrid::dda
 
       /// Its gap in a trial [m]; of a bond that of the contact which has its friction.
       double    gap(const Springs::Response &response) const;
-      void      set_strengths();
       void      eliminate();
       void      follow(double gap, double slip);
       void      set_longest();
       void      move(double fraction);
       Products  products_after(double fraction) const;
       Condition condition() const;
+
+      /// What the direction adds to mu N - T and to mu N + T [Pa].
+      double forward_change() const
+      {
+        return mu * direction.normal - direction.shear;
+      }
+      double backward_change() const
+      {
+        return mu * direction.normal + direction.shear;
+      }
     };
 
     std::vector<Point> points;
