@@ -3,6 +3,7 @@
 #include <hybrid/dda/model/model_builder.h>
 #include <hybrid/dda/step/initial_state.h>
 #include <hybrid/output/advice.h>
+#include <hybrid/scene/mesh/stable_step.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +65,17 @@ namespace hybrid::output
     return name(r.part) + " resolves " + number(r.resolved) +
            " Hz at ten points per wave length, the motion has energy up to " + number(wanted) +
            " Hz; " + pieces + " of at most " + number(rounded_down(size)) + " m would do";
+  }
+
+
+  std::string parts_warning(const int parts)
+  {
+    if (parts <= scene::parts_of_an_implicit_step)
+      return "";
+    return "an explicit step takes " + std::to_string(parts) + " stable parts, more than the " +
+           std::to_string(scene::parts_of_an_implicit_step) +
+           " that cost as much as an implicit step; set Continuum/Time integrator = automatic, or look "
+           "for the smallest cell, and for Continuum/Rayleigh stiffness, which shortens parts";
   }
 
 

@@ -102,13 +102,14 @@ namespace hybrid::output
     };
     const double percent =
       end_time > start_time ? 100. * (time - start_time) / (end_time - start_time) : 100.;
-    const std::string left = speed > 0. ? format_duration((end_time - time) / speed) : "?";
-    return {format("%5.1f %%", std::clamp(percent, 0., 100.)),
-            format("t = %.3f of %g s", time, end_time),
-            "left " + left,
-            format("%.3g steps/s", step_rate),
-            format("%.1f iterations/step",
-                   steps > 0 ? static_cast<double>(iterations) / steps : 0.)};
+    const std::string        left  = speed > 0. ? format_duration((end_time - time) / speed) : "?";
+    std::vector<std::string> parts = {format("%5.1f %%", std::clamp(percent, 0., 100.)),
+                                      format("t = %.3f of %g s", time, end_time),
+                                      "left " + left,
+                                      format("%.3g steps/s", step_rate)};
+    if (iterations > 0) // none in waves alone
+      parts.push_back(format("%.1f iterations/step", static_cast<double>(iterations) / steps));
+    return parts;
   }
 
 

@@ -416,6 +416,8 @@ namespace hybrid::output
              scene.time.newmark.filter > 0. ? ", filtered" : "",
              continuum != nullptr && continuum->is_iterated() ? ", conjugate gradients" : "");
     warn(step_warning(scene.time.time_step, resolutions.wanted), card);
+    if (scene.continuum.is_explicit && continuum != nullptr)
+      warn(parts_warning(continuum->parts_of_step(scene.time.time_step)), card);
     if (continuum != nullptr)
       {
         const auto reach = continuum->wave_at_boundary();

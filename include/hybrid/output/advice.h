@@ -20,6 +20,9 @@ namespace hybrid::output
   /// more.
   std::string step_warning(double time_step, double highest_frequency);
 
+  /// Explicit steps of so many stable parts that implicit steps cost less, or "".
+  std::string parts_warning(int parts);
+
   /// The initial wave is on the boundary already at t = 0, with @p part of its amplitude [-] at @p
   /// where; "" if that is less than 1 %.
   std::string wave_warning(double fraction, const Vec2 &where);

@@ -9,10 +9,6 @@ namespace hybrid::scene
 {
   namespace
   {
-    /// Processor time of an implicit step over that of one explicit part, per unknown, measured on
-    /// 150,000 unknowns and more.
-    constexpr double implicit_cost = 15.;
-
     /// Stable step over a P wave's way between the nearest nodes. Squares of degree 2 to 8 have
     /// 0.63 to 0.66, of degree 1 0.82, by Lanczos (ExplicitWaves); cells that lean have less.
     constexpr double courant = 0.6;
@@ -63,7 +59,7 @@ namespace hybrid::scene
   {
     if (scene.continuum.integrator == TimeIntegrator::automatic &&
         why_not_explicit(scene).empty() &&
-        scene.time.time_step <= implicit_cost * estimated_stable_step(mesh, scene))
+        scene.time.time_step <= parts_of_an_implicit_step * estimated_stable_step(mesh, scene))
       take_explicit(scene);
     return scene;
   }

@@ -44,6 +44,14 @@ namespace hybrid::output
   }
 
 
+  TEST(Advice, TellsWhereExplicitStepsTakeTooManyParts)
+  {
+    EXPECT_EQ(parts_warning(15), "");
+    EXPECT_EQ(
+      parts_warning(98000).find("an explicit step takes 98000 stable parts, more than the 15"), 0u);
+  }
+
+
   TEST(Advice, NamesTheRangeOfPenalties)
   {
     scene::SceneParameters scene;

@@ -40,6 +40,19 @@ namespace hybrid::output
     }
 
 
+    TEST(Progress, WavesAloneHaveNoIterations)
+    {
+      std::ostringstream out;
+      double             now = 0.;
+      Progress           progress(out, false, 0., 1., [&now] { return now; });
+      now = 1.;
+      progress.update(1., 10, 0);
+      progress.finish();
+      EXPECT_NE(out.str().find("steps/s"), std::string::npos);
+      EXPECT_EQ(out.str().find("iterations"), std::string::npos) << out.str();
+    }
+
+
     TEST(Progress, TerminalLineIsRedrawnInPlace)
     {
       const std::string text = run(true);

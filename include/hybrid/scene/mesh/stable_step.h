@@ -6,6 +6,10 @@
 
 namespace hybrid::scene
 {
+  /// Explicit parts that take the processor time of an implicit step, per unknown, measured on
+  /// 150,000 unknowns and more (doc/performance.md).
+  constexpr int parts_of_an_implicit_step = 15;
+
   /// Longest step of explicit integration on @p mesh, estimated from the nearest nodes [s].
   double estimated_stable_step(const SectionMesh &mesh, const SceneParameters &scene);
 

@@ -34,6 +34,16 @@ namespace
   }
 
 
+  TEST(LinearSolver, IsNotNamedForExplicitSteps)
+  {
+    for (const char *solver : {"factor", "conjugate gradients"})
+      EXPECT_THROW(test::lamb_scene({std::string("Continuum/Linear solver=") + solver}, "explicit"),
+                   InputError);
+    EXPECT_TRUE(
+      test::lamb_scene({"Continuum/Linear solver=automatic"}, "explicit").continuum.is_explicit);
+  }
+
+
   TEST(LinearSolver, ConjugateGradientsAreRefusedWithTheReason)
   {
     const std::pair<std::string, std::string> wrong[] = {
