@@ -15,13 +15,7 @@ namespace hybrid::scene
 
   void check_linear_solver(const SceneParameters &scene, const ParameterTable &table)
   {
-    if (scene.continuum.linear_solver == LinearSolver::automatic)
-      return;
-    if (scene.continuum.is_explicit)
-      throw table.error("Continuum/Linear solver",
-                        "names a solver, but explicit steps (Continuum/Time integrator) solve "
-                        "nothing; allowed here: automatic");
-    if (scene.continuum.linear_solver == LinearSolver::factor)
+    if (scene.continuum.linear_solver != LinearSolver::conjugate_gradients)
       return;
     const std::string reason = why_not_waves_alone(scene);
     if (!reason.empty())

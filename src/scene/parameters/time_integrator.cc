@@ -31,6 +31,8 @@ namespace hybrid::scene
     const std::string reason = why_not_waves_alone(scene);
     if (reason.empty() && scene.time.scheme != "automatic")
       return "Time/Scheme names an implicit one";
+    if (reason.empty() && scene.continuum.linear_solver != LinearSolver::automatic)
+      return "Continuum/Linear solver names one of implicit steps";
     return reason;
   }
 

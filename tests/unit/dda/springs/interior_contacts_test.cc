@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace
 {
   using namespace hybrid;
@@ -177,6 +179,28 @@ TEST(InteriorContacts, each_goes_as_far_as_it_can)
   };
   EXPECT_GT(product(true), 0.);
   EXPECT_LT(product(true), 0.9 * product(false));
+}
+
+
+
+// Where a contact slides mu N - T falls far below the round-off of T, and the path goes on.
+TEST(InteriorContacts, goes_on_below_round_off)
+{
+  Held                  held(1e-4, -1e-6);
+  const Eigen::VectorXd none  = Eigen::VectorXd::Zero(20);
+  const double          begin = held.path.mean_product();
+  for (int k = 0; k < 40; ++k)
+    {
+      held.path.aim(0.1 * held.path.mean_product(), false);
+      held.path.set_responses(held.scene.trial, held.springs());
+      held.stiffness.update(held.springs(), held.scene.trial, {});
+      held.path.follow(held.springs(), held.stiffness, none);
+      held.path.move_each(0.995);
+    }
+  EXPECT_GT(held.path.mean_product(), 0.);
+  EXPECT_LT(held.path.mean_product(), 1e-20 * begin);
+  for (const Springs::Response &response : held.springs().responses)
+    EXPECT_TRUE(std::isfinite(response.now.normal + response.now.shear + response.shear_by_slip));
 }
 
 

@@ -3,10 +3,12 @@
 
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/parameters/linear_solver.h>
+#include <hybrid/scene/parameters/time_integrator.h>
 
 #include "lamb_scene.h"
 
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -34,11 +36,15 @@ namespace
   }
 
 
-  TEST(LinearSolver, IsNotNamedForExplicitSteps)
+  TEST(LinearSolver, NamesImplicitSteps)
   {
     for (const char *solver : {"factor", "conjugate gradients"})
-      EXPECT_THROW(test::lamb_scene({std::string("Continuum/Linear solver=") + solver}, "explicit"),
-                   InputError);
+      {
+        const std::vector<std::string> named = {std::string("Continuum/Linear solver=") + solver};
+        EXPECT_THROW(test::lamb_scene(named, "explicit"), InputError);
+        EXPECT_NE(why_not_explicit(test::lamb_scene(named, "automatic")), "");
+      }
+    EXPECT_EQ(why_not_explicit(test::lamb_scene({}, "automatic")), "");
     EXPECT_TRUE(
       test::lamb_scene({"Continuum/Linear solver=automatic"}, "explicit").continuum.is_explicit);
   }
