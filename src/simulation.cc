@@ -212,6 +212,7 @@ namespace hybrid
       save(run);
     else if (run.recorder)
       run.recorder->flush();
+    run.count_processor_time("writing");
     const RunStatus status = advance(run, interruption);
     return finish(run, status);
   }
@@ -278,6 +279,7 @@ namespace hybrid
             save(run);
           }
       }
+    run.count_processor_time_of_steps();
     if (status != RunStatus::no_convergence)
       progress.finish();
     if (run.rest.is_at_rest())
@@ -341,7 +343,7 @@ namespace hybrid
     summary.wasted.cuts = run.clock.cuts();
     if (model.continuum != nullptr)
       summary.timings["continuum_factors"] = model.continuum->factor_time();
-    run.count_processor_time_of_steps();
+    run.count_processor_time("writing");
     summary.wall_time      = run.wall_time();
     summary.processor_time = run.processor_time();
     summary.peak_memory    = peak_memory();

@@ -50,8 +50,8 @@ namespace hybrid
       model.continuum->serialize_rest(archive);
     if (run.solver != nullptr)
       archive(*run.solver);
-    if (!archive.is_reading() && run.summary.steps > 0)
-      run.count_processor_time_of_steps();
+    if (!archive.is_reading())
+      run.count_processor_time("writing");
     double        wall_time      = run.wall_time();
     double        processor_time = run.processor_time();
     std::uint64_t log_length     = log.file_length();
@@ -91,6 +91,7 @@ namespace hybrid
   void Simulation::save(Run &run)
   {
     run.collect_peaks();
+    run.count_processor_time_of_steps();
     if (!run.recorder)
       return;
     run.recorder->flush(); // run.h5 is never behind the checkpoint
@@ -102,6 +103,7 @@ namespace hybrid
     };
     restart::write_checkpoint(checkpoint_file(model.scene.output.directory), layout(run), write);
     run.schedule.written();
+    run.count_processor_time("writing");
   }
 
 

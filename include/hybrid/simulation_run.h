@@ -64,7 +64,8 @@ namespace hybrid
     /// The same for the time loop: its first step, in which factors are made, and the others.
     void count_processor_time_of_steps()
     {
-      count_processor_time(summary.steps > 1 ? "steps" : "first_step");
+      if (summary.steps > 0)
+        count_processor_time(summary.steps > 1 ? "steps" : "first_step");
     }
 
     /// No step follows: what they came to goes to the summary, and the solver's memory is free for

@@ -81,6 +81,48 @@ namespace hybrid::dda
 
 
 
+    /// Steps in which contacts change their conditions together, by the interior point method. It
+    /// takes more iterations than small masses need, but hardly more for large ones.
+    class PathSteps
+    {
+    public:
+      PathSteps(const Model &problem, const OpenCloseIteration::Watch &watch)
+        : together(problem)
+        , solver(together)
+      {
+        together.iteration.changes_together   = true;
+        together.iteration.maximum_iterations = std::max(100, problem.iteration.maximum_iterations);
+        solver.set_watch(watch);
+      }
+
+      PathSteps(const PathSteps &)            = delete; // the solver refers to the model
+      PathSteps &operator=(const PathSteps &) = delete;
+
+      BlockSolver &steps()
+      {
+        return solver;
+      }
+
+      /// The mass moves on, and the force that drives it does not fall. @param unbalanced relative
+      /// force that is left after another step
+      bool leads_nowhere(const double unbalanced)
+      {
+        constexpr int    many = 8;
+        constexpr double fall = 0.5;
+        vain                  = unbalanced > fall * least ? vain + 1 : 0;
+        least                 = std::min(least, unbalanced);
+        return vain == many;
+      }
+
+    private:
+      Model       together;
+      BlockSolver solver;
+      double      least = std::numeric_limits<double>::infinity(); ///< left after a step [-]
+      int         vain  = 0; ///< steps in a row that have not lowered it
+    };
+
+
+
     /// No joint holds a block of the sliding mass.
     bool is_loose(const Model &model, const DdaState &state)
     {
@@ -162,8 +204,9 @@ namespace hybrid::dda
       watch ? watch_of_step(watch, result) : OpenCloseIteration::Watch();
     BlockSolver solver(problem);
     solver.set_watch(watch_step);
-    std::optional<StickPredictorSteps>
-      from_hold; // of loose blocks, once plain steps have not converged
+    // Of loose blocks: once plain steps have not converged, and once these have not either.
+    std::optional<StickPredictorSteps> from_hold;
+    std::optional<PathSteps>           on_path;
 
     YieldPace yielding;
     for (double dt = first_step; result.steps < pace.maximum_steps && dt >= smallest_step;)
@@ -171,7 +214,9 @@ namespace hybrid::dda
         if (!yielding.keeps_velocity())
           stop_blocks(state);
         StepResult step;
-        if (from_hold)
+        BlockSolver &alone      = on_path ? on_path->steps() : solver;
+        const bool   holds_first = from_hold && !on_path;
+        if (holds_first)
           {
             step = from_hold->hold(state, foundation, dt);
             result.iterations += step.iterations;
@@ -179,9 +224,9 @@ namespace hybrid::dda
         if (!step.stopped)
           {
             step =
-              from_hold
+              holds_first
                 ? from_hold->solve(state, foundation, dt, result.steps > 0 ? result.residual : 1.)
-                : solver.solve(state, foundation, dt);
+                : alone.solve(state, foundation, dt);
             result.iterations += step.iterations;
           }
         result.stopped = step.stopped;
@@ -193,7 +238,12 @@ namespace hybrid::dda
             yielding.step_failed(dt);
             dt /= 4.;
             const bool hopeless = result.steps == 0 || result.cuts >= many_cuts;
-            if (!from_hold && hopeless && is_loose(problem, state))
+            if (holds_first)
+              {
+                on_path.emplace(problem, watch_step);
+                dt = first_step;
+              }
+            else if (!from_hold && hopeless && is_loose(problem, state))
               {
                 from_hold.emplace(problem, watch_step);
                 dt = great_step;
@@ -201,10 +251,10 @@ namespace hybrid::dda
             continue;
           }
         state.time = -1. - dt; // failures of these steps get a negative time
-        if (from_hold)
+        if (holds_first)
           from_hold->accept(state);
         else
-          solver.accept(state);
+          alone.accept(state);
         ++result.steps;
         result.residual     = std::max(step.unbalanced, step.residual);
         result.moving_block = step.largest_block;
@@ -214,7 +264,7 @@ namespace hybrid::dda
             result.moving_block = -1;
             break;
           }
-        if (slides_or_shears(problem, state))
+        if (slides_or_shears(problem, state) || (on_path && on_path->leads_nowhere(step.unbalanced)))
           break;
         if (problem.blocks_yield)
           {
@@ -228,6 +278,8 @@ namespace hybrid::dda
     result.times += solver.part_times();
     if (from_hold)
       result.times += from_hold->part_times();
+    if (on_path)
+      result.times += on_path->steps().part_times();
     return result;
   }
 } // namespace hybrid::dda

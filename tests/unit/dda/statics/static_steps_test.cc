@@ -14,6 +14,17 @@ namespace
   using namespace hybrid::dda;
   using namespace hybrid::test;
 
+  /// Loose squares of stiff rock in columns beside each other on a slope.
+  Model stiff_columns(const int columns, const int rows, const double degrees)
+  {
+    const double angle = degrees * M_PI / 180.;
+    return static_problem(build_model(square_blocks(columns, rows, 1., angle),
+                                      block_parameters(25., 50e9),
+                                      straight_foundation(angle, 10., 20.)));
+  }
+
+
+
   /// A column of loose squares on a slope that it stands on, damped when it moves.
   Model column(const double friction_angle)
   {
@@ -93,6 +104,39 @@ TEST(StaticSteps, a_wall_with_hundreds_of_contacts_at_their_limit_comes_to_rest)
   EXPECT_NEAR(top.x(), 0.5 * columns, 1e-9);
   EXPECT_GT(rows - 0.5 - top.y(), 0.8 * bar);
   EXPECT_LT(rows - 0.5 - top.y(), 1.2 * bar);
+}
+
+
+
+TEST(StaticSteps, columns_that_lean_on_each_other_come_to_rest_in_few_steps)
+{
+  const Model        model = stiff_columns(20, 20, 2.);
+  DdaState           state = initial_state(model);
+  const StaticResult r     = take_static_steps(model, state);
+  ASSERT_TRUE(r.equilibrium);
+  EXPECT_LE(r.iterations, 150); // 104; 408 in 13 steps without the interior point method
+  EXPECT_LE(r.steps, 6);
+  double weight = 0.;
+  Vec2   borne  = Vec2::Zero();
+  for (const BlockProperties &block : model.blocks)
+    weight += block.weight * model.gravity;
+  for (int k = 0; k < model.n_foundation_nodes(); ++k)
+    borne -= state.foundation_force.segment<2>(2 * k);
+  EXPECT_NEAR(borne.x(), 0., 1e-6 * weight);
+  EXPECT_NEAR(borne.y(), weight, 1e-6 * weight);
+}
+
+
+
+TEST(StaticSteps, columns_that_topple_are_given_up_before_they_lie)
+{
+  const Model        model = stiff_columns(10, 10, 10.); // stands up to atan(1/10) = 5.7 degrees
+  DdaState           state = initial_state(model);
+  const StaticResult r     = take_static_steps(model, state);
+  EXPECT_FALSE(r.equilibrium);
+  EXPECT_GT(r.residual, 1e-4);
+  EXPECT_LE(r.steps, 20); // 9; 400 without the interior point method
+  EXPECT_GE(r.moving_block, 0);
 }
 
 
