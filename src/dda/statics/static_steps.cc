@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/statics/great_static_steps.h>
+#include <hybrid/dda/statics/static_step_methods.h>
 #include <hybrid/dda/statics/static_step_parts.h>
 #include <hybrid/dda/statics/static_steps.h>
-#include <hybrid/dda/statics/stick_predictor_steps.h>
 #include <hybrid/dda/step/block_solver.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace hybrid::dda
 {
   namespace
   {
-    constexpr double first_step    = 0.0156; ///< pseudo time step [s]
     constexpr double smallest_step = 1e-5;
     constexpr double largest_step  = 1e3;
-    constexpr int    many_cuts     = 4;  ///< of plain steps after the first one
-    constexpr double great_step    = 1.; ///< in which inertia hardly counts [s]
+    constexpr int    many_cuts     = 4; ///< of plain steps after the first one
 
 
 
@@ -78,61 +75,6 @@ namespace hybrid::dda
       int    good     = 0;                                       ///< steps since one has failed
       bool   keeps    = false;
     };
-
-
-
-    /// Steps in which contacts change their conditions together, by the interior point method. It
-    /// takes more iterations than small masses need, but hardly more for large ones.
-    class PathSteps
-    {
-    public:
-      PathSteps(const Model &problem, const OpenCloseIteration::Watch &watch)
-        : together(problem)
-        , solver(together)
-      {
-        together.iteration.changes_together   = true;
-        together.iteration.maximum_iterations = std::max(100, problem.iteration.maximum_iterations);
-        solver.set_watch(watch);
-      }
-
-      PathSteps(const PathSteps &)            = delete; // the solver refers to the model
-      PathSteps &operator=(const PathSteps &) = delete;
-
-      BlockSolver &steps()
-      {
-        return solver;
-      }
-
-      /// The mass moves on, and the force that drives it does not fall. @param unbalanced relative
-      /// force that is left after another step
-      bool leads_nowhere(const double unbalanced)
-      {
-        constexpr int    many = 8;
-        constexpr double fall = 0.5;
-        vain                  = unbalanced > fall * least ? vain + 1 : 0;
-        least                 = std::min(least, unbalanced);
-        return vain == many;
-      }
-
-    private:
-      Model       together;
-      BlockSolver solver;
-      double      least = std::numeric_limits<double>::infinity(); ///< left after a step [-]
-      int         vain  = 0; ///< steps in a row that have not lowered it
-    };
-
-
-
-    /// No joint holds a block of the sliding mass.
-    bool is_loose(const Model &model, const DdaState &state)
-    {
-      if (model.n_mass() == 0)
-        return false;
-      for (std::size_t j = 0; j < model.joints.size(); ++j)
-        if (!model.joints[j].within_bedrock() && state.joints[j].failure == FailureKind::none)
-          return false;
-      return true;
-    }
   } // namespace
 
 
@@ -202,33 +144,16 @@ namespace hybrid::dda
     foundation.displacement = state.foundation_displacement;
     const OpenCloseIteration::Watch watch_step =
       watch ? watch_of_step(watch, result) : OpenCloseIteration::Watch();
-    BlockSolver solver(problem);
-    solver.set_watch(watch_step);
-    // Of loose blocks: once plain steps have not converged, and once these have not either.
-    std::optional<StickPredictorSteps> from_hold;
-    std::optional<PathSteps>           on_path;
-
-    YieldPace yielding;
-    for (double dt = first_step; result.steps < pace.maximum_steps && dt >= smallest_step;)
+    StaticStepMethods methods(problem, watch_step);
+    YieldPace         yielding;
+    for (double dt = StaticStepMethods::first_step;
+         result.steps < pace.maximum_steps && dt >= smallest_step;)
       {
         if (!yielding.keeps_velocity())
           stop_blocks(state);
-        StepResult step;
-        BlockSolver &alone      = on_path ? on_path->steps() : solver;
-        const bool   holds_first = from_hold && !on_path;
-        if (holds_first)
-          {
-            step = from_hold->hold(state, foundation, dt);
-            result.iterations += step.iterations;
-          }
-        if (!step.stopped)
-          {
-            step =
-              holds_first
-                ? from_hold->solve(state, foundation, dt, result.steps > 0 ? result.residual : 1.)
-                : alone.solve(state, foundation, dt);
-            result.iterations += step.iterations;
-          }
+        const StepResult step =
+          methods.solve(state, foundation, dt, result.steps > 0 ? result.residual : 1.);
+        result.iterations += step.iterations;
         result.stopped = step.stopped;
         if (result.stopped)
           return result;
@@ -236,25 +161,12 @@ namespace hybrid::dda
           {
             ++result.cuts;
             yielding.step_failed(dt);
-            dt /= 4.;
             const bool hopeless = result.steps == 0 || result.cuts >= many_cuts;
-            if (holds_first)
-              {
-                on_path.emplace(problem, watch_step);
-                dt = first_step;
-              }
-            else if (!from_hold && hopeless && is_loose(problem, state))
-              {
-                from_hold.emplace(problem, watch_step);
-                dt = great_step;
-              }
+            dt                  = methods.step_failed(state, dt, hopeless);
             continue;
           }
         state.time = -1. - dt; // failures of these steps get a negative time
-        if (holds_first)
-          from_hold->accept(state);
-        else
-          alone.accept(state);
+        methods.accept(state);
         ++result.steps;
         result.residual     = std::max(step.unbalanced, step.residual);
         result.moving_block = step.largest_block;
@@ -264,7 +176,7 @@ namespace hybrid::dda
             result.moving_block = -1;
             break;
           }
-        if (slides_or_shears(problem, state) || (on_path && on_path->leads_nowhere(step.unbalanced)))
+        if (slides_or_shears(problem, state) || methods.leads_nowhere(step.unbalanced))
           break;
         if (problem.blocks_yield)
           {
@@ -275,11 +187,7 @@ namespace hybrid::dda
         dt = std::min(largest_step, pace.growth * dt);
       }
     stop_blocks(state);
-    result.times += solver.part_times();
-    if (from_hold)
-      result.times += from_hold->part_times();
-    if (on_path)
-      result.times += on_path->steps().part_times();
+    result.times += methods.part_times();
     return result;
   }
 } // namespace hybrid::dda
