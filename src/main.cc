@@ -44,7 +44,7 @@ namespace
 
 
 
-  /// Of all processes, if the scene can be shared out among them.
+  /// Of all processes, if the scene may be shared out among them.
   MPI_Comm communicator_of(const scene::SceneParameters &scene, const Processes &processes)
   {
     const bool is_explicit = scene.continuum.integrator != scene::TimeIntegrator::implicit_steps &&
@@ -52,24 +52,39 @@ namespace
     const bool iterates =
       scene::with_linear_solver(scene, processes.count()).continuum.linear_solver ==
       scene::LinearSolver::conjugate_gradients;
-    return processes.count() > 1 && (is_explicit || iterates) ? MPI_COMM_WORLD : MPI_COMM_SELF;
+    return processes.count() > 1 && (scene.has_blocks() || is_explicit || iterates) ? MPI_COMM_WORLD
+                                                                                    : MPI_COMM_SELF;
   }
 
 
 
-  /// What of several processes takes part in the run. @return whether this one does.
-  bool share_out(const scene::SceneParameters &scene, Processes &processes, output::Log &log)
+  /// The first process computes alone, and the others wait. @return whether this one computes
+  bool compute_alone(Processes &processes, output::Log &log)
   {
-    if (processes.count() == 1)
-      return true;
-    if (communicator_of(scene, processes) == MPI_COMM_WORLD)
-      return true;
     processes.compute_alone();
     log.warning("mpirun started " + std::to_string(processes.count()) +
-                " processes, and this scene is computed by the first one alone: only waves "
-                "alone with Continuum/Time integrator = explicit or Continuum/Linear solver = "
-                "conjugate gradients are shared out");
+                " processes, and this scene is computed by the first one alone: shared out are "
+                "2,000 blocks or more, and waves alone with Continuum/Time integrator = explicit "
+                "or Continuum/Linear solver = conjugate gradients");
     return processes.is_first();
+  }
+
+
+
+  /// What of several processes may take part in the run. @return whether this one does.
+  bool may_take_part(const scene::SceneParameters &scene, Processes &processes, output::Log &log)
+  {
+    return processes.count() == 1 || communicator_of(scene, processes) == MPI_COMM_WORLD ||
+           compute_alone(processes, log);
+  }
+
+
+
+  /// The same once its parts are known.
+  bool takes_part(const Simulation &simulation, Processes &processes, output::Log &log)
+  {
+    return processes.count() == 1 || processes.is_alone() || !simulation.is_alone() ||
+           compute_alone(processes, log);
   }
 
 
@@ -224,9 +239,14 @@ namespace
     Voice voice(processes);
     if (command.action == Action::resume)
       voice.log.info("Resumed before the first checkpoint: the run begins anew");
-    if (!share_out(scene, processes, voice.log))
+    if (!may_take_part(scene, processes, voice.log))
       return processes.wait_for_first();
-    auto               simulation = make_simulation(command.target, scene, processes, voice.log);
+    auto simulation = make_simulation(command.target, scene, processes, voice.log);
+    if (!takes_part(*simulation, processes, voice.log))
+      {
+        simulation.reset();
+        return processes.wait_for_first();
+      }
     const Interruption interruption; // before anything is written
     processes.on_first([&] {
       if (!is_check)
@@ -261,9 +281,14 @@ namespace
       restart::read_checkpoint(checkpoint_file(command.target));
     prepare_process();
     Voice voice(processes);
-    if (!share_out(scene, processes, voice.log))
+    if (!may_take_part(scene, processes, voice.log))
       return processes.wait_for_first();
-    auto               simulation = make_simulation(command.target, scene, processes, voice.log);
+    auto simulation = make_simulation(command.target, scene, processes, voice.log);
+    if (!takes_part(*simulation, processes, voice.log))
+      {
+        simulation.reset();
+        return processes.wait_for_first();
+      }
     const Interruption interruption;
     return run_guarded(command.target, processes, [&] {
       const RunStatus status = simulation->resume(checkpoint, interruption);

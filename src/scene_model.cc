@@ -2,6 +2,7 @@
 #include <hybrid/coupling/block_foundation.h>
 #include <hybrid/coupling/condensed_foundation.h>
 #include <hybrid/coupling/rigid_foundation.h>
+#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/model/model_builder.h>
 #include <hybrid/dda/statics/lifts.h>
 #include <hybrid/dda/step/initial_state.h>
@@ -9,6 +10,7 @@
 #include <hybrid/output/mesh_progress.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/output/sample_line.h>
+#include <hybrid/partners.h>
 #include <hybrid/scene/checks/mesh_check.h>
 #include <hybrid/scene/mesh/edge_chain.h>
 #include <hybrid/scene/mesh/stable_step.h>
@@ -66,13 +68,17 @@ namespace hybrid
                                       size_of(communicator)))
     , input(scene::make_input_motion(parameters.motion, parameters.time))
     , motion(input.motion, parameters.motion)
+    , processes(communicator)
   {
     const auto heartbeat = output::tell_of_preparation(mesh, log);
     scene::check_section_mesh(mesh, scene);
     if (scene.has_continuum())
-      make_continuum(log, communicator);
+      make_continuum(log, scene.has_blocks() ? MPI_COMM_SELF : communicator);
     if (scene.has_blocks())
-      make_blocks();
+      {
+        make_blocks();
+        share_blocks();
+      }
     if (scene.environment.is_staged())
       dda::check_lifts(*blocks);
     check_points();
@@ -121,6 +127,16 @@ namespace hybrid
       return;
     condensed->set_water(coupling::WaterOnBedrock::make(*blocks));
     foundation = std::move(condensed);
+  }
+
+
+
+  void SceneModel::share_blocks()
+  {
+    if (size_of(processes) > 1 && dda::is_worth_sharing(blocks->blocks.size()))
+      blocks->processes = std::make_shared<Partners>(processes);
+    else
+      processes = MPI_COMM_SELF;
   }
 
 

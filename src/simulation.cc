@@ -3,10 +3,13 @@
 #include <hybrid/output/progress.h>
 #include <hybrid/output/resolution.h>
 #include <hybrid/output/step_difference.h>
+#include <hybrid/restart/archive.h>
 #include <hybrid/run_directory.h>
+#include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/simulation_run.h>
 
 #include <iostream>
+#include <stdexcept>
 #include <sys/resource.h>
 
 namespace hybrid
@@ -92,7 +95,6 @@ namespace hybrid
                          output::Log                  &run_log,
                          MPI_Comm                      communicator)
     : log(run_log)
-    , processes(communicator)
     , model(scene, log, communicator)
     , run_report(model, log)
     , state(model.initial_state())
@@ -103,7 +105,7 @@ namespace hybrid
   bool Simulation::is_first() const
   {
     int rank = 0;
-    MPI_Comm_rank(processes, &rank);
+    MPI_Comm_rank(model.processes, &rank);
     return rank == 0;
   }
 
@@ -112,7 +114,7 @@ namespace hybrid
   bool Simulation::is_alone() const
   {
     int size = 1;
-    MPI_Comm_size(processes, &size);
+    MPI_Comm_size(model.processes, &size);
     return size == 1;
   }
 
@@ -124,7 +126,7 @@ namespace hybrid
       return;
     int asked[2] = {what.motion ? 1 : 0, what.energy ? 1 : 0};
     if (!is_alone())
-      MPI_Bcast(asked, 2, MPI_INT, 0, processes);
+      MPI_Bcast(asked, 2, MPI_INT, 0, model.processes);
     model.continuum->collect(state.continuum, {asked[0] != 0, asked[1] != 0});
   }
 
@@ -142,7 +144,7 @@ namespace hybrid
     if (!run.shared_peaks)
       return;
     Vec2 base = run.recorder ? run.recorder->base_displacement() : Vec2::Zero();
-    MPI_Bcast(base.data(), 2, MPI_DOUBLE, 0, processes);
+    MPI_Bcast(base.data(), 2, MPI_DOUBLE, 0, model.processes);
     run.shared_peaks->add(state.continuum.displacement, state.continuum.velocity, dt, base.data());
   }
 
@@ -152,9 +154,23 @@ namespace hybrid
   {
     if (is_alone())
       return mine;
-    int calls[3] = {mine.energy_limit, mine.interruption, mine.checkpoint};
-    MPI_Allreduce(MPI_IN_PLACE, calls, 3, MPI_INT, MPI_MAX, processes);
+    const std::uint64_t blocks   = fingerprint_of_blocks();
+    std::uint64_t       calls[5] = {
+            mine.energy_limit, mine.interruption, mine.checkpoint, blocks, ~blocks};
+    MPI_Allreduce(MPI_IN_PLACE, calls, 5, MPI_UINT64_T, MPI_MAX, model.processes);
+    if (calls[3] != ~calls[4])
+      throw std::runtime_error(
+        "the processes have come to different results at t = " + scene::number_text(state.time) +
+        " s: blocks are shared out among machines of one kind only");
     return {calls[0] != 0, calls[1] != 0, calls[2] != 0};
+  }
+
+
+
+  std::uint64_t Simulation::fingerprint_of_blocks() const
+  {
+    const dda::BlockEnergy &energy = state.blocks.energy; // sums over all blocks and springs
+    return restart::checksum({reinterpret_cast<const char *>(&energy), sizeof(energy)});
   }
 
 
@@ -163,7 +179,7 @@ namespace hybrid
   {
     int status = static_cast<int>(of_first);
     if (!is_alone())
-      MPI_Bcast(&status, 1, MPI_INT, 0, processes);
+      MPI_Bcast(&status, 1, MPI_INT, 0, model.processes);
     return static_cast<RunStatus>(status);
   }
 

@@ -42,14 +42,15 @@ namespace hybrid
         lifts = dda::place_in_lifts(*model.blocks, model.scene.environment.lifts, state.blocks);
         run_report.lifts(lifts);
       }
-    output::StaticProgressLine line(std::cout, output::standard_output_is_terminal());
+    std::ostream               screen(is_first() ? std::cout.rdbuf() : nullptr);
+    output::StaticProgressLine line(screen, is_first() && output::standard_output_is_terminal());
     settled = dda::settle(
       *model.blocks,
       state.blocks,
       model.scene.environment.static_stage == scene::StaticStage::held,
       [&](const dda::StaticProgress &progress) {
         line.update(progress);
-        return !interruption.is_requested();
+        return !agree({false, interruption.is_requested(), false}).interruption;
       },
       model.scene.environment.reset_softening);
     if (settled.stopped)

@@ -55,6 +55,11 @@ namespace hybrid
       others_wait = size > 1;
     }
 
+    bool is_alone() const
+    {
+      return others_wait;
+    }
+
     /// All run together: what stops one has to stop all.
     void set_together(const bool now)
     {

@@ -19,7 +19,8 @@ namespace hybrid
   /// What a scene calls for, built. Parts that it does not have are never made.
   struct SceneModel
   {
-    /// Read the mesh and motion and build the parts; writes no file. @throws InputError.
+    /// Read the mesh and motion and build the parts; writes no file. @param communicator of the
+    /// processes that there are. @throws InputError.
     SceneModel(const scene::SceneParameters &scene, output::Log &log, MPI_Comm communicator);
 
     /// At rest, unstressed.
@@ -28,10 +29,12 @@ namespace hybrid
     /// When the motion has ended, edge loads have risen and point loads have passed [s].
     double end_of_loads() const;
 
-    scene::SectionMesh                    mesh;
-    const scene::SceneParameters          scene;
-    const scene::InputMotion              input; ///< as given
-    const scene::GroundMotion             motion;
+    scene::SectionMesh           mesh;
+    const scene::SceneParameters scene;
+    const scene::InputMotion     input; ///< as given
+    const scene::GroundMotion    motion;
+    MPI_Comm
+      processes; ///< that compute it: all, or this one alone where it gains nothing by others
     std::unique_ptr<continuum::Continuum> continuum;  ///< the bedrock of finite elements, or null
     std::unique_ptr<dda::Model>           blocks;     ///< of the mass and of the bedrock, or null
     std::unique_ptr<coupling::Foundation> foundation; ///< what the blocks stand on, or null
@@ -40,6 +43,9 @@ namespace hybrid
     /// With a factor if it fits the memory, where the scene leaves that open.
     void make_continuum(output::Log &log, MPI_Comm communicator);
     void make_blocks();
+
+    /// Share blocks out if they are many.
+    void share_blocks();
 
     /// A bedrock of blocks and what it stands on.
     void make_bedrock_blocks();

@@ -24,6 +24,9 @@ namespace hybrid
     /// Read the mesh and motion and build the model; writes no file. @throws InputError.
     Simulation(const scene::SceneParameters &scene, output::Log &log, MPI_Comm communicator);
 
+    /// One process computes the scene.
+    bool is_alone() const;
+
     /// What it says before it runs.
     const RunReport &report() const
     {
@@ -62,7 +65,6 @@ namespace hybrid
     };
 
     output::Log                      &log;
-    const MPI_Comm                    processes; ///< that compute this scene
     const SceneModel                  model;
     const RunReport                   run_report;
     dda::LiftResult                   lifts;
@@ -75,16 +77,18 @@ namespace hybrid
     /// Of processes that compute together, the one that writes.
     bool is_first() const;
 
-    bool is_alone() const;
-
     /// On the first process, what it asks for.
     void collect(const continuum::Continuum::Collection &what);
 
     /// The first process records the step.
     void record_step(Run &run, const dda::StepResult &result, double dt, double wall_time);
 
-    /// What the processes call for together.
+    /// What the processes call for together. @throws std::runtime_error if they compute blocks
+    /// together and have come to different states
     Call agree(const Call &mine) const;
+
+    /// A number that tells states of the blocks apart.
+    std::uint64_t fingerprint_of_blocks() const;
 
     /// What the first one says.
     RunStatus agreed_status(RunStatus of_first) const;

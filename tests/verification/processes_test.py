@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Scenes under mpirun: the same answers on any number of processes, and nothing is lost when one ends.
 
-Usage: processes_test.py HYBRID_BINARY PART WORK_DIR     PART: equal, solvers, resume, faults
+Usage: processes_test.py HYBRID_BINARY PART WORK_DIR     PART: equal, solvers, resume, faults, blocks
 """
 import json
 import os
@@ -46,6 +46,14 @@ IMPLICIT = {
     "joints": ("oblique_joints", ["Time/End time=0.2"]),
 }
 COUPLED = ("restart_coupled", ["Time/End time=0.05"])
+# 2,000 blocks or more: bonded on a rigid base; loose ones that slide, and that come to rest; Badong on its bedrock; a bedrock of triangles.
+BLOCKS = {
+    "bonded": ("../benchmarks/bonded_5000", ["Time/End time=0.02"]),
+    "sliding": ("../benchmarks/slide_2000", ["Time/End time=0.003"]),
+    "resting": ("../benchmarks/rest_2000", ["Mesh/Numbers=Angle = 0; Columns = 100; Rows = 20; Base above = 200", "Time/End time=0.003"]),
+    "badong": ("../benchmarks/badong_4", ["Time/End time=0.04", "Output/Audit interval=0.01", "Output/Picture interval=0.02"]),
+    "triangles": ("../benchmarks/triangles_8", ["Time/End time=0.02"]),
+}
 complaints = []
 
 
@@ -168,9 +176,9 @@ def check_equal():
     alone, told = WORK / "coupled_1", WORK / "coupled_2"
     subprocess.run(words_of(*COUPLED[:1], alone, COUPLED[1]), check=True, capture_output=True, env=ENVIRONMENT, timeout=600)
     result = run(2, words_of(COUPLED[0], told, COUPLED[1]))
-    require("computed by the first one alone" in result.stdout, "a scene with blocks: it is told that one process computes")
+    require("computed by the first one alone" in result.stdout, "few blocks: it is told that one process computes")
     one, other = series(alone), series(told)
-    require(all(one[n].tobytes() == other[n].tobytes() for n in one), "a scene with blocks: the bits of one process")
+    require(all(one[n].tobytes() == other[n].tobytes() for n in one), "few blocks: the bits of one process")
 
 
 def resume(processes, directory, overrides=()):
@@ -202,15 +210,55 @@ def check_resume():
             require(worst < 1e-8, f"resumed by {processes}: {worst:.2g} off in {where}")
 
 
+def require_same_bits(expected, directory, what):
+    found = series(directory)
+    different = [n for n in expected if n not in found or expected[n].tobytes() != found[n].tobytes()]
+    require(not different, f"{what}: the same bits, but for {different[:4]}")
+
+
+def check_blocks():
+    """Blocks shared out among processes have the bits of one, also where another number goes on."""
+    for name, (scene, overrides) in BLOCKS.items():
+        for processes in (1, 2, 4) if name == "badong" else (1, 3) if name == "sliding" else (1, 2):
+            directory = WORK / f"{name}_{processes}"
+            result = run(processes, words_of(scene, directory, overrides))
+            require(result.stdout.count("Finished") == 1 and "alone" not in result.stdout, f"{name}, {processes} processes: all compute, one speaks")
+            if processes == 1:
+                expected = series(directory)
+                require(expected, f"{name}: there are series")
+            else:
+                require_same_bits(expected, directory, f"{name}, {processes} processes")
+    scene, overrides = BLOCKS["badong"]
+    part = WORK / "badong_part"
+    run(2, words_of(scene, part, [*overrides[1:], "Time/End time=0.021", "Checkpoint/Step interval=7"]))
+    resume(3, part, ["Time/End time=0.04"])
+    whole, found = series(WORK / "badong_1"), series(part)
+    names = [n for n in whole if n.startswith(("monitors/", "energy/"))]
+    different = [n for n in names if whole[n].tobytes() != found[n].tobytes()]
+    require(names and not different, f"begun by two, ended by three: the same bits, but for {different[:4]}")
+
+    long_run = [*overrides[1:], "Time/End time=0.6", "Checkpoint/Step interval=50"]
+    whole = WORK / "badong_long"
+    run(2, words_of(scene, whole, long_run))
+    expected = {n: v for n, v in series(whole).items() if n.startswith(("monitors/", "energy/"))}
+    for name, how in (("blocks_terminated", lambda process: process.send_signal(signal.SIGTERM)),
+                      ("blocks_killed", lambda process: os.kill(children(process)[1], signal.SIGKILL))):
+        directory = WORK / name
+        code = stopped(directory, how, long_run, scene)
+        require(code != 0, f"{name}: an exit code that tells of it")
+        resume(2, directory)
+        require_same_bits(expected, directory, name)
+
+
 def children(process):
     """Ids of the processes that mpirun has started."""
     text = subprocess.run(["ps", "-o", "pid=,args=", "--ppid", str(process.pid)], capture_output=True, text=True).stdout
     return [int(line.split()[0]) for line in text.splitlines() if BINARY in line]
 
 
-def stopped(directory, how, overrides):
+def stopped(directory, how, overrides, scene="lamb"):
     """A run of two processes that is stopped once it has written a checkpoint. @return its exit code."""
-    process = subprocess.Popen([*launcher(2), "--mca", "odls_base_sigkill_timeout", "5", *words_of("lamb", directory, overrides)],
+    process = subprocess.Popen([*launcher(2), "--mca", "odls_base_sigkill_timeout", "5", *words_of(scene, directory, overrides)],
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=ENVIRONMENT)
     while process.poll() is None and not (directory / "checkpoint/state.bin").exists():
         time.sleep(0.01)
@@ -247,7 +295,7 @@ def check_faults():
 
 
 shutil.rmtree(WORK, ignore_errors=True)
-{"equal": check_equal, "solvers": check_solvers, "resume": check_resume, "faults": check_faults}[PART]()
+{"equal": check_equal, "solvers": check_solvers, "resume": check_resume, "faults": check_faults, "blocks": check_blocks}[PART]()
 if complaints:
     sys.exit(f"{len(complaints)} complaints, first: {complaints[0]}")
 print("ok")

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cholmod.h>
 #include <cstring>
+#include <mutex>
 
 namespace hybrid::dda
 {
@@ -79,12 +80,17 @@ namespace hybrid::dda
     cholmod_common common;
     cholmod_start(&common);
     choose_methods(common, n_blocks);
-    cholmod_factor *factor = cholmod_analyze(&pattern.view, &common);
-    const auto     *perm   = static_cast<const int *>(factor->Perm);
-    const auto     *super  = static_cast<const int *>(factor->super);
-    const auto     *first  = static_cast<const int *>(factor->pi);
-    const auto     *rows   = static_cast<const int *>(factor->s);
-    const int       n      = static_cast<int>(factor->nsuper);
+    cholmod_factor *factor = nullptr;
+    {
+      static std::mutex                 mutex; // METIS draws from std::rand, which threads share
+      const std::lock_guard<std::mutex> lock(mutex);
+      factor = cholmod_analyze(&pattern.view, &common);
+    }
+    const auto *perm  = static_cast<const int *>(factor->Perm);
+    const auto *super = static_cast<const int *>(factor->super);
+    const auto *first = static_cast<const int *>(factor->pi);
+    const auto *rows  = static_cast<const int *>(factor->s);
+    const int   n     = static_cast<int>(factor->nsuper);
 
     block.assign(perm, perm + n_blocks);
     place.resize(n_blocks);

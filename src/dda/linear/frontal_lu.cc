@@ -53,18 +53,6 @@ namespace hybrid::dda
 
 
 
-    /// Bring numbers of the next front into the cache while this one is solved: processors do so by
-    /// themselves within a front, but fronts are small.
-    void fetch(const double *begin, const double *end)
-    {
-      constexpr std::ptrdiff_t line = 8, most = 1024;
-      const double *const      last = std::min(end, begin + std::min(most, end - begin));
-      for (const double *at = begin; at < last; at += line)
-        __builtin_prefetch(at);
-    }
-
-
-
     std::vector<BlockMatrix::Pair> pairs_not_zero(const BlockMatrix &matrix)
     {
       std::vector<BlockMatrix::Pair> list;
@@ -79,10 +67,15 @@ namespace hybrid::dda
 
   void FrontalLu::analyze(std::vector<BlockMatrix::Pair> now, const int n_blocks)
   {
-    pairs = std::move(now);
-    size  = n_blocks;
-    tree  = FrontTree(n_blocks, pairs);
-    plan  = FrontPlan(tree, omp_get_max_threads() > 1 && is_worth_sharing(size));
+    pairs               = std::move(now);
+    size                = n_blocks;
+    tree                = FrontTree(n_blocks, pairs);
+    const bool is_large = is_worth_sharing(size);
+    plan =
+      FrontPlan(tree,
+                omp_get_max_threads() > 1 && is_large,
+                group != nullptr && is_large ? FrontOwners(tree, group->count()) : FrontOwners(),
+                group != nullptr ? group->rank() : 0);
     ++analyses;
 
     const int n = tree.n_fronts();
@@ -115,6 +108,8 @@ namespace hybrid::dda
     handed.resize(6 * static_cast<Eigen::Index>(tree.later_places.size()));
     for (Work &of_thread : work)
       of_thread = Work();
+    if (shares_fronts())
+      list_places();
   }
 
 
@@ -226,7 +221,8 @@ namespace hybrid::dda
     for (int f = 0; f < tree.n_fronts(); ++f)
       {
         const std::size_t p = tree.own(f), u = tree.later(f);
-        factor_begin.push_back(factor_begin.back() + 36 * p * (p + (symmetric ? 1 : 2) * u));
+        factor_begin.push_back(factor_begin.back() +
+                               (plan.is_mine(f) ? 36 * p * (p + (symmetric ? 1 : 2) * u) : 0));
       }
     factors.resize(factor_begin.back());
   }
@@ -377,83 +373,12 @@ namespace hybrid::dda
         served = is_due[f] == 0 || eliminate(f, work[omp_get_thread_num()]);
     for (std::size_t k = 0; served && k < plan.above.size(); ++k)
       served = is_due[plan.above[k]] == 0 || eliminate(plan.above[k], work[0]);
+    if (shares_fronts())
+      served = hand_over_fronts(served);
+    for (std::size_t k = 0; served && k < plan.of_all.size(); ++k)
+      served = is_due[plan.of_all[k]] == 0 || eliminate(plan.of_all[k], work[0]);
     regular = served;
     return served;
-  }
-
-
-
-  void FrontalLu::solve(const Eigen::VectorXd &b, Eigen::VectorXd &x)
-  {
-    const int  n_shared = static_cast<int>(plan.shared.size());
-    const bool is_large = is_worth_sharing(size);
-    for (int p = 0; p < size; ++p)
-      rest.segment<6>(6 * p) = b.segment<6>(6 * tree.block[p]);
-#pragma omp parallel for schedule(dynamic) if (is_large)
-    for (int s = 0; s < n_shared; ++s)
-      for (int f = plan.shared[s].first; f < plan.shared[s].last; ++f)
-        solve_forward(f);
-    for (const int f : plan.above)
-      solve_forward(f);
-    for (auto f = plan.above.rbegin(); f != plan.above.rend(); ++f)
-      solve_backward(*f);
-#pragma omp parallel for schedule(dynamic) if (is_large)
-    for (int s = 0; s < n_shared; ++s)
-      for (int f = plan.shared[s].last - 1; f >= plan.shared[s].first; --f)
-        solve_backward(f);
-    for (int p = 0; p < size; ++p)
-      x.segment<6>(6 * tree.block[p]) = ordered.segment<6>(6 * p);
-  }
-
-
-
-  void FrontalLu::solve_forward(const int f)
-  {
-    const int p = tree.own(f), u = tree.later(f);
-    if (f + 1 < tree.n_fronts())
-      fetch(kept_of(f + 1), kept_of(f + 1) + entries_of_panel(f + 1));
-    double *own  = rest.data() + 6 * tree.begin[f];
-    double *hand = handed.data() + 6 * static_cast<std::ptrdiff_t>(tree.later_begin[f]);
-    std::fill_n(hand, 6 * u, 0.);
-    for (int c = plan.child_begin[f]; c < plan.child_begin[f + 1]; ++c)
-      {
-        const int     begin = tree.later_begin[plan.child[c]];
-        const double *left  = handed.data() + 6 * static_cast<std::ptrdiff_t>(begin);
-        for (int k = 0; k < tree.later(plan.child[c]); ++k)
-          {
-            const int place = tree.in_parent[begin + k];
-            Eigen::Map<Vec6>(place < p ? own + 6 * place : hand + 6 * (place - p)) +=
-              Eigen::Map<const Vec6>(left + 6 * k);
-          }
-      }
-    subtract_product({kept_of(f), 6 * u, 6 * p, 6 * u}, own, hand);
-  }
-
-
-
-  void FrontalLu::solve_backward(const int f)
-  {
-    const int p = 6 * tree.own(f), u = 6 * tree.later(f);
-    if (f > 0)
-      {
-        const double *next = factors.data() + factor_begin[f - 1], *panel = kept_of(f - 1);
-        fetch(next, panel);
-        fetch(panel + (symmetric ? 0 : entries_of_panel(f - 1)), factors.data() + factor_begin[f]);
-      }
-    double    *own    = factors.data() + factor_begin[f];
-    double    *kept   = kept_of(f);
-    double    *right  = kept + entries_of_panel(f);
-    double    *here   = rest.data() + 6 * tree.begin[f];
-    double    *result = ordered.data() + 6 * tree.begin[f];
-    double    *later  = handed.data() + 6 * static_cast<std::ptrdiff_t>(tree.later_begin[f]);
-    const int *place  = tree.later_places.data() + tree.later_begin[f];
-    for (int k = 0; k < u / 6; ++k)
-      Eigen::Map<Vec6>(later + 6 * k) = ordered.segment<6>(6 * place[k]);
-    if (!symmetric)
-      subtract_product({right, p, u, p}, later, here);
-    divide(here, divisor(f, {own, p, p, p}), result);
-    if (symmetric) // D^-1 B is the transpose of C D^-1
-      subtract_transposed_product({kept, u, p, u}, later, result);
   }
 
 

@@ -106,6 +106,7 @@ namespace hybrid::dda
         offset.push_back(static_cast<int>(list.size()));
       }
     detection.set_neighbours(offset, list);
+    iteration.set_processes(model.processes.get());
   }
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/linear/front_tree.h>
+#include <hybrid/dda/linear/front_owners.h>
 
 #include <cstddef>
 #include <vector>
@@ -14,6 +14,9 @@ namespace hybrid::dda
    * Subtrees of at most a sixteenth of all products are eliminated at once, then the fronts above
    * them in turn. A single thread takes all fronts in turn, each as soon as its children are
    * there: then the least waits, a third of it. The bits depend on the fronts alone.
+   *
+   * Of several processes each eliminates its own fronts, and then all of them those above
+   * (FrontOwners); what the topmost of its own fronts leave goes to the others.
    *
    * What waits is stacked, that of fronts of even and of odd depth apart: so a front finds what its
    * children left at the end of one stack and leaves its own at the end of the other, and nothing
@@ -29,8 +32,30 @@ namespace hybrid::dda
 
     FrontPlan() = default;
 
-    /// @param is_shared several threads eliminate
-    FrontPlan(const FrontTree &tree, bool is_shared);
+    /// @param is_shared several threads eliminate @param of_processes which process eliminates
+    /// what; this one is number @p rank
+    FrontPlan(const FrontTree   &tree,
+              bool               is_shared,
+              const FrontOwners &of_processes = {},
+              int                rank         = 0);
+
+    /// Several processes eliminate fronts.
+    bool is_of_processes() const
+    {
+      return !owners.of.empty();
+    }
+
+    /// Which process eliminates a front, of several.
+    int owner(const int f) const
+    {
+      return owners.of[f];
+    }
+
+    /// This process eliminates the front.
+    bool is_mine(const int f) const
+    {
+      return !is_of_processes() || owners.of[f] == me || owners.of[f] == FrontOwners::all;
+    }
 
     /// Give what each front leaves a place of its own.
     void keep_all(const FrontTree &tree);
@@ -38,8 +63,11 @@ namespace hybrid::dda
     /// Entries that all fronts leave.
     static std::size_t left_by_all(const FrontTree &tree);
 
-    std::vector<Subtrees>    shared;         ///< independent of each other
-    std::vector<int>         above;          ///< the other fronts, ascending
+    std::vector<Subtrees>    shared;         ///< of this process, independent of each other
+    std::vector<int>         above;          ///< its other fronts, ascending
+    std::vector<int>         of_all;         ///< fronts that all processes eliminate, ascending
+    std::vector<int>         handed_over;    ///< topmost fronts of each process, by process
+    std::vector<std::size_t> handed_by;      ///< CSR over processes of handed_over
     std::vector<int>         child_begin{0}; ///< CSR over fronts
     std::vector<int>         child;
     std::vector<std::size_t> place; ///< of what each front leaves, among all that waits [entries]
@@ -48,6 +76,16 @@ namespace hybrid::dda
     std::size_t              largest_panel = 0; ///< own times later blocks of a front
 
   private:
+    FrontOwners owners;
+    int         me = 0; ///< number of this process
+
+    bool is_of_all(const int f) const
+    {
+      return is_of_processes() && owners.of[f] == FrontOwners::all;
+    }
+
+    void list_handed_over(const FrontTree &tree);
+
     void list_children(const FrontTree &tree);
 
     void find_subtrees(const FrontTree &tree);

@@ -3,6 +3,7 @@
 
 #include <hybrid/dda/linear/front_kernels.h>
 #include <hybrid/dda/linear/front_plan.h>
+#include <hybrid/dda/linear/process_group.h>
 #include <hybrid/restart/archive_forward.h>
 
 #include <Eigen/Core>
@@ -31,11 +32,18 @@ namespace hybrid::dda
    * above these are eliminated again, all others stay: the bits are those of new factors. That
    * takes the memory of what every front hands on, so it begins once it would have served.
    *
-   * Threads share subtrees of fronts (FrontPlan), with the same bits for any number of them.
+   * Threads share subtrees of fronts (FrontPlan), and so do processes, each of which keeps the
+   * factors of its own fronts and of those above; the bits are the same for any number of both.
    */
   class FrontalLu
   {
   public:
+    /// Share fronts out among @p processes, which all call whatever follows; nullptr: none.
+    void set_processes(const ProcessGroup *processes)
+    {
+      group = processes;
+    }
+
     /// @return false if a block of the diagonal becomes singular or large.
     bool factorize(const BlockMatrix &matrix);
 
@@ -107,6 +115,7 @@ namespace hybrid::dda
       DenseInverse        inverse;
     };
 
+    const ProcessGroup            *group     = nullptr;
     int                            size      = 0; ///< blocks that were analysed
     int                            analyses  = 0;
     bool                           symmetric = false; ///< what was factored last
@@ -125,12 +134,16 @@ namespace hybrid::dda
     std::vector<std::size_t> factor_begin; ///< of each front in factors
     std::vector<double>      factors; ///< per front D^-1 or the factors of D, C D^-1 and, unless
                                       ///< symmetric, B; by columns
-    std::vector<int>    pivots;       ///< of each front's DenseDivisor, at its first place
-    std::vector<double> waiting;      ///< E of fronts, see FrontPlan
-    std::vector<Work>   work;         ///< of each thread
-    Eigen::VectorXd     rest;         ///< work: right-hand side in the order of places
-    Eigen::VectorXd     ordered;      ///< work: solution in the order of places
-    Eigen::VectorXd     handed;       ///< work: of each front's later blocks
+    std::vector<int>         pivots;  ///< of each front's DenseDivisor, at its first place
+    std::vector<double>      waiting; ///< E of fronts, see FrontPlan
+    std::vector<Work>        work;    ///< of each thread
+    std::vector<int>         of_processes;   ///< places, by the process whose fronts they are in
+    std::vector<std::size_t> solution_begin; ///< of each process in a parcel
+    std::vector<std::size_t> forces_begin;   ///< likewise
+    std::vector<double>      parcel;         ///< work: what processes give each other
+    Eigen::VectorXd          rest;           ///< work: right-hand side in the order of places
+    Eigen::VectorXd          ordered;        ///< work: solution in the order of places
+    Eigen::VectorXd          handed;         ///< work: of each front's later blocks
 
     /// Bring order and fronts up to date, copy the matrix and mark fronts whose entries change.
     void load(const BlockMatrix &matrix);
@@ -174,6 +187,24 @@ namespace hybrid::dda
 
     /// Add what a child front left.
     void add_child(int child, const Front &front) const;
+
+    bool shares_fronts() const
+    {
+      return plan.is_of_processes();
+    }
+
+    /// List the places of the processes' own fronts.
+    void list_places();
+
+    /// What the topmost fronts of each process leave to those of all; @p served: on this process.
+    /// @return whether all were served
+    bool hand_over_fronts(bool served);
+
+    /// The same of a right-hand side.
+    void hand_over_forces();
+
+    /// The solution at the places of each process, to all.
+    void gather_solution();
 
     void solve_forward(int f);
 

@@ -39,6 +39,12 @@ namespace hybrid::dda
       double factor_time = 0.;    ///< that it took [s]
     };
 
+    /// Share factors out among @p processes; before anything else.
+    void set_processes(const ProcessGroup *processes)
+    {
+      factor.set_processes(processes);
+    }
+
     /// The foundation's own stiffness S (n x n, symmetric positive definite) for the next solves;
     /// nullptr: none.
     void set_foundation_stiffness(const Eigen::MatrixXd *stiffness)

@@ -28,6 +28,12 @@ namespace hybrid::dda
     /// Blocks from which the copy that JoinedMatrix makes is given back once it is factored.
     static constexpr int many_blocks = 16000;
 
+    /// See FrontalLu; the other kinds of factors are made by each process for itself.
+    void set_processes(const ProcessGroup *processes)
+    {
+      frontal.set_processes(processes);
+    }
+
     /// Of the blocks' part, or of blocks and @p foundation together if LU by fronts serves:
     /// has_foundation(). @return false if the matrix is singular.
     bool factorize(const BlockMatrix &matrix, const InterfaceStiffness *foundation = nullptr);

@@ -10,8 +10,10 @@
 #include <hybrid/dda/contact/contact.h>
 #include <hybrid/dda/geometry/geometry.h>
 #include <hybrid/dda/joint/joint_law.h>
+#include <hybrid/dda/linear/process_group.h>
 #include <hybrid/scene/newmark.h>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -142,6 +144,7 @@ namespace hybrid::dda
     EdgeLoads                     edge_loads;
     std::vector<MovingBlocks>     moving_blocks; ///< at t = 0; the others are at rest
     IterationParameters           iteration;
+    std::shared_ptr<const ProcessGroup> processes; ///< that compute the scene; null: this one alone
 
     int    n_bedrock            = 0;     ///< the last blocks are the bedrock
     bool   hold_bedrock         = false; ///< the bedrock does not move (static stage)

@@ -56,6 +56,12 @@ namespace hybrid::dda
       watch = std::move(new_watch);
     }
 
+    /// See LinearSolver.
+    void set_processes(const ProcessGroup *processes)
+    {
+      solver.set_processes(processes);
+    }
+
     /// Solve the step from @p state; @p model must outlive the call to accept(). @p guess: the
     /// increments of all blocks to begin with, instead of those of the last motion.
     StepResult solve(const Model              &model,

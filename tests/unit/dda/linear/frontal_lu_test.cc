@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "random_block_matrix.h"
+#include "thread_group.h"
 
 #include <hybrid/dda/linear/frontal_lu.h>
 #include <hybrid/restart/archive.h>
@@ -11,6 +12,7 @@
 
 namespace
 {
+  using namespace hybrid;
   using namespace hybrid::dda;
   using hybrid::test::dense;
   using hybrid::test::random_block_matrix;
@@ -133,6 +135,60 @@ TEST(FrontalLu, few_changes_take_few_fronts_and_leave_the_bits_of_new_factors)
           EXPECT_EQ((x - expected).cwiseAbs().maxCoeff(), 0.);
         }
     }
+}
+
+
+
+TEST(FrontalLu, processes_share_fronts_and_have_the_bits_of_one)
+{
+  for (const bool symmetric : {true, false})
+    for (const int n : {2, 3, 4})
+      {
+        BlockMatrix              m = symmetric ? random_block_matrix(2500, 0, {1, 50})
+                                               : unsymmetric_block_matrix(2500, 0, 0.1, {1, 50});
+        std::vector<BlockMatrix> matrices{m}; // then with few changes, so that fronts are kept
+        for (const int change : {0, 1, 2})
+          {
+            m.diagonal[1200 + change] *= 1.1;
+            matrices.push_back(m);
+          }
+        m.diagonal[77].setConstant(std::nan("")); // no factors
+        matrices.push_back(m);
+        m.diagonal[77] = matrices[0].diagonal[77];
+        matrices.push_back(m);
+        const Eigen::VectorXd        b = Eigen::VectorXd::LinSpaced(m.size(), -1., 2.);
+        std::vector<Eigen::VectorXd> expected;
+        FrontalLu                    alone;
+        for (const BlockMatrix &matrix : matrices)
+          {
+            expected.emplace_back(m.size());
+            if (alone.factorize(matrix))
+              alone.solve(b, expected.back());
+            else
+              expected.back().setZero();
+          }
+        test::ThreadGroup   group(n);
+        std::vector<int>    equal(n, 0);
+        std::vector<double> products(n, 0.);
+        group.run([&](const ProcessGroup &processes) {
+          omp_set_num_threads(1);
+          FrontalLu factor;
+          factor.set_processes(&processes);
+          Eigen::VectorXd x(m.size());
+          for (std::size_t k = 0; k < matrices.size(); ++k)
+            {
+              if (factor.factorize(matrices[k]))
+                factor.solve(b, x);
+              else
+                x.setZero();
+              equal[processes.rank()] += x == expected[k] ? 1 : 0;
+            }
+          products[processes.rank()] = factor.last_cost().products;
+        });
+        EXPECT_EQ(equal, std::vector<int>(n, static_cast<int>(matrices.size())));
+        EXPECT_EQ(products, std::vector<double>(n, alone.last_cost().products));
+        EXPECT_GT(group.received(), 0U);
+      }
 }
 
 
