@@ -12,13 +12,16 @@ namespace hybrid::dda
   {
     constexpr int hard_limit = 2000;
 
-    // Per 6x6 block, on a core of 10 GB/s and 33 GFLOP/s [s]; measured on masses of 600 to 100,000
-    // triangles.
-    constexpr double time_of_sweep   = 70e-9; ///< of one in the matrix
-    constexpr double time_of_entry   = 30e-9; ///< of one that is read
+    // Per 6x6 block, on a core of 10 GB/s and 33 GFLOP/s [s]; measured in the benchmarks' scenes,
+    // of 400 to 20,000 blocks (doc/notes/solver.md).
+    constexpr double time_of_sweep   = 32e-9; ///< of one in the matrix
+    constexpr double time_of_entry   = 30e-9; ///< of one that is read, from memory
+    constexpr double time_in_cache   = 10e-9; ///< the same from a cache
+    constexpr double fits_cache      = 8e6;   ///< all entries of a solution [B]
     constexpr double time_of_product = 13e-9;
-    constexpr double time_of_front   = 2e-6; ///< in a factorisation
-  }                                          // namespace
+    constexpr double time_of_loading = 80e-9; ///< of one in the matrix, to factorise it
+    constexpr double time_of_front   = 2e-6;  ///< in a factorisation
+  }                                           // namespace
 
 
 
@@ -350,9 +353,11 @@ namespace hybrid::dda
     const double               n      = n_entries;
     const bool   one_product = is_symmetric && (!foundation.exists() || factor.has_foundation());
     const double products    = one_product ? 1. : 2.; // with the matrix, in an iteration
+    const double read        = n + counts.entries;
     return {(is_symmetric ? 1. : 2.) * n * time_of_sweep,
-            products * (n + counts.entries) * time_of_entry,
-            counts.products * time_of_product + counts.fronts * time_of_front};
+            products * read * (read * sizeof(Mat6) <= fits_cache ? time_in_cache : time_of_entry),
+            counts.products * time_of_product + counts.fronts * time_of_front + n * time_of_loading,
+            is_symmetric};
   }
 
 

@@ -11,9 +11,10 @@ namespace hybrid::dda
   {
     constexpr int few_sweeps   = 40; ///< always granted
     constexpr int many_sweeps  = 2000;
-    constexpr int few_failures = 2; ///< of old factors in a row, after which they are passed over
-    constexpr int retry_every  = 8; ///< matrices, to see if an old factor serves again
-    constexpr int judged_every = 8; ///< solutions with factors, at least
+    constexpr int few_failures = 2;   ///< of old factors in a row, after which they are passed over
+    constexpr int retry_every  = 8;   ///< matrices, to see if an old factor serves again
+    constexpr int judged_every = 8;   ///< solutions with factors, at least
+    constexpr double early     = 0.1; ///< part of the price at which one that lasts is bought
     constexpr double most_patience = 64.; ///< prices of a factor
     constexpr double forgotten     = 0.9; ///< of what sweeps have cost, at each judgement
 
@@ -60,7 +61,7 @@ namespace hybrid::dda
       {
         sweep_cost = sweep_cost == 0. ? cost : 0.75 * sweep_cost + 0.25 * cost;
         excess     = std::max(0., excess + cost - costs.with_factor);
-        if (excess > patience * costs.factor)
+        if (excess > (costs.lasts ? early : 1.) * patience * costs.factor)
           begin_factors();
         return;
       }

@@ -264,7 +264,7 @@ namespace hybrid::dda
     const FrontTree       &tree = frontal.fronts();
     const FrontalLu::Cost &last = frontal.last_cost();
     if (size > 0 && kind == Kind::block_lu)
-      return {block_lu.n_entries(), block_lu_products, 0.2 * n};
+      return {block_lu.n_entries(), block_lu_products, 0.02 * n};
     if (tree.n_blocks() != n_blocks + n_added)
       return {2. * n * std::log2(n + 1.), 6. * n * std::sqrt(n), 0.6 * n};
     if (size > 0 && kind == Kind::lu) // UMFPACK exchanges rows

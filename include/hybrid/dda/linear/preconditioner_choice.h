@@ -24,6 +24,7 @@ namespace hybrid::dda
       double sweep;       ///< an iteration with sweeps
       double with_factor; ///< an iteration with a factor
       double factor;      ///< a new factor
+      bool   lasts = false; ///< a factor is expected to serve for long: nothing slides
     };
 
     bool uses_factor() const
