@@ -21,9 +21,9 @@ namespace hybrid::dda
     /// Estimated for a core of 10 GB/s and 33 GFLOP/s [s].
     struct Costs
     {
-      double sweep;       ///< an iteration with sweeps
-      double with_factor; ///< an iteration with a factor
-      double factor;      ///< a new factor
+      double sweep;         ///< an iteration with sweeps
+      double with_factor;   ///< an iteration with a factor
+      double factor;        ///< a new factor
       bool   lasts = false; ///< a factor is expected to serve for long: nothing slides
     };
 
