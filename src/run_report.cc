@@ -125,8 +125,8 @@ namespace hybrid
         const Vec2 &c = state.blocks[settled.moving_block].centroid;
         std::snprintf(text,
                       sizeof(text),
-                      ", most of all block %d at (%.2f, %.2f)",
-                      settled.moving_block,
+                      ", most of all block %s, now at (%.2f, %.2f)",
+                      model.mesh.block_name(settled.moving_block).c_str(),
                       c.x(),
                       c.y());
         where = text;
@@ -149,13 +149,13 @@ namespace hybrid
     if (settled.fallen_block < 0)
       return;
     const Vec2 &c = state.blocks[settled.fallen_block].centroid;
-    char        text[200];
+    char        text[300];
     std::snprintf(
       text,
       sizeof(text),
-      "the mass does not stand as it was drawn: block %d has moved by %.3g m and turned by %.3g "
+      "the mass does not stand as it was drawn: block %s has moved by %.3g m and turned by %.3g "
       "degrees before it came to rest at (%.2f, %.2f)",
-      settled.fallen_block,
+      model.mesh.block_name(settled.fallen_block).c_str(),
       settled.fallen_by,
       settled.turned_by * 180. / M_PI,
       c.x(),

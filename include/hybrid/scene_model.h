@@ -29,12 +29,11 @@ namespace hybrid
     /// When the motion has ended, edge loads have risen and point loads have passed [s].
     double end_of_loads() const;
 
-    scene::SectionMesh           mesh;
-    const scene::SceneParameters scene;
-    const scene::InputMotion     input; ///< as given
-    const scene::GroundMotion    motion;
-    MPI_Comm
-      processes; ///< that compute it: all, or this one alone where it gains nothing by others
+    scene::SectionMesh                    mesh;
+    const scene::SceneParameters          scene;
+    const scene::InputMotion              input; ///< as given
+    const scene::GroundMotion             motion;
+    MPI_Comm                              processes;  ///< that compute it: all, or this one alone
     std::unique_ptr<continuum::Continuum> continuum;  ///< the bedrock of finite elements, or null
     std::unique_ptr<dda::Model>           blocks;     ///< of the mass and of the bedrock, or null
     std::unique_ptr<coupling::Foundation> foundation; ///< what the blocks stand on, or null

@@ -249,6 +249,7 @@ namespace hybrid::scene
                              at(polygon.vertices.front().x) +
                              "; vertices must be listed counter-clockwise.");
         mesh.blocks.push_back(block);
+        mesh.block_names.push_back(polygon.name);
 
         auto      &names = mesh.block_region_names;
         const auto found = std::find(names.begin(), names.end(), polygon.region);

@@ -33,6 +33,15 @@ namespace hybrid::scene
     std::vector<int>              block_region;  ///< per block: index into block_region_names
     std::vector<std::string> block_region_names; ///< "sliding_mass", "sliding_mass_<suffix>", ...
 
+    std::vector<std::string> block_names; ///< as the file of polygons calls them; else empty
+
     std::map<std::string, std::vector<Edge>> lines; ///< edges of each named line
+
+    /// What to call a block in a message: by its name in the file of polygons, or its number.
+    std::string block_name(const int block) const
+    {
+      const auto b = static_cast<std::size_t>(block);
+      return b < block_names.size() ? block_names[b] : std::to_string(block);
+    }
   };
 } // namespace hybrid::scene

@@ -49,6 +49,16 @@ namespace hybrid::scene::test
   }
 
 
+  TEST_F(PolygonReader, MessagesCallBlocksAsTheFileDoes)
+  {
+    const SectionMesh mesh = polygons("7,0,0\n7,1,0\n7,0,1\ntop,0,1\ntop,1,1\ntop,0,2\n");
+    EXPECT_EQ(mesh.block_name(0), "7");
+    EXPECT_EQ(mesh.block_name(1), "top");
+    EXPECT_EQ(SectionMesh().block_name(3), "3"); // of a mesh: its number
+  }
+
+
+
   TEST_F(PolygonReader, ConcavePolygonsAndStraightAnglesAreAllowed)
   {
     const SectionMesh mesh = polygons("L,0,0\nL,1,0\nL,2,0\nL,2,1\nL,1,1\nL,1,2\nL,0,2\n");
