@@ -214,7 +214,8 @@ namespace hybrid
       add_parts(settled.times, "static_", run.summary.timings);
     if (has_failed_to_stand())
       {
-        run.recorder->start(state);
+        if (run.recorder)
+          run.recorder->start(state);
         finish(run, RunStatus::no_equilibrium);
         return RunStatus::no_equilibrium;
       }

@@ -144,7 +144,10 @@ namespace hybrid::output
 
     std::string shear_text(const Summary::BaseShear &base)
     {
-      const auto percent = [](const double share) { return format("%.3g %%", 100. * share); };
+      constexpr double round_off = 1e-9;
+      const auto       percent   = [](const double share) {
+        return format("%.3g %%", std::abs(share) < round_off ? 0. : 100. * share);
+      };
       if (std::isnan(base.mobilised_left))
         return "";
       return indent + "shear strength of the sliding surface: " + percent(base.mobilised_at_rest) +

@@ -68,8 +68,9 @@ namespace hybrid::output
     if (blocks != nullptr)
       {
         const dda::SolverMemory solver = dda::estimated_memory(*blocks, continuum != nullptr);
-        estimate.blocks                = solver.bonded;
-        estimate.sliding               = solver.sliding;
+        const bool              loose  = blocks->joints.empty(); // what touches may slide at once
+        estimate.blocks                = solver.bonded + (loose ? solver.sliding : 0.);
+        estimate.sliding               = loose ? 0. : solver.sliding;
       }
     const double rows = scene.time.end_time / LineRecorder::interval(scene);
     // as the others, in run.h5 and once more while it is flushed

@@ -21,6 +21,7 @@ SCENES = {
     "slipping planes": (BADONG, ["Mesh/Numbers=Resolution/h = 8", "Time/End time=0.02",
                                  "Bedding planes/Strength=Mohr-Coulomb", "Bedding planes/Friction angle=30"]),
     "triangles": (BADONG, ["Mesh/Numbers=Resolution/h = 6", "Time/End time=0.012", "Model/Bedrock=triangles"]),
+    "loose": (ROOT / "parameters/benchmarks/rest_2000.prm", []),
     "bonded 5000": (ROOT / "parameters/benchmarks/bonded_5000.prm", ["Checkpoint/Wall interval=0"]),
     "bonded 20000": (ROOT / "parameters/benchmarks/bonded_20000.prm", ["Checkpoint/Wall interval=0"]),
     "long run": (ROOT / "parameters/verification/coupled_column.prm",

@@ -237,6 +237,10 @@ def check_blocks():
     different = [n for n in names if whole[n].tobytes() != found[n].tobytes()]
     require(names and not different, f"begun by two, ended by three: the same bits, but for {different[:4]}")
 
+    # What cannot stand ends with one sentence, not with a crash of those that do not write.
+    falls = ["Mesh/Numbers=Angle = 30; Columns = 2000; Rows = 1; Base above = 200", "Time/End time=0.001"]
+    refused = run(2, words_of("../benchmarks/rest_2000", WORK / "falls", falls), expect=1)
+    require(refused.stdout.count("no static equilibrium was found") == 1 and "signal" not in refused.stderr, "a mass that slides: refused in a sentence")
     long_run = [*overrides[1:], "Time/End time=0.6", "Checkpoint/Step interval=50"]
     whole = WORK / "badong_long"
     run(2, words_of(scene, whole, long_run))

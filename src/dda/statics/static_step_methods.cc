@@ -31,9 +31,9 @@ namespace hybrid::dda
                                        OpenCloseIteration::Watch watch_step)
     : problem(static_problem)
     , watch(std::move(watch_step))
-    , plain(static_problem)
   {
-    plain.set_watch(watch);
+    plain.emplace(static_problem);
+    plain->set_watch(watch);
   }
 
 
@@ -44,7 +44,7 @@ namespace hybrid::dda
                                       const double              residual)
   {
     if (method == Method::line_search)
-      return plain.solve(state, foundation, dt);
+      return plain->solve(state, foundation, dt);
     if (method == Method::on_path)
       return path->solve(state, foundation, dt);
     const StepResult held = from_hold->hold(state, foundation, dt);
@@ -62,7 +62,7 @@ namespace hybrid::dda
     if (method == Method::from_hold)
       from_hold->accept(state);
     else
-      (method == Method::on_path ? *path : plain).accept(state);
+      (method == Method::on_path ? *path : *plain).accept(state);
   }
 
 
@@ -72,11 +72,15 @@ namespace hybrid::dda
     if (method == Method::line_search && hopeless && is_loose(problem, state))
       {
         method = Method::from_hold;
+        times += plain->part_times();
+        plain.reset();
         from_hold.emplace(problem, watch);
         return great_step;
       }
     if (method == Method::from_hold)
       {
+        times += from_hold->part_times();
+        from_hold.reset();
         method                               = Method::on_path;
         together                             = problem;
         together->iteration.changes_together = true;
@@ -106,11 +110,13 @@ namespace hybrid::dda
 
   PartTimes StaticStepMethods::part_times() const
   {
-    PartTimes times = plain.part_times();
+    PartTimes all = times;
+    if (plain)
+      all += plain->part_times();
     if (from_hold)
-      times += from_hold->part_times();
+      all += from_hold->part_times();
     if (path)
-      times += path->part_times();
-    return times;
+      all += path->part_times();
+    return all;
   }
 } // namespace hybrid::dda

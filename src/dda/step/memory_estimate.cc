@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/block/block_motion.h>
+#include <hybrid/dda/geometry/cell_grid.h>
 #include <hybrid/dda/linear/frontal_lu.h>
 #include <hybrid/dda/linear/linear_solver.h>
 #include <hybrid/dda/linear/shared_loop.h>
@@ -13,13 +14,47 @@ namespace hybrid::dda
 {
   namespace
   {
-    /// Pairs of blocks with joints, each once, the smaller number first.
+    /// Add the pairs of loose blocks that touch: a corner of one lies in the box of the other.
+    void add_loose_pairs(const Model &model, std::vector<BlockMatrix::Pair> &pairs)
+    {
+      const Geometry  &g = model.initial;
+      std::vector<Box> boxes;
+      for (int b = 0; b < model.n_mass(); ++b)
+        {
+          const double margin = 1e-3 * model.blocks[b].size;
+          Box          box{g.vertices[g.offset[b]], g.vertices[g.offset[b]]};
+          for (int v = g.offset[b]; v < g.offset[b + 1]; ++v)
+            {
+              box.lower = box.lower.cwiseMin(g.vertices[v]);
+              box.upper = box.upper.cwiseMax(g.vertices[v]);
+            }
+          boxes.push_back({box.lower - Vec2(margin, margin), box.upper + Vec2(margin, margin)});
+        }
+      CellGrid grid;
+      grid.build(boxes);
+      std::vector<int> found;
+      for (int b = 0; b < model.n_mass(); ++b)
+        for (int v = g.offset[b]; v < g.offset[b + 1] && !model.bonded[b]; ++v)
+          {
+            found.clear();
+            grid.find(g.vertices[v], found);
+            for (const int other : found)
+              if (other != b)
+                pairs.push_back({std::min(b, other), std::max(b, other)});
+          }
+    }
+
+
+
+    /// Pairs of blocks with joints, or that touch and are loose, each once, the smaller number
+    /// first.
     std::vector<BlockMatrix::Pair> block_pairs(const Model &model)
     {
       std::vector<BlockMatrix::Pair> pairs;
       for (const Joint &joint : model.joints)
         if (joint.other != foundation_body)
           pairs.push_back({std::min(joint.block, joint.other), std::max(joint.block, joint.other)});
+      add_loose_pairs(model, pairs);
       std::sort(pairs.begin(), pairs.end());
       pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
       return pairs;

@@ -54,7 +54,8 @@ namespace hybrid::dda
     const Model                       &problem;
     OpenCloseIteration::Watch          watch;
     Method                             method = Method::line_search;
-    BlockSolver                        plain;
+    std::optional<BlockSolver>         plain; ///< as the others only while it serves
+    PartTimes                          times; ///< of methods that no longer serve
     std::optional<StickPredictorSteps> from_hold;
     std::optional<Model>       together; ///< the problem, with contacts that change together
     std::optional<BlockSolver> path;

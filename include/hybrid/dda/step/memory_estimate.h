@@ -14,7 +14,7 @@ namespace hybrid::dda
   };
 
   /// Counted from the sizes of what is stored. The factor's fill comes from a symbolic analysis of
-  /// the joints' graph; contacts that form later are not in it. @param moving_foundation the base
-  /// is a bedrock of finite elements
+  /// the graph of joints and of loose blocks that touch; contacts that form later are not in it.
+  /// @param moving_foundation the base is a bedrock of finite elements
   SolverMemory estimated_memory(const Model &model, bool moving_foundation = false);
 } // namespace hybrid::dda
