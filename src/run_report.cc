@@ -104,7 +104,7 @@ namespace hybrid
     std::snprintf(
       text,
       sizeof(text),
-      "Static stage: relative residual %.1e after %d steps (%d iterations), largest settlement %.3g m; "
+      "Static stage: relative residual %.1e after %d steps (%d iterations), largest displacement %.3g m; "
       "joints failed: %d tensile, %d shear; largest slip of a joint %.3g m",
       settled.residual,
       settled.steps,
@@ -125,14 +125,16 @@ namespace hybrid
         const Vec2 &c = state.blocks[settled.moving_block].centroid;
         std::snprintf(text,
                       sizeof(text),
-                      ", most of all block %s, now at (%.2f, %.2f)",
+                      ", most of all block %s at (%.2f, %.2f)",
                       model.mesh.block_name(settled.moving_block).c_str(),
                       c.x(),
                       c.y());
         where = text;
       }
     log.warning(
-      "no static equilibrium was found: the mass moves under its own weight" + where +
+      "no static equilibrium was found: the mass moves under its own weight" +
+      (model.scene.environment.horizontal != 0. ? " and Gravity/Horizontal coefficient" : "") +
+      where +
       (has_failed
          ? "; the run ends here: give it more strength (Blocks/Material, Blocks/Belt material), or "
            "set Gravity/Static stage to held (settles with unlimited strengths), none (starts "
