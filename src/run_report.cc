@@ -119,7 +119,8 @@ namespace hybrid
         fallen_blocks(settled, state, has_failed);
         return;
       }
-    std::string where;
+    std::string where =
+      model.scene.environment.horizontal != 0. ? " and Gravity/Horizontal coefficient" : "";
     if (settled.moving_block >= 0)
       {
         const Vec2 &c = state.blocks[settled.moving_block].centroid;
@@ -129,12 +130,10 @@ namespace hybrid
                       model.mesh.block_name(settled.moving_block).c_str(),
                       c.x(),
                       c.y());
-        where = text;
+        where += text;
       }
     log.warning(
-      "no static equilibrium was found: the mass moves under its own weight" +
-      (model.scene.environment.horizontal != 0. ? " and Gravity/Horizontal coefficient" : "") +
-      where +
+      "no static equilibrium was found: the mass moves under its own weight" + where +
       (has_failed
          ? "; the run ends here: give it more strength (Blocks/Material, Blocks/Belt material), or "
            "set Gravity/Static stage to held (settles with unlimited strengths), none (starts "
