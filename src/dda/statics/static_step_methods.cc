@@ -98,8 +98,8 @@ namespace hybrid::dda
   bool StaticStepMethods::leads_nowhere(const double unbalanced)
   {
     constexpr int    many = 8;
-    constexpr double fall = 0.5;
-    if (method != Method::on_path)
+    constexpr double fall = 0.5, flies = 0.4; // all of it falls freely at 0.5
+    if (method != Method::on_path || unbalanced > flies)
       return false;
     vain  = unbalanced > fall * least ? vain + 1 : 0;
     least = std::min(least, unbalanced);

@@ -38,7 +38,8 @@ namespace hybrid::dda
     double step_failed(const DdaState &state, double dt, bool hopeless);
 
     /// By the interior point method many steps in a row have not lowered the force that is left:
-    /// the mass moves on. @param unbalanced that force after another step [-]
+    /// the mass moves on, but not through the air. @param unbalanced that force after another step
+    /// [-]
     bool leads_nowhere(double unbalanced);
 
     PartTimes part_times() const;

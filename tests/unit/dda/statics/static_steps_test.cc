@@ -141,6 +141,22 @@ TEST(StaticSteps, columns_that_topple_are_given_up_before_they_lie)
 
 
 
+TEST(StaticSteps, what_is_drawn_above_the_ground_falls_and_lies_on_it)
+{
+  const int          columns = 6, rows = 4;
+  const double       drop  = 0.2;
+  const Model        model = static_problem(build_model(square_blocks(columns, rows),
+                                                 block_parameters(31., 5e9),
+                                                 {{-10., -drop}, {20., -drop}}));
+  DdaState           state = initial_state(model);
+  const StaticResult r     = take_static_steps(model, state);
+  ASSERT_TRUE(r.equilibrium);
+  for (int b = 0; b < model.n_blocks(); ++b)
+    EXPECT_NEAR(state.blocks[b].centroid.y(), b / columns + 0.5 - drop, 1e-3); // m
+}
+
+
+
 TEST(StaticSteps, what_cannot_stand_is_given_up_after_the_last_step)
 {
   const Model        model = static_problem(column(15.));
