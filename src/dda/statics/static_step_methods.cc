@@ -98,7 +98,7 @@ namespace hybrid::dda
   bool StaticStepMethods::leads_nowhere(const double unbalanced)
   {
     constexpr int    many = 8;
-    constexpr double fall = 0.5, flies = 0.4; // all of it falls freely at 0.5
+    constexpr double fall = 0.98, flies = 0.4; // all of it falls freely at 0.5
     if (method != Method::on_path || unbalanced > flies)
       return false;
     vain  = unbalanced > fall * least ? vain + 1 : 0;
