@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "random_block_matrix.h"
+#include "grid_fronts.h"
 
 #include <hybrid/dda/linear/front_owners.h>
 
@@ -10,21 +10,7 @@
 namespace
 {
   using namespace hybrid::dda;
-
-  /// Fronts of a rectangle of blocks, side by side.
-  FrontTree rectangle(const int columns, const int rows)
-  {
-    std::vector<BlockMatrix::Pair> pairs;
-    for (int b = 0; b < columns * rows; ++b)
-      {
-        if ((b + 1) % columns != 0)
-          pairs.push_back({b, b + 1});
-        if (b + columns < columns * rows)
-          pairs.push_back({b, b + columns});
-      }
-    std::sort(pairs.begin(), pairs.end());
-    return FrontTree(columns * rows, pairs);
-  }
+  using hybrid::test::grid_fronts;
 
   std::vector<double> loads(const FrontTree &tree, const FrontOwners &owners, double &of_all)
   {
@@ -40,7 +26,7 @@ namespace
 
 TEST(FrontOwners, subtrees_go_to_one_process_and_what_is_above_to_all)
 {
-  const FrontTree tree = rectangle(60, 50);
+  const FrontTree tree = grid_fronts(60, 50);
   for (const int n : {2, 3, 4, 7})
     {
       const FrontOwners owners(tree, n);
@@ -63,7 +49,7 @@ TEST(FrontOwners, subtrees_go_to_one_process_and_what_is_above_to_all)
 
 TEST(FrontOwners, the_process_with_most_has_less_than_one_alone)
 {
-  const FrontTree tree = rectangle(100, 100);
+  const FrontTree tree = grid_fronts(100, 100);
   double          last = tree.products;
   for (const int n : {2, 4})
     {
@@ -95,7 +81,7 @@ TEST(FrontOwners, pieces_apart_need_no_top)
 
 TEST(FrontOwners, one_process_has_all)
 {
-  const FrontTree   tree = rectangle(5, 4);
+  const FrontTree   tree = grid_fronts(5, 4);
   const FrontOwners owners(tree, 1);
   EXPECT_EQ(std::count(owners.of.begin(), owners.of.end(), 0), tree.n_fronts());
   EXPECT_EQ(owners.largest, tree.products);

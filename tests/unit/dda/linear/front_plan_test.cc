@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "grid_fronts.h"
+
 #include <hybrid/dda/linear/front_plan.h>
 
 #include <gtest/gtest.h>
@@ -9,28 +11,14 @@ namespace
 {
   using hybrid::dda::FrontPlan;
   using hybrid::dda::FrontTree;
-
-  /// Fronts of a square of n by n blocks.
-  FrontTree square(const int n)
-  {
-    std::vector<hybrid::dda::BlockMatrix::Pair> pairs;
-    for (int b = 0; b < n * n; ++b)
-      {
-        if ((b + 1) % n != 0)
-          pairs.push_back({b, b + 1});
-        if (b + n < n * n)
-          pairs.push_back({b, b + n});
-      }
-    std::sort(pairs.begin(), pairs.end());
-    return FrontTree(n * n, pairs);
-  }
+  using hybrid::test::grid_fronts;
 } // namespace
 
 
 
 TEST(FrontPlan, every_front_comes_once_and_subtrees_are_independent)
 {
-  const FrontTree  tree = square(50);
+  const FrontTree  tree = grid_fronts(50, 50);
   const FrontPlan  plan(tree, true);
   std::vector<int> part(tree.n_fronts(), -2);
   ASSERT_GT(plan.shared.size(), 8U);
@@ -58,7 +46,7 @@ TEST(FrontPlan, every_front_comes_once_and_subtrees_are_independent)
 
 TEST(FrontPlan, subtrees_are_small_and_hold_most_fronts)
 {
-  const FrontTree tree = square(50);
+  const FrontTree tree = grid_fronts(50, 50);
   const FrontPlan plan(tree, true);
   for (const FrontPlan::Subtrees &trees : plan.shared)
     {
@@ -76,7 +64,7 @@ TEST(FrontPlan, subtrees_are_small_and_hold_most_fronts)
 // are eliminated; in turn it takes less memory.
 TEST(FrontPlan, what_waits_is_not_overwritten)
 {
-  const FrontTree tree = square(30);
+  const FrontTree tree = grid_fronts(30, 30);
   std::size_t     size[2];
   for (const bool is_shared : {false, true})
     {
@@ -114,7 +102,7 @@ TEST(FrontPlan, what_waits_is_not_overwritten)
 
 TEST(FrontPlan, all_that_is_kept_has_a_place_of_its_own)
 {
-  const FrontTree tree = square(30);
+  const FrontTree tree = grid_fronts(30, 30);
   FrontPlan       plan(tree, true);
   const auto      stacked = plan.size;
   plan.keep_all(tree);

@@ -135,7 +135,7 @@ TEST(StaticSteps, columns_that_topple_are_given_up_before_they_lie)
   const StaticResult r     = take_static_steps(model, state);
   EXPECT_FALSE(r.equilibrium);
   EXPECT_GT(r.residual, 1e-4);
-  EXPECT_LE(r.steps, 20); // 9; 400 without the interior point method
+  EXPECT_LE(r.steps, 20); // 10; 400 without the interior point method
   EXPECT_GE(r.moving_block, 0);
 }
 
