@@ -215,6 +215,62 @@ namespace hybrid::dda
 
 
 
+  void BlockMatrix::set_part(const BlockMatrix      &whole,
+                             const std::vector<int> &blocks,
+                             const std::vector<int> &nodes)
+  {
+    std::vector<int>  block_place(whole.n_blocks(), -1), node_place(whole.n_nodes(), -1);
+    std::vector<int>  slots, node_slots;
+    std::vector<Pair> block_pairs, node_pairs;
+    for (std::size_t k = 0; k < blocks.size(); ++k)
+      block_place[blocks[k]] = static_cast<int>(k);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      node_place[nodes[k]] = static_cast<int>(k);
+    // Ascending as in the whole: the slots of the part come in the same order.
+    for (const int b : blocks)
+      {
+        for (int s = whole.pair_begin[b]; s < whole.pair_begin[b + 1]; ++s)
+          if (block_place[whole.pairs[s][1]] >= 0)
+            {
+              block_pairs.push_back({block_place[b], block_place[whole.pairs[s][1]]});
+              slots.push_back(s);
+            }
+        for (int s = whole.coupling_begin[b]; s < whole.coupling_begin[b + 1]; ++s)
+          if (node_place[whole.couplings[s][1]] >= 0)
+            {
+              node_pairs.push_back({block_place[b], node_place[whole.couplings[s][1]]});
+              node_slots.push_back(s);
+            }
+      }
+    set_pattern(static_cast<int>(blocks.size()),
+                static_cast<int>(nodes.size()),
+                std::move(block_pairs),
+                std::move(node_pairs));
+    for (std::size_t k = 0; k < blocks.size(); ++k)
+      diagonal[k] = whole.diagonal[blocks[k]];
+    for (std::size_t s = 0; s < slots.size(); ++s)
+      {
+        off_diagonal[s] = whole.off_diagonal[slots[s]];
+        lower[s]        = whole.lower[slots[s]];
+      }
+    for (std::size_t s = 0; s < node_slots.size(); ++s)
+      {
+        block_node[s] = whole.block_node[node_slots[s]];
+        node_block[s] = whole.node_block[node_slots[s]];
+      }
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      {
+        node_diagonal[k] = whole.node_diagonal[nodes[k]];
+        if (k + 1 == nodes.size() || nodes[k + 1] != nodes[k] + 1)
+          continue;
+        node_next[k]     = whole.node_next[nodes[k]];
+        node_previous[k] = whole.node_previous[nodes[k]];
+      }
+    symmetric = whole.symmetric;
+  }
+
+
+
   void BlockMatrix::serialize(restart::Archive &archive)
   {
     int blocks = n_blocks(), nodes = n_nodes();

@@ -41,7 +41,7 @@ namespace hybrid::dda
   void LinearSolver::matrix_changed(const BlockMatrix &matrix, const std::vector<int> &blocks)
   {
     factor_is_current = false;
-    n_entries         = count_entries(matrix);
+    n_entries         = -1.;
     const auto size   = static_cast<std::size_t>(matrix.n_blocks());
     const bool is_new = unswept_pattern != matrix.pattern_version() || is_unswept.size() != size;
     if (is_new)
@@ -408,6 +408,22 @@ namespace hybrid::dda
 
 
 
+  LinearSolver::Result LinearSolver::solve_by_sweeps(const BlockMatrix     &matrix,
+                                                     const Eigen::VectorXd &b,
+                                                     const Eigen::VectorXd &scale,
+                                                     const double           tolerance,
+                                                     const int              limit,
+                                                     Eigen::VectorXd       &x)
+  {
+    for (Eigen::VectorXd *work :
+         {&x, &unknown, &r, &p, &q, &z, &dual_r, &dual_p, &t, &dual_t, &shadow})
+      work->resize(matrix.size());
+    is_symmetric = matrix.symmetric;
+    return solve_by_sweeps(matrix, b, {scale, tolerance, limit}, x);
+  }
+
+
+
   LinearSolver::Result LinearSolver::solve(const BlockMatrix     &matrix,
                                            const Eigen::VectorXd &b,
                                            const Eigen::VectorXd &scale,
@@ -426,6 +442,8 @@ namespace hybrid::dda
     result.converged = b.cwiseQuotient(scale).norm() <= tolerance;
     if (result.converged)
       return result;
+    if (n_entries < 0.)
+      n_entries = count_entries(matrix);
     if (!choice.uses_factor())
       {
         const PreconditionerChoice::Costs price = costs(matrix);

@@ -55,9 +55,10 @@ namespace hybrid::dda
     constexpr double within_strength = 0.9; ///< part of it that the shear begins with at most
     constexpr double least_force     = 0.1; ///< of a contact that presses, over the mean
     points.clear();
-    points.reserve(springs.springs.size());
-    for (std::size_t s = 0; s < springs.springs.size(); ++s)
+    points.reserve(springs.n_at_work());
+    for (std::size_t k = 0; k < springs.n_at_work(); ++k)
       {
+        const std::size_t        s        = springs.at_work(k);
         const Springs::Spring   &spring   = springs.springs[s];
         const Springs::Response &response = springs.responses[s];
         if (!may_begin(spring, response))

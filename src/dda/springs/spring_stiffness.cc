@@ -152,12 +152,17 @@ namespace hybrid::dda
       mark(kept[s].block, kept[s].other);
     kept.resize(n);
     is_new.resize(n);
-#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
-    for (int s = 0; s < n; ++s)
-      is_new[s] = s >= n_old || !serves(kept[s], springs, s, choice) ? 1 : 0;
-    renewed.clear();
-    for (int s = 0; s < n; ++s)
+    const int n_at_work = static_cast<int>(springs.n_at_work());
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n_at_work))
+    for (int k = 0; k < n_at_work; ++k)
       {
+        const int s = static_cast<int>(springs.at_work(k));
+        is_new[s]   = s >= n_old || !serves(kept[s], springs, s, choice) ? 1 : 0;
+      }
+    renewed.clear();
+    for (int k = 0; k < n_at_work; ++k)
+      {
+        const int s = static_cast<int>(springs.at_work(k));
         if (is_new[s] == 0)
           continue;
         if (s < n_old)
@@ -233,12 +238,14 @@ namespace hybrid::dda
     for (const int s : springs.on_foundation())
       if (!kept[s].stiffness.none())
         add_foundation_spring(springs, s, matrix);
-    bool symmetric = matrix.symmetric;
-#pragma omp parallel for schedule(static) reduction(&& : symmetric) \
-  if (is_worth_sharing(kept.size()))
-    for (std::size_t s = 0; s < kept.size(); ++s)
-      symmetric = symmetric && kept[s].stiffness.tn == 0. && kept[s].stiffness.nn >= 0. &&
-                  kept[s].stiffness.tt >= 0.;
+    bool              symmetric = matrix.symmetric;
+    const std::size_t n_at_work = springs.n_at_work();
+#pragma omp parallel for schedule(static) reduction(&& : symmetric) if (is_worth_sharing(n_at_work))
+    for (std::size_t k = 0; k < n_at_work; ++k)
+      {
+        const Coefficients &stiffness = kept[springs.at_work(k)].stiffness;
+        symmetric = symmetric && stiffness.tn == 0. && stiffness.nn >= 0. && stiffness.tt >= 0.;
+      }
     matrix.symmetric = symmetric;
   }
 

@@ -44,9 +44,10 @@ namespace hybrid::dda
                           const std::vector<Condition> &conditions)
   {
     bool any = false;
-#pragma omp parallel for schedule(static) reduction(|| : any) if (is_worth_sharing(springs.size()))
-    for (std::size_t s = 0; s < springs.size(); ++s)
+#pragma omp parallel for schedule(static) reduction(|| : any) if (is_worth_sharing(n_at_work()))
+    for (std::size_t k = 0; k < n_at_work(); ++k)
       {
+        const std::size_t s = at_work(k);
         if (conditions[s] == Condition::law || conditions[s] == condition(s) ||
             springs[s].settled || (!springs[s].coulomb && conditions[s] != Condition::sticks))
           continue;
@@ -77,11 +78,35 @@ namespace hybrid::dda
 
 
 
+  void Springs::narrow(const std::vector<int> &blocks, const std::vector<int> &nodes)
+  {
+    is_narrow = true;
+    narrow_ones.clear();
+    is_marked.assign(springs.size(), 0);
+    const auto add = [&](const int s) {
+      if (is_marked[s] == 0)
+        narrow_ones.push_back(s);
+      is_marked[s] = 1;
+    };
+    for (const int b : blocks)
+      for (const int entry : of_block(b))
+        add(entry / 2);
+    if (nodes.empty())
+      return;
+    for (const int s : foundation_springs)
+      for (const int node : bodies[s].node)
+        if (std::binary_search(nodes.begin(), nodes.end(), node))
+          add(s);
+  }
+
+
+
   void Springs::evaluate(const Model &model, const DdaState &state, const Trial &trial)
   {
-#pragma omp parallel for schedule(static) if (is_worth_sharing(springs.size()))
-    for (std::size_t s = 0; s < springs.size(); ++s)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n_at_work()))
+    for (std::size_t k = 0; k < n_at_work(); ++k)
       {
+        const std::size_t s = at_work(k);
         if (springs[s].settled)
           continue;
         if (springs[s].joint >= 0)

@@ -37,6 +37,7 @@ namespace hybrid::dda
     conditions.resize(n);
     if (model.iteration.is_patient)
       return yield_patiently(step);
+    local.is_stuck          = false;
     const bool path_at_once = memory.path_steps > 0;
     Attempt    attempt      = Attempt::failed;
     if (path_at_once)
@@ -49,8 +50,11 @@ namespace hybrid::dda
         if (attempt == Attempt::converged)
           memory = {};
       }
+    if (attempt == Attempt::failed && local.is_stuck)
+      attempt = Attempt::stuck;
     if (attempt != Attempt::failed)
       return attempt;
+    is_on_path = true;
     for (const Stride stride : {Stride::own, Stride::common})
       if (attempt == Attempt::failed)
         {
@@ -58,6 +62,7 @@ namespace hybrid::dda
           result.residual = evaluate(model, state, foundation);
           attempt         = follow_path(step, stride);
         }
+    is_on_path = false;
     if (attempt == Attempt::converged && !path_at_once)
       memory.path_steps = memory.path_span =
         std::min(std::max(2, 2 * memory.path_span), longest_span);
@@ -96,7 +101,8 @@ namespace hybrid::dda
     const auto &[model, state, foundation, result] = step;
     const double          first                    = result.residual;
     double                least = std::numeric_limits<double>::infinity(), previous = least;
-    int                   slow = 0;
+    int                   slow      = 0;
+    bool                  was_local = local.is_on;
     std::array<double, 3> before{-1., -1., -1.}; // last residuals: circles are of two, or three
     for (int k = 0; k < patience.updates; ++k)
       {
@@ -105,8 +111,8 @@ namespace hybrid::dda
         double norm = result.residual;
         if (springs.prescribe(model, state, trial, conditions))
           norm = balance(model, state, foundation);
-        const bool served =
-          k > 0 ? result.residual <= 1e-3 * previous : conditions == tangent_conditions;
+        const bool served    = !was_local && (k > 0 ? result.residual <= 1e-3 * previous
+                                                    : conditions == tangent_conditions);
         const bool is_second = k == 1 && served && conditions == tangent_conditions;
         if (is_second)
           secant.first(update);
@@ -118,18 +124,19 @@ namespace hybrid::dda
         before[k % 3] = previous = result.residual;
         // A mass that may rest is balanced block by block, so that it comes to rest.
         const double enough = 0.2 * model.iteration.tolerance;
+        const double part   = local.is_on ? LocalAttempt::accuracy : accuracy.part(k);
         solve_linear(step,
-                     may_rest ? std::min(enough, 1e-3 * norm)
-                              : std::max(enough, accuracy.part(k) * norm));
-        if (k == 0)
+                     may_rest ? std::min(enough, 1e-3 * norm) : std::max(enough, part * norm));
+        if (k == 0 && !local.is_on)
           secant.correct(scale, update);
         else if (is_second)
           secant.second(update);
         take(step, 1.);
         ++result.iterations;
         result.residual      = evaluate(model, state, foundation);
-        const bool converged = result.residual <= model.iteration.tolerance;
-        accuracy.saw(k, converged ? 0. : result.residual / norm);
+        const bool converged = is_balanced(step);
+        if (!local.is_on)
+          accuracy.saw(k, converged ? 0. : result.residual / norm);
         if (converged)
           return Attempt::converged;
         settle_islands(step);
@@ -142,6 +149,9 @@ namespace hybrid::dda
           return Attempt::failed;
         least = std::min(least, result.residual);
         renew_conditions();
+        was_local = settle_few(step) || local.is_on;
+        if (is_balanced(step))
+          return Attempt::converged;
       }
     return Attempt::failed;
   }
@@ -151,7 +161,7 @@ namespace hybrid::dda
   void OpenCloseIteration::settle_islands(const Step &step)
   {
     constexpr double part = 0.05; ///< of the tolerance: what flies keeps what it is left with
-    if (!step.foundation.prescribed || step.model.n_bedrock > 0)
+    if (!step.foundation.prescribed || step.model.n_bedrock > 0 || local.is_on)
       return;
     if (islands.settle({residual, scale, absolute}, part * step.model.iteration.tolerance, springs))
       interior.leave_settled(springs);
@@ -161,10 +171,11 @@ namespace hybrid::dda
 
   void OpenCloseIteration::renew_conditions()
   {
-    for (std::size_t s = 0; s < conditions.size(); ++s)
+    for (std::size_t k = 0; k < springs.n_at_work(); ++k)
       {
-        const Condition now = springs.condition(s), last = conditions[s];
-        const bool      slides_back =
+        const std::size_t s   = springs.at_work(k);
+        const Condition   now = springs.condition(s), last = conditions[s];
+        const bool        slides_back =
           (last == Condition::slides_forward && now == Condition::slides_backward) ||
           (last == Condition::slides_backward && now == Condition::slides_forward);
         conditions[s] = slides_back ? Condition::sticks : now;

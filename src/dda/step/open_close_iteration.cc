@@ -124,7 +124,23 @@ namespace hybrid::dda
     // A quiet mass on moving ground: the round-off of the foundation's balance.
     if (!foundation.prescribed)
       reference += 1e-5 * foundation.load.norm();
-    return residual.cwiseQuotient(scale).norm() / std::max(reference, 1e-300);
+    return relative_residual();
+  }
+
+
+
+  bool OpenCloseIteration::is_balanced(const Step &step) const
+  {
+    return step.result.residual <= (local.is_on ? local.tolerance : step.model.iteration.tolerance);
+  }
+
+
+
+  double OpenCloseIteration::relative_residual() const
+  {
+    const double norm =
+      local.is_on ? local.system.norm({residual, scale}) : residual.cwiseQuotient(scale).norm();
+    return norm / std::max(reference, 1e-300);
   }
 
 
@@ -206,9 +222,11 @@ namespace hybrid::dda
           p.area * stresses.tangent(p, damping_time[b] / dt, b);
         stiffness.add_rows(springs, b, matrix);
       }
+    // What others slide with stays in the matrix.
+    const bool others_slide = local.is_on && !matrix.symmetric;
     matrix.set_nodes_zero();
     stiffness.add_foundation(springs, matrix);
-    if (!stresses.is_symmetric())
+    if (others_slide || !stresses.is_symmetric())
       matrix.symmetric = false;
     if (model.n_bedrock > 0)
       add_bedrock_stiffness({model, state, trial, incoming}, matrix);
@@ -301,7 +319,7 @@ namespace hybrid::dda
     constexpr int whole_every = 3; ///< of a step's tangents is made of all rows
     if (!stale && served)
       return;
-    const bool all = stale || ++repairs % whole_every == 0;
+    const bool all = stale || (!local.is_on && ++repairs % whole_every == 0);
     assemble(step.model, step.state, step.foundation, {step.result.residual <= previous, all});
     stale = false;
   }
@@ -310,7 +328,16 @@ namespace hybrid::dda
 
   void OpenCloseIteration::solve_linear(const Step &step, const double tolerance)
   {
-    const Stopwatch            timer(times.products);
+    const Stopwatch timer(times.products);
+    if (local.is_on)
+      {
+        local.system.solve(matrix,
+                           step.foundation.prescribed ? nullptr : step.foundation.stiffness,
+                           {residual, scale},
+                           tolerance * reference,
+                           update);
+        return;
+      }
     const LinearSolver::Result linear =
       solver.solve(matrix, residual, scale, tolerance * reference, update);
     times.factors += linear.factor_time;

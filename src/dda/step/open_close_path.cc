@@ -12,15 +12,17 @@ namespace hybrid::dda
     constexpr double width      = 10.; ///< product over the mean elastic energy of a spring
     double           compliance = 0., force = 0.;
     int              n = 0, n_loaded = 0;
-    for (const Springs::Spring &spring : springs.springs)
-      if (spring.coulomb && !spring.settled && spring.length > 0.)
-        {
-          const double pressed = spring.length * std::max(0., spring.old.normal);
-          compliance += 1. / (spring.length * spring.law->normal_stiffness());
-          force += pressed * pressed;
-          n_loaded += pressed > 0. ? 1 : 0;
-          ++n;
-        }
+    for (std::size_t k = 0; k < springs.n_at_work(); ++k)
+      {
+        const Springs::Spring &spring = springs.springs[springs.at_work(k)];
+        if (!spring.coulomb || spring.settled || spring.length <= 0.)
+          continue;
+        const double pressed = spring.length * std::max(0., spring.old.normal);
+        compliance += 1. / (spring.length * spring.law->normal_stiffness());
+        force += pressed * pressed;
+        n_loaded += pressed > 0. ? 1 : 0;
+        ++n;
+      }
     if (n == 0)
       return 0.;
     force = n_loaded > 0 ? std::sqrt(force / n_loaded)
@@ -94,7 +96,7 @@ namespace hybrid::dda
         begins = false;
         if (!std::isfinite(result.residual) || path_holds == most_holds)
           return Attempt::failed;
-        if (result.residual <= model.iteration.tolerance)
+        if (is_balanced(step))
           return Attempt::converged;
         settle_islands(step);
         const int changed = interior.conditions(path_now);

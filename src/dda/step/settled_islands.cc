@@ -77,6 +77,27 @@ namespace hybrid::dda
 
 
 
+  void SettledIslands::narrow(const std::vector<int> &blocks)
+  {
+    std::swap(wide, working);
+    working.assign(blocks.begin(), blocks.end());
+    for (const int b : wide)
+      settled[b] = 1;
+    for (const int b : working)
+      settled[b] = 0;
+  }
+
+
+
+  void SettledIslands::widen()
+  {
+    std::swap(wide, working);
+    for (const int b : working)
+      settled[b] = 0;
+  }
+
+
+
   void SettledIslands::wake(Springs &springs)
   {
     if (working.size() == settled.size())

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/dda/block/block.h>
+#include <hybrid/dda/linear/index_range.h>
 #include <hybrid/restart/archive_forward.h>
 
 #include <Eigen/Core>
@@ -85,6 +86,29 @@ namespace hybrid::dda
     int pattern_version() const
     {
       return version;
+    }
+
+    /// Become the rows and columns of some blocks and nodes of @p whole, both ascending.
+    void set_part(const BlockMatrix      &whole,
+                  const std::vector<int> &blocks,
+                  const std::vector<int> &nodes);
+
+    /// Blocks that are coupled to a block.
+    IndexRange blocks_at_block(const int block) const
+    {
+      return {row_other.data() + row_begin[block], row_other.data() + row_begin[block + 1]};
+    }
+
+    /// First coupling of a block with a node, and the one after its last.
+    std::array<int, 2> couplings_of_block(const int block) const
+    {
+      return {coupling_begin[block], coupling_begin[block + 1]};
+    }
+
+    /// Couplings of a node with blocks.
+    IndexRange couplings_of_node(const int node) const
+    {
+      return {node_coupling.data() + node_begin[node], node_coupling.data() + node_begin[node + 1]};
     }
 
     /// Pattern and entries, for the checkpoint.

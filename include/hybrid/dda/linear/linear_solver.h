@@ -85,6 +85,15 @@ namespace hybrid::dda
                  double                 tolerance,
                  Eigen::VectorXd       &x);
 
+    /// The same by sweeps alone; whatever was solved before has no influence. @param x what there
+    /// is after @p limit iterations, if that is not enough
+    Result solve_by_sweeps(const BlockMatrix     &matrix,
+                           const Eigen::VectorXd &b,
+                           const Eigen::VectorXd &scale,
+                           double                 tolerance,
+                           int                    limit,
+                           Eigen::VectorXd       &x);
+
   private:
     /// When to stop.
     struct Target
@@ -108,10 +117,10 @@ namespace hybrid::dda
     std::vector<char>    is_unswept; ///< by block
     int                  unswept_pattern    = -1;
     bool                 sweeps_are_current = false;
-    double               n_entries          = 0.;   ///< 6x6 blocks of the matrix that are not zero
-    bool                 is_symmetric       = true; ///< the matrix to be solved
-    Eigen::VectorXd      unknown, r, p, q, z;       ///< work
-    Eigen::VectorXd      dual_r, dual_p, t, dual_t, shadow; ///< likewise, of those that need them
+    double n_entries    = 0.; ///< 6x6 blocks of the matrix that are not zero; below 0: not counted
+    bool   is_symmetric = true;                        ///< the matrix to be solved
+    Eigen::VectorXd unknown, r, p, q, z;               ///< work
+    Eigen::VectorXd dual_r, dual_p, t, dual_t, shadow; ///< likewise, of those that need them
 
     void precondition(const BlockMatrix &matrix, const Eigen::VectorXd &residual);
 

@@ -116,6 +116,7 @@ namespace hybrid::dda
     bool   regularises_sliding =
       false; ///< sliding contacts keep a share of stiffness, see SlidingRegularisation
     bool changes_together = true; ///< contacts, before the line search, see OpenCloseIteration
+    bool few_settle_alone = true; ///< bodies that hold most of the residual, see OpenCloseIteration
     bool stops_at_rest    = true; ///< blocks stop where they are in balance, see OpenCloseIteration
     bool sleeps           = true; ///< steps that change nothing are not computed, see Sleep
     bool is_patient       = false; ///< full steps go on while the residual does not fall, see there

@@ -35,7 +35,8 @@ namespace hybrid::dda
       const std::vector<int> *blocks = nullptr;
     };
 
-    /// Bring the stiffness up to date with a trial that @p springs have evaluated.
+    /// Bring the stiffness up to date with a trial that @p springs have evaluated; of springs at
+    /// work.
     void update(const Springs &springs, const Trial &trial, const Choice &choice);
 
     /// Blocks with a spring that has changed in the last update, ascending; if all springs were
@@ -48,7 +49,8 @@ namespace hybrid::dda
     /// Add the rows of one block. @pre Springs::connect() has found the slots
     void add_rows(const Springs &springs, int block, BlockMatrix &matrix) const;
 
-    /// Add rows and columns of the foundation nodes, and say if the matrix is symmetric.
+    /// Add rows and columns of the foundation nodes, and say if the matrix is symmetric as far as
+    /// springs at work know.
     void add_foundation(const Springs &springs, BlockMatrix &matrix) const;
 
     /// What an update of the unknowns adds to gap and slip of one spring, as the stiffness was

@@ -4,6 +4,7 @@
 #include <hybrid/dda/block/block_motion.h>
 #include <hybrid/dda/joint/contact_state.h>
 #include <hybrid/dda/linear/block_matrix.h>
+#include <hybrid/dda/linear/index_range.h>
 #include <hybrid/dda/model/model.h>
 #include <hybrid/dda/model/state.h>
 #include <hybrid/dda/springs/bonded_area.h>
@@ -138,6 +139,26 @@ namespace hybrid::dda
                    const Trial                  &trial,
                    const std::vector<Condition> &conditions);
 
+    /// Only springs of these blocks and foundation nodes are at work until widen(): the responses
+    /// of all others stay.
+    void narrow(const std::vector<int> &blocks, const std::vector<int> &nodes);
+
+    void widen()
+    {
+      is_narrow = false;
+    }
+
+    std::size_t n_at_work() const
+    {
+      return is_narrow ? narrow_ones.size() : springs.size();
+    }
+
+    /// Number of the spring at work at place @p k.
+    std::size_t at_work(const std::size_t k) const
+    {
+      return is_narrow ? static_cast<std::size_t>(narrow_ones[k]) : k;
+    }
+
     /// Bring the forces of one spring up to date with tractions that were set.
     void set_forces(const Trial &trial, std::size_t s);
 
@@ -162,29 +183,8 @@ namespace hybrid::dda
       return static_cast<int>(block_begin.size()) - 2;
     }
 
-    /// A part of a list.
-    struct Range
-    {
-      const int *first, *last;
-
-      bool empty() const
-      {
-        return first == last;
-      }
-
-      const int *begin() const
-      {
-        return first;
-      }
-
-      const int *end() const
-      {
-        return last;
-      }
-    };
-
     /// Springs of a block: twice the spring's number, plus 1 if the block is its other.
-    Range of_block(const int block) const
+    IndexRange of_block(const int block) const
     {
       return {block_springs.data() + block_begin[block],
               block_springs.data() + block_begin[block + 1]};
@@ -283,6 +283,9 @@ namespace hybrid::dda
                                  const JointDamping    &damping);
 
     BondedArea                      bonded_area;        ///< when the step began
+    bool                            is_narrow = false;  ///< not all are at work
+    std::vector<int>                narrow_ones;        ///< at work while it is
+    std::vector<char>               is_marked;          ///< springs, work
     std::vector<int>                collected;          ///< joints that are springs
     std::vector<int>                block_begin;        ///< CSR over blocks of block_springs
     std::vector<int>                block_springs;      ///< of_block(), one after the other

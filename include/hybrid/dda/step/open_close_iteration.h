@@ -7,6 +7,7 @@
 #include <hybrid/dda/springs/springs.h>
 #include <hybrid/dda/step/block_stresses.h>
 #include <hybrid/dda/step/foundation_response.h>
+#include <hybrid/dda/step/local_attempt.h>
 #include <hybrid/dda/step/open_close_parts.h>
 #include <hybrid/dda/step/part_times.h>
 #include <hybrid/dda/step/secant_correction.h>
@@ -42,7 +43,7 @@ namespace hybrid::dda
    * one before has not settled the step: Newton's method on the active set, from the conditions of
    * the last step; the interior point method on the full Coulomb law (InteriorContacts), which
    * changes all of them together; and a line search with the laws alone, which is all that steps
-   * without inertia know.
+   * without inertia know. Between updates few bodies settle alone (LocalAttempt).
    */
   class OpenCloseIteration
   {
@@ -155,8 +156,10 @@ namespace hybrid::dda
     UpdateAccuracy   accuracy;
     SecantCorrection secant; ///< of the kept tangent
     PartTimes        times;
-    double           path_width = 1.; ///< beside that of a path of usual width
-    int              path_holds = 0;  ///< iterations in a row in which it has not advanced
+    LocalAttempt     local;
+    double           path_width = 1.;    ///< beside that of a path of usual width
+    int              path_holds = 0;     ///< iterations in a row in which it has not advanced
+    bool             is_on_path = false; ///< with all contacts
 
     static constexpr double nearly_at_rest = 1e-6; ///< out of balance, of forces or weights [-]
 
@@ -165,14 +168,7 @@ namespace hybrid::dda
     void keep(TrialPlace &place) const;
     void go_back(const TrialPlace &place);
 
-    /// The step under way.
-    struct Step
-    {
-      const Model              &model;
-      const DdaState           &state;
-      const FoundationResponse &foundation;
-      StepResult               &result;
-    };
+    using Step = StepUnderWay;
 
     /// All methods, one after the other.
     Attempt iterate(const Step &step);
@@ -183,6 +179,14 @@ namespace hybrid::dda
 
     /// Updates with frozen conditions, from the trial and the conditions there are.
     Attempt iterate_conditions(const Step &step, const Patience &patience);
+
+    /// Let few bodies find their conditions, as long as that helps. @return whether any moved
+    bool settle_few(const Step &step);
+    bool settle_few_once(const Step &step);
+
+    bool is_balanced(const Step &step) const; ///< to the tolerance, the bodies that move
+
+    double relative_residual() const; ///< of the bodies that move, over the reference [-]
 
     /// What the laws say now; a spring that would slide back sticks first.
     void renew_conditions();
@@ -259,8 +263,8 @@ namespace hybrid::dda
     /// Choose the springs and rows to be rebuilt.
     void update_stiffness(const Model &model, const Tangent &tangent);
 
-    /// Move the trial along the update, as far as the residual allows: a contact that locks, closes
-    /// or slides back on the way would otherwise make the iteration cycle.
+    /// Move the trial along the update, as far as the residual allows: a contact that changes on
+    /// the way would otherwise make the iteration cycle.
     LineSearch
     search_line(const Model &model, const DdaState &state, const FoundationResponse &foundation);
 
@@ -273,17 +277,15 @@ namespace hybrid::dda
     double unbalanced_without_motion(const Model &model, const DdaState &state) const;
 
     /// Begin the trial without motion if the mass rests, else with the acceleration as it was or,
-    /// far from balance, with none where that is closer. A guess that moves what rests would press
-    /// stiff contacts with what little the last step has left. @return relative norm of the
-    /// residual there
+    /// far from balance, with none where that is closer. @return relative norm of the residual
+    /// there
     double
     choose_guess(const Model &model, const DdaState &state, const FoundationResponse &foundation);
 
     /// Displacement of a block in the trial over its size [-].
     double displacement_ratio(const Model &model, int block) const;
 
-    /// True if a block that nothing is near flies farther than a step may move it: nothing to
-    /// solve.
+    /// A block that nothing is near flies farther than a step may move it: nothing to solve.
     bool flies_too_far(const Model &model, StepResult &result) const;
 
     void judge(const Model &model, StepResult &result) const;

@@ -24,6 +24,7 @@ namespace hybrid::dda
   {
     converged,
     failed,
+    stuck, ///< few bodies find no conditions: nothing else is tried
     stopped
   };
 
@@ -33,6 +34,22 @@ namespace hybrid::dda
   {
     own,   ///< bodies all of it, each contact as far as it can
     common ///< all as far as all can
+  };
+
+
+  struct DdaState;
+  struct FoundationResponse;
+  struct Model;
+  struct StepResult;
+
+
+  /// What the iteration works on.
+  struct StepUnderWay
+  {
+    const Model              &model;
+    const DdaState           &state;
+    const FoundationResponse &foundation;
+    StepResult               &result;
   };
 
 

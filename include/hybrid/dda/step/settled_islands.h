@@ -47,12 +47,19 @@ namespace hybrid::dda
     /// (Spring::settled). @return whether any was settled
     bool settle(const Balance &balance, double tolerance, Springs &springs);
 
+    /// Only these blocks, of those at work and ascending, are at work until widen(), whether they
+    /// are an island or not.
+    void narrow(const std::vector<int> &blocks);
+
+    void widen();
+
     /// All blocks are at work again.
     void wake(Springs &springs);
 
   private:
     std::vector<int>    working;
     std::vector<char>   settled; ///< of each block
+    std::vector<int>    wide;    ///< at work before narrow()
     std::vector<int>    root;    ///< of each block's island: its first block
     std::vector<double> left;    ///< at the root: squares of residuals less their bounds [N2]
     bool                is_split  = false; ///< root is that of this step

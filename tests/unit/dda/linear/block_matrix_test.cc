@@ -90,3 +90,43 @@ TEST(BlockMatrix, a_restored_matrix_is_the_same)
   copy.multiply(x, z);
   EXPECT_EQ(y, z);
 }
+
+
+
+TEST(BlockMatrix, a_part_has_the_rows_and_columns_of_its_blocks_and_nodes)
+{
+  const BlockMatrix      whole = unsymmetric_block_matrix(12, 7, 0.1);
+  const std::vector<int> blocks{1, 2, 5, 11}, nodes{2, 3, 6};
+  BlockMatrix            part;
+  part.set_part(whole, blocks, nodes);
+  std::vector<int> unknowns;
+  for (const int b : blocks)
+    for (int i = 0; i < 6; ++i)
+      unknowns.push_back(6 * b + i);
+  for (const int k : nodes)
+    for (int i = 0; i < 2; ++i)
+      unknowns.push_back(6 * 12 + 2 * k + i);
+  const Eigen::MatrixXd all = dense(whole), found = dense(part);
+  ASSERT_EQ(found.rows(), static_cast<int>(unknowns.size()));
+  for (std::size_t i = 0; i < unknowns.size(); ++i)
+    for (std::size_t j = 0; j < unknowns.size(); ++j)
+      EXPECT_EQ(found(i, j), all(unknowns[i], unknowns[j]));
+  EXPECT_EQ(part.symmetric, whole.symmetric);
+}
+
+
+
+TEST(BlockMatrix, knows_what_is_coupled_to_a_block_and_to_a_node)
+{
+  BlockMatrix m;
+  m.set_pattern(4, 3, {{2, 1}, {0, 3}, {3, 2}}, {{3, 0}, {3, 2}, {1, 2}});
+  const auto at_block = m.blocks_at_block(2);
+  EXPECT_EQ(std::vector<int>(at_block.begin(), at_block.end()), (std::vector<int>{1, 3}));
+  const auto [first, last] = m.couplings_of_block(3);
+  ASSERT_EQ(last - first, 2);
+  EXPECT_EQ(m.couplings[first], (BlockMatrix::Pair{3, 0}));
+  std::vector<int> blocks;
+  for (const int s : m.couplings_of_node(2))
+    blocks.push_back(m.couplings[s][0]);
+  EXPECT_EQ(blocks, (std::vector<int>{1, 3}));
+}

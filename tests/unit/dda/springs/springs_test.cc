@@ -235,3 +235,33 @@ TEST(Springs, what_slides_without_shear_follows_its_law)
   now.shear = -1.;
   EXPECT_EQ(condition_of(now), Condition::slides_backward);
 }
+
+
+
+// Two blocks on four nodes: while none of a spring's bodies is at work its response stays.
+TEST(Springs, only_those_at_work_are_evaluated)
+{
+  SpringScene scene(false);
+  scene.forces(Eigen::VectorXd::Zero(20));
+  const auto before = scene.springs.responses;
+  scene.springs.narrow({}, {0});
+  std::vector<char> at_work(before.size(), 0);
+  for (std::size_t k = 0; k < scene.springs.n_at_work(); ++k)
+    at_work[scene.springs.at_work(k)] = 1;
+  scene.forces(pressing(1e-5));
+  int changed = 0;
+  for (std::size_t s = 0; s < before.size(); ++s)
+    {
+      const Springs::Bodies &bodies = scene.springs.bodies[s];
+      const bool             has_node =
+        bodies.other == foundation_body && (bodies.node[0] == 0 || bodies.node[1] == 0);
+      EXPECT_EQ(at_work[s] != 0, has_node) << s;
+      const bool same = scene.springs.responses[s].now.gap == before[s].now.gap;
+      EXPECT_TRUE(same || has_node) << s;
+      changed += same ? 0 : 1;
+    }
+  EXPECT_GT(changed, 0);
+  EXPECT_LT(changed, static_cast<int>(before.size()));
+  scene.springs.widen();
+  EXPECT_EQ(scene.springs.n_at_work(), before.size());
+}

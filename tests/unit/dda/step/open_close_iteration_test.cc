@@ -199,3 +199,28 @@ TEST(OpenCloseIteration, a_block_that_flies_too_far_is_seen_before_anything_is_s
   EXPECT_EQ(result.largest_block, 1);
   EXPECT_NEAR(result.displacement_ratio, 0.06, 1e-8);
 }
+
+
+
+// A wall whose upper corner is hit: few blocks settle by themselves, and all end where they do
+// without.
+TEST(OpenCloseIteration, few_blocks_settle_alone_and_change_no_result)
+{
+  int  iterations[2];
+  Vec2 place[2], beside[2];
+  for (const bool alone : {false, true})
+    {
+      FixedBaseRun run(square_blocks(20, 5),
+                       block_parameters(30., 5e9),
+                       straight_foundation(0., 20., 10.));
+      run.model.iteration.few_settle_alone = alone;
+      run.state.blocks.back().velocity << 0.5, 0.2, -0.3, 0., 0., 0.;
+      EXPECT_TRUE(run.run(0.05, 1e-3));
+      iterations[alone] = run.iterations;
+      place[alone]      = run.state.blocks.back().centroid;
+      beside[alone]     = run.state.blocks[run.state.blocks.size() - 3].centroid;
+    }
+  EXPECT_LT(iterations[true], 0.9 * iterations[false]);
+  EXPECT_LT((place[true] - place[false]).norm(), 1e-6);
+  EXPECT_LT((beside[true] - beside[false]).norm(), 1e-6);
+}

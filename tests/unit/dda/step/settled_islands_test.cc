@@ -124,6 +124,22 @@ TEST(SettledIslands, one_island_is_never_settled)
 
 
 
+TEST(SettledIslands, few_blocks_are_at_work_alone_for_a_while)
+{
+  FiveBlocks five;
+  five.residual[6 * 4] = 0.1; // of 1 and 4
+  EXPECT_TRUE(five.settle());
+  five.islands.narrow({4});
+  EXPECT_EQ(five.islands.at_work(), (std::vector<int>{4}));
+  EXPECT_TRUE(five.islands.is_settled(1));
+  five.islands.widen();
+  EXPECT_EQ(five.islands.at_work(), (std::vector<int>{1, 4}));
+  EXPECT_FALSE(five.islands.is_settled(1));
+  EXPECT_TRUE(five.islands.is_settled(0));
+}
+
+
+
 TEST(SettledIslands, block_that_flies_does_not_change_what_hits)
 {
   int        alone_iterations = 0, iterations = 0;
