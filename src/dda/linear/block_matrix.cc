@@ -4,28 +4,38 @@
 #include <hybrid/restart/archive.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace hybrid::dda
 {
   namespace
   {
-    void sort_unique(std::vector<BlockMatrix::Pair> &pairs)
+    /// Where the pairs of each row begin if they are listed row by row; @p end: the one that is the
+    /// row.
+    std::vector<int>
+    row_starts(const std::vector<BlockMatrix::Pair> &pairs, const int n_rows, const int end = 0)
     {
-      std::sort(pairs.begin(), pairs.end());
-      pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+      std::vector<int> begin(n_rows + 1, 0);
+      for (const auto &pair : pairs)
+        ++begin[pair[end] + 1];
+      std::partial_sum(begin.begin(), begin.end(), begin.begin());
+      return begin;
     }
 
 
 
-    /// Start of each row's entries in a list sorted by its first member.
-    std::vector<int> row_starts(const std::vector<BlockMatrix::Pair> &sorted, const int n_rows)
+    /// By rows first: they are short.
+    void sort_unique(std::vector<BlockMatrix::Pair> &pairs, const int n_rows)
     {
-      std::vector<int> begin(n_rows + 1, 0);
-      for (const auto &pair : sorted)
-        ++begin[pair[0] + 1];
+      const std::vector<int>         begin = row_starts(pairs, n_rows);
+      std::vector<int>               next(begin.begin(), begin.end() - 1);
+      std::vector<BlockMatrix::Pair> sorted(pairs.size());
+      for (const auto &pair : pairs)
+        sorted[next[pair[0]]++] = pair;
       for (int i = 0; i < n_rows; ++i)
-        begin[i + 1] += begin[i];
-      return begin;
+        std::sort(sorted.begin() + begin[i], sorted.begin() + begin[i + 1]);
+      sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+      pairs = std::move(sorted);
     }
 
 
@@ -51,40 +61,37 @@ namespace hybrid::dda
     for (auto &pair : block_pairs)
       if (pair[0] > pair[1])
         std::swap(pair[0], pair[1]);
-    sort_unique(block_pairs);
-    sort_unique(node_pairs);
+    sort_unique(block_pairs, n_blocks);
+    sort_unique(node_pairs, n_blocks);
     pairs     = std::move(block_pairs);
     couplings = std::move(node_pairs);
 
     pair_begin     = row_starts(pairs, n_blocks);
     coupling_begin = row_starts(couplings, n_blocks);
 
-    std::vector<Pair> both; // (row, slot or its complement), sorted by row then by the other block
-    std::vector<std::array<int, 3>> entries;
+    // Pairs come in order of their rows, so the others of each row do: those before it, then those
+    // after it.
+    const std::vector<int> before = row_starts(pairs, n_blocks, 1);
+    row_begin.resize(n_blocks + 1);
+    for (int i = 0; i <= n_blocks; ++i)
+      row_begin[i] = pair_begin[i] + before[i];
+    row_other.resize(2 * pairs.size());
+    row_slot.resize(2 * pairs.size());
+    std::vector<int> next(row_begin.begin(), row_begin.end() - 1);
+    const auto       add = [&](const int row, const int other, const int slot) {
+      row_other[next[row]]  = other;
+      row_slot[next[row]++] = slot;
+    };
     for (std::size_t s = 0; s < pairs.size(); ++s)
-      {
-        entries.push_back({pairs[s][0], pairs[s][1], static_cast<int>(s)});
-        entries.push_back({pairs[s][1], pairs[s][0], ~static_cast<int>(s)});
-      }
-    std::sort(entries.begin(), entries.end());
-    row_other.clear();
-    row_slot.clear();
-    for (const auto &e : entries)
-      {
-        both.push_back({e[0], e[1]});
-        row_other.push_back(e[1]);
-        row_slot.push_back(e[2]);
-      }
-    row_begin = row_starts(both, n_blocks);
+      add(pairs[s][1], pairs[s][0], ~static_cast<int>(s));
+    for (std::size_t s = 0; s < pairs.size(); ++s)
+      add(pairs[s][0], pairs[s][1], static_cast<int>(s));
 
-    std::vector<Pair> by_node;
+    node_begin = row_starts(couplings, n_nodes, 1);
+    node_coupling.resize(couplings.size());
+    next.assign(node_begin.begin(), node_begin.end() - 1);
     for (std::size_t s = 0; s < couplings.size(); ++s)
-      by_node.push_back({couplings[s][1], static_cast<int>(s)});
-    std::sort(by_node.begin(), by_node.end());
-    node_begin = row_starts(by_node, n_nodes);
-    node_coupling.clear();
-    for (const auto &e : by_node)
-      node_coupling.push_back(e[1]);
+      node_coupling[next[couplings[s][1]]++] = static_cast<int>(s);
 
     diagonal.resize(n_blocks);
     off_diagonal.resize(pairs.size());

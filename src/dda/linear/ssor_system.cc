@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace hybrid::dda
 {
@@ -74,30 +75,31 @@ namespace hybrid::dda
     const bool known = static_cast<int>(slice.size()) == n;
     order            = SweepOrder(n, known ? slice : std::vector<int>(), matrix->pairs);
 
-    std::vector<std::array<int, 3>> entries; // places of row and column, slot or its complement
+    row_begin.assign(n + 1, 0);
+    for (const auto &pair : matrix->pairs)
+      for (const int block : pair)
+        ++row_begin[order.place[block] + 1];
+    std::partial_sum(row_begin.begin(), row_begin.end(), row_begin.begin());
+    std::vector<int>                next(row_begin.begin(), row_begin.end() - 1);
+    std::vector<std::array<int, 2>> entries(2 * matrix->pairs.size()); // place of the column, slot
     for (std::size_t s = 0; s < matrix->pairs.size(); ++s)
       {
         const int i = order.place[matrix->pairs[s][0]], j = order.place[matrix->pairs[s][1]];
-        entries.push_back({i, j, static_cast<int>(s)});
-        entries.push_back({j, i, ~static_cast<int>(s)});
+        entries[next[i]++] = {j, static_cast<int>(s)};
+        entries[next[j]++] = {i, ~static_cast<int>(s)};
       }
-    std::sort(entries.begin(), entries.end());
-
-    row_begin.assign(n + 1, 0);
-    row_middle.assign(n, 0);
-    neighbour.clear();
-    slot.clear();
-    for (const auto &[row, other, s] : entries)
-      {
-        ++row_begin[row + 1];
-        row_middle[row] += other < row ? 1 : 0;
-        neighbour.push_back(order.block[other]);
-        slot.push_back(s);
-      }
+    row_middle.assign(row_begin.begin(), row_begin.end() - 1);
+    neighbour.resize(entries.size());
+    slot.resize(entries.size());
     for (int p = 0; p < n; ++p)
       {
-        row_begin[p + 1] += row_begin[p];
-        row_middle[p] += row_begin[p];
+        std::sort(entries.begin() + row_begin[p], entries.begin() + row_begin[p + 1]);
+        for (int k = row_begin[p]; k < row_begin[p + 1]; ++k)
+          {
+            row_middle[p] += entries[k][0] < p ? 1 : 0;
+            neighbour[k] = order.block[entries[k][0]];
+            slot[k]      = entries[k][1];
+          }
       }
     below_end.resize(n);
     above_end.resize(n);
