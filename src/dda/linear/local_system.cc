@@ -12,6 +12,7 @@ namespace hybrid::dda
     constexpr double left_to_others = 0.2;  ///< of the norm of the residual
     constexpr double part_at_most   = 0.15; ///< of all bodies
     constexpr double most_bodies    = 4000;
+    constexpr int    least_mass     = 500; ///< bodies in all, from which it pays
     constexpr int    most_sweeps    = 100;
   } // namespace
 
@@ -90,7 +91,7 @@ namespace hybrid::dda
     n_all_blocks    = matrix.n_blocks();
     const auto most = static_cast<std::size_t>(
       std::min(most_bodies, part_at_most * (n_all_blocks + matrix.n_nodes())));
-    if (!take_largest(matrix, residual, most))
+    if (n_all_blocks + matrix.n_nodes() < least_mass || !take_largest(matrix, residual, most))
       return false;
     grow(matrix, true);
     if (bodies.size() > most)

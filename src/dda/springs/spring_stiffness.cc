@@ -238,15 +238,20 @@ namespace hybrid::dda
     for (const int s : springs.on_foundation())
       if (!kept[s].stiffness.none())
         add_foundation_spring(springs, s, matrix);
-    bool              symmetric = matrix.symmetric;
-    const std::size_t n_at_work = springs.n_at_work();
-#pragma omp parallel for schedule(static) reduction(&& : symmetric) if (is_worth_sharing(n_at_work))
-    for (std::size_t k = 0; k < n_at_work; ++k)
-      {
-        const Coefficients &stiffness = kept[springs.at_work(k)].stiffness;
-        symmetric = symmetric && stiffness.tn == 0. && stiffness.nn >= 0. && stiffness.tt >= 0.;
-      }
-    matrix.symmetric = symmetric;
+    matrix.symmetric = matrix.symmetric && is_symmetric();
+  }
+
+
+
+  bool SpringStiffness::is_symmetric() const
+  {
+    bool symmetric = true;
+#pragma omp parallel for schedule(static) reduction(&& : symmetric) \
+  if (is_worth_sharing(kept.size()))
+    for (std::size_t s = 0; s < kept.size(); ++s)
+      symmetric = symmetric && kept[s].stiffness.tn == 0. && kept[s].stiffness.nn >= 0. &&
+                  kept[s].stiffness.tt >= 0.;
+    return symmetric;
   }
 
 

@@ -50,8 +50,11 @@ namespace hybrid::dda
         if (attempt == Attempt::converged)
           memory = {};
       }
-    if (attempt == Attempt::failed && local.is_stuck)
-      attempt = Attempt::stuck;
+    if (attempt == Attempt::failed && local.is_stuck && local.stuck_at != state.time)
+      {
+        attempt        = Attempt::stuck;
+        local.stuck_at = state.time;
+      }
     if (attempt != Attempt::failed)
       return attempt;
     is_on_path = true;
@@ -97,7 +100,7 @@ namespace hybrid::dda
 
   Attempt OpenCloseIteration::iterate_conditions(const Step &step, const Patience &patience)
   {
-    constexpr double leads_away = 100., same = 1e-6;
+    constexpr double leads_away = 100., same = 1e-6, well_done = 1e-3;
     const auto &[model, state, foundation, result] = step;
     const double          first                    = result.residual;
     double                least = std::numeric_limits<double>::infinity(), previous = least;
@@ -111,7 +114,7 @@ namespace hybrid::dda
         double norm = result.residual;
         if (springs.prescribe(model, state, trial, conditions))
           norm = balance(model, state, foundation);
-        const bool served    = !was_local && (k > 0 ? result.residual <= 1e-3 * previous
+        const bool served    = !was_local && (k > 0 ? result.residual <= well_done * previous
                                                     : conditions == tangent_conditions);
         const bool is_second = k == 1 && served && conditions == tangent_conditions;
         if (is_second)
@@ -149,7 +152,7 @@ namespace hybrid::dda
           return Attempt::failed;
         least = std::min(least, result.residual);
         renew_conditions();
-        was_local = settle_few(step) || local.is_on;
+        was_local = local.is_on || (result.residual > well_done * previous && settle_few(step));
         if (is_balanced(step))
           return Attempt::converged;
       }

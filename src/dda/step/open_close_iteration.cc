@@ -222,11 +222,9 @@ namespace hybrid::dda
           p.area * stresses.tangent(p, damping_time[b] / dt, b);
         stiffness.add_rows(springs, b, matrix);
       }
-    // What others slide with stays in the matrix.
-    const bool others_slide = local.is_on && !matrix.symmetric;
     matrix.set_nodes_zero();
     stiffness.add_foundation(springs, matrix);
-    if (others_slide || !stresses.is_symmetric())
+    if (!stresses.is_symmetric())
       matrix.symmetric = false;
     if (model.n_bedrock > 0)
       add_bedrock_stiffness({model, state, trial, incoming}, matrix);

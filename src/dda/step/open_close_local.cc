@@ -9,7 +9,7 @@ namespace hybrid::dda
   bool OpenCloseIteration::settle_few(const Step &step)
   {
     constexpr int most_times = 10;
-    if (local.is_on || !step.model.iteration.few_settle_alone || step.model.n_bedrock > 0)
+    if (!step.model.iteration.few_settle_alone || step.model.n_bedrock > 0)
       return false;
     int times_moved = 0;
     while (times_moved < most_times && !stale && !is_balanced(step) && settle_few_once(step))

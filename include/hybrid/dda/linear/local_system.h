@@ -31,7 +31,7 @@ namespace hybrid::dda
 
     /// Choose the bodies: those with the largest parts of the residual, so that all others have a
     /// fifth of its norm, and those coupled to them. @return false if they are more than 15 % of
-    /// all, or 4,000
+    /// all, or 4,000, or all are fewer than 500
     bool choose(const BlockMatrix &matrix, const Residual &residual);
 
     /// Blocks that move, ascending.

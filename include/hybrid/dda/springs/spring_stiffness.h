@@ -49,8 +49,7 @@ namespace hybrid::dda
     /// Add the rows of one block. @pre Springs::connect() has found the slots
     void add_rows(const Springs &springs, int block, BlockMatrix &matrix) const;
 
-    /// Add rows and columns of the foundation nodes, and say if the matrix is symmetric as far as
-    /// springs at work know.
+    /// Add rows and columns of the foundation nodes, and say if the matrix is symmetric.
     void add_foundation(const Springs &springs, BlockMatrix &matrix) const;
 
     /// What an update of the unknowns adds to gap and slip of one spring, as the stiffness was
@@ -116,6 +115,8 @@ namespace hybrid::dda
     add_product(const Rows &g, const Coefficients &d, const Rows &h, double sign, Mat6 &k);
 
     void add_foundation_spring(const Springs &springs, int s, BlockMatrix &matrix) const;
+
+    bool is_symmetric() const;
 
     std::vector<Kept> kept;      ///< of each spring
     std::vector<int>  renewed;   ///< springs, in the last update

@@ -5,6 +5,7 @@
 #include <hybrid/dda/linear/local_system.h>
 #include <hybrid/dda/step/open_close_parts.h>
 
+#include <limits>
 #include <vector>
 
 namespace hybrid::dda
@@ -15,10 +16,12 @@ namespace hybrid::dda
     /// Part of a residual that the linear solver may leave: the others are held anyway.
     static constexpr double accuracy = 3e-3;
 
-    LocalSystem            system;
-    bool                   is_on     = false;
-    bool                   is_stuck  = false; ///< the last one of this step found no conditions
-    double                 tolerance = 0.;    ///< of the bodies' own relative residual
+    LocalSystem system;
+    bool        is_on    = false;
+    bool        is_stuck = false; ///< the last one of this step found no conditions
+    double      stuck_at = -std::numeric_limits<double>::infinity(); ///< time from which a step was
+                                                                     ///< given up for that [s]
+    double                 tolerance = 0.; ///< of the bodies' own relative residual
     TrialPlace             start;
     std::vector<Condition> conditions; ///< of springs at the start; in the end those to go on with
   };

@@ -15,7 +15,7 @@ namespace
   /// Blocks and nodes in two chains, block k beside node k.
   struct Chains
   {
-    static constexpr int n = 40;
+    static constexpr int n = 260;
     BlockMatrix          matrix;
     Eigen::MatrixXd      foundation = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     Eigen::VectorXd      residual   = Eigen::VectorXd::Zero(8 * n), scale;

@@ -210,9 +210,9 @@ TEST(OpenCloseIteration, few_blocks_settle_alone_and_change_no_result)
   Vec2 place[2], beside[2];
   for (const bool alone : {false, true})
     {
-      FixedBaseRun run(square_blocks(20, 5),
+      FixedBaseRun run(square_blocks(50, 10),
                        block_parameters(30., 5e9),
-                       straight_foundation(0., 20., 10.));
+                       straight_foundation(0., 50., 10.));
       run.model.iteration.few_settle_alone = alone;
       run.state.blocks.back().velocity << 0.5, 0.2, -0.3, 0., 0., 0.;
       EXPECT_TRUE(run.run(0.05, 1e-3));
