@@ -116,7 +116,7 @@ namespace hybrid::dda
 
     void add_foundation_spring(const Springs &springs, int s, BlockMatrix &matrix) const;
 
-    bool is_symmetric() const;
+    bool is_symmetric() const; ///< of all springs, at work or not
 
     std::vector<Kept> kept;      ///< of each spring
     std::vector<int>  renewed;   ///< springs, in the last update
