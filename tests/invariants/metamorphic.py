@@ -25,6 +25,8 @@ BASES = {
     "loose, nodes beside each other": options(nodes="shifted", ratio=3.0, rock="soft", **SLIDING),
     "bonded, belt": options(blocks="bonded", belt="slides", kind="triangles", water="submerged", base="rigid", **SLIDING),
     "bonded, breaks": options(blocks="bonded", strength="weak", belt="slides", kind="triangles", **SLIDING),
+    "large, breaks": options(mass="large", blocks="bonded", strength="weak", belt="slides", kind="triangles", **SLIDING),
+    "large, loose": options(mass="large", kind="triangles", rock="soft", **SLIDING),
     "rigid": options(bedrock="rigid", base="rigid", **SLIDING),
     "triangles": options(bedrock="triangles", rock="soft", **SLIDING),
     "layers": options(bedrock="layers", base="rigid", bedding="elastic", **SLIDING),
@@ -52,7 +54,9 @@ class Pairs:
 
 def scene_of(base, factor=1.0, **changed):
     scene = Scene(dict(BASES[base], **changed), factor=factor)
-    scene.further = CLOSELY
+    scene.further = dict(CLOSELY)
+    if scene.options["mass"] == "large":  # sums over more blocks, and coordinates of 10 km, leave 1e-11
+        scene.further["Blocks/Tolerance"] = 1e-10
     return scene
 
 
@@ -160,7 +164,7 @@ def bonded_as_loose(pairs, bedrock):
 SLABS = ({}, {"motion": "incident"}, {"blocks": "bonded"}, {"blocks": "bonded", "kind": "triangles", "damping": "blocks"},
          {"blocks": "bonded", "belt": "slides", "kind": "triangles", "damping": "blocks"}, {"nodes": "own", "ratio": 3.0, "kind": "plate"},
          {"nodes": "shifted", "ratio": 3.0})
-SHORT = ("loose on rock", "bonded, belt", "triangles")
+SHORT = ("loose on rock", "bonded, belt", "large, breaks", "triangles")
 
 
 def relations(everything):

@@ -20,6 +20,7 @@ FACTORS = {
     "base": ["compliant", "rigid", "fixed"],
     "sides": ["viscous", "free field", "roller", "fixed"],
     "kind": ["quads", "triangles", "columns", "plate"],
+    "mass": ["small", "large"],  # large: enough blocks that few of them settle alone
     "nodes": ["shared", "own", "shifted"],
     "ratio": [1.0, 3.0, 10.0, 1.0 / 3.0],  # edge of a block over edge of a cell
     "angle": [20.0, 0.0, 10.0, 30.0],
@@ -64,6 +65,9 @@ RULES = [
     (("surface", "kind"), lambda s, k: s == "plane" or k != "plate"),
     (("surface", "ratio"), lambda s, r: s == "plane" or r in (1.0, 3.0, 10.0)),  # the bend lies on a node of the cells
     (("ratio", "degree"), lambda r, d: r < 10 or d < 4),
+    (("mass", "kind"), lambda m, k: m == "small" or k == "triangles"),
+    (("mass", "ratio"), lambda m, r: m == "small" or r == 1.0),
+    (("mass", "blocks", "angle"), lambda m, b, a: m == "small" or b == "bonded" or a <= 10),  # its columns topple on more
 ]
 
 
@@ -80,6 +84,8 @@ def geometry_of(options):
         height, rows = 3.0, 1
     elif options["kind"] == "plate":
         width, height, rows, columns = 4.0, 1.0, 1, 1
+    if options["mass"] == "large":
+        rows, columns = 8, 32
     cell = width / ratio
     return {"angle": options["angle"], "surface": options["surface"], "cell": cell, "margin": max(2.0, cell), "rock": 4.0, "width": width,
             "height": height, "columns": columns, "rows": rows, "kind": options["kind"],
