@@ -253,6 +253,7 @@ namespace hybrid
         const double          dt     = run.clock.next_step();
         const dda::StepResult result = run.step.solve(state, dt);
         summary.iterations += result.iterations;
+        summary.few_iterations += result.few_iterations;
         if (!result.converged)
           {
             const bool too_far =

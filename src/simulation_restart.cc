@@ -58,7 +58,8 @@ namespace hybrid
     archive(run.step, run.clock, wall_time, processor_time, log_length);
     output::Summary &summary                          = run.summary;
     auto &[cuts, retries, moved_too_far, unconverged] = summary.wasted;
-    archive(summary.steps, summary.iterations, summary.timings, summary.stages);
+    archive(summary.steps, summary.iterations, summary.few_iterations);
+    archive(summary.timings, summary.stages);
     archive(cuts, retries, moved_too_far, unconverged);
     auto
       &[settled_blocks, equilibrium, planes_hold, residual, iterations, displacement, lifts_moved] =

@@ -35,9 +35,10 @@ namespace hybrid::coupling
     const Stopwatch       watch(elapsed.blocks);
     const dda::StepResult found      = blocks->solve(state.blocks, response, dt);
     const int             iterations = result.iterations, inner = result.solver_iterations;
-    const int             factorizations = result.factorizations;
-    result                               = found;
+    const int             factorizations = result.factorizations, few = result.few_iterations;
+    result = found;
     result.iterations += iterations;
+    result.few_iterations += few;
     result.solver_iterations += inner;
     result.factorizations += factorizations;
   }

@@ -130,6 +130,7 @@ namespace hybrid::output
                          {"cuts_moved_too_far", summary.wasted.moved_too_far},
                          {"retries", summary.wasted.retries},
                          {"iterations", summary.iterations},
+                         {"few_body_iterations", summary.few_iterations},
                          {"unconverged_iterations", summary.wasted.iterations},
                          {"contact_search", contact_search(summary.contact_search)},
                          {"energy_residual", summary.energy_residual},

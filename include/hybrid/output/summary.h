@@ -141,7 +141,8 @@ namespace hybrid::output
     BaseShear     base_shear;
     double        first_failure_time = MonitorSummary::unknown; ///< of the dynamic stage [s]
     Wasted        wasted;
-    long          iterations = 0; ///< open-close iterations, all steps
+    long          iterations     = 0; ///< open-close iterations, all steps
+    long          few_iterations = 0; ///< beside these, of few bodies that settle alone
     ContactSearch contact_search;
     double        filter_frequency = 0.; ///< low-pass behind peaks and amplification [Hz]; 0: none
     std::array<double, 2> outcrop_peak_acceleration = {

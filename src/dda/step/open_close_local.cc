@@ -44,6 +44,7 @@ namespace hybrid::dda
         own.residual = evaluate(model, state, foundation);
         attempt      = follow_path(few, Stride::own);
       }
+    result.few_iterations += own.iterations;
     local.is_stuck  = by_path && attempt == Attempt::failed;
     local.is_on     = false;
     result.residual = relative_residual();

@@ -34,6 +34,7 @@ namespace hybrid::output
       summary.static_stage       = {true, true, false, 1e-10, 12, 0.25};
       summary.wasted             = {3, 2, 1, 80};
       summary.iterations         = 36000;
+      summary.few_iterations     = 1200;
       summary.contact_search     = {12003, 40, 2};
       summary.timings["blocks"]  = 100.5;
       summary.energy["kinetic"]  = 1. / 3.;
@@ -52,7 +53,7 @@ assert s['finished'] is True and s['title'] == 'slope "A"\n\\'
 assert (s['steps'], s['blocks'], s['continuum_unknowns'], s['interface_unknowns']) == (12000, 1326, 24106, 478)
 assert (s['simulated_time_s'], s['wall_time_s'], s['processor_time_s'], s['energy_residual']) == (12., 0.1, 0.2, 1.25e-4)
 assert (s['cuts'], s['retries'], s['cuts_moved_too_far']) == (3, 2, 1)
-assert (s['iterations'], s['unconverged_iterations']) == (36000, 80)
+assert (s['iterations'], s['few_body_iterations'], s['unconverged_iterations']) == (36000, 1200, 80)
 assert s['contact_search'] == {'steps': 12003, 'searches': 40, 'lists': 2}
 assert (s['resolved_frequency_hz'], s['motion_frequency_hz']) == (2.5, 6.75)
 assert s['resolved_by_part_hz'] == {'the continuum': 13.5, 'the sliding mass': 2.5}

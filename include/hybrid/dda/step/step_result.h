@@ -9,6 +9,7 @@ namespace hybrid::dda
     bool   converged          = false; ///< if not, nothing was changed: cut the step
     bool   stopped            = false; ///< by whoever watches the iteration
     int    iterations         = 0;     ///< of the open-close iteration
+    int    few_iterations     = 0;     ///< beside these, of few bodies that settle alone
     int    solver_iterations  = 0;     ///< of the linear solver, summed
     int    factorizations     = 0;
     double first_residual     = 0.; ///< relative force residual where the trial begins [-]

@@ -72,16 +72,17 @@ def run(program, row, directory, overrides=(), limit=None, threads=1):
     if "processor_times_s" not in summary:
         raise UserError("'%s' is too old: its summary.json has no processor_times_s" % program)
     load = (busy_time() - own_time() - others) / max(time.monotonic() - begin, 1e-3)
-    summary.update(stopped=stopped, other_load=round(max(0.0, load), 2), solver_iterations=solver_iterations(directory))
+    summary.update(stopped=stopped, other_load=round(max(0.0, load), 2), **iterations(directory))
     return summary
 
 
-def solver_iterations(directory):
-    """Of the linear solver, all steps together; None without blocks."""
+def iterations(directory):
+    """Of the linear solver, all steps together, and the most open-close iterations of a step; None without blocks."""
     try:
-        return int(Run(directory).get("steps/solver_iterations").sum())
+        run = Run(directory)
+        return {"solver_iterations": int(run.get("steps/solver_iterations").sum()), "most_iterations": int(run.get("steps/iterations").max())}
     except (MissingData, UserError):
-        return None
+        return {"solver_iterations": None, "most_iterations": None}
 
 
 def value(row, summary):

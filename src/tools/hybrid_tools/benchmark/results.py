@@ -11,7 +11,7 @@ from hybrid_tools.benchmark import catalogue
 from hybrid_tools.benchmark.measure import value
 from hybrid_tools.table import Column, Table
 
-COUNTS = ("steps", "iterations_per_step", "solver_iterations_per_step", "cuts", "block_steps_per_s", "memory_mb")
+COUNTS = ("steps", "iterations_per_step", "most_iterations", "few_body_iterations_per_step", "solver_iterations_per_step", "cuts", "block_steps_per_s", "memory_mb")
 
 
 def result(row, summaries, values=None):
@@ -28,6 +28,8 @@ def result(row, summaries, values=None):
             "repetitions": values, "blocks": summary["blocks"], "continuum_unknowns": summary["continuum_unknowns"], "steps": steps,
             "simulated_time_s": summary["simulated_time_s"], "iterations": summary["iterations"],
             "iterations_per_step": summary["iterations"] / steps if steps else None,
+            "most_iterations": summary["most_iterations"],
+            "few_body_iterations_per_step": per(summary.get("few_body_iterations"), steps),
             "solver_iterations_per_step": per(summary["solver_iterations"], steps), "cuts": summary["cuts"],
             "static_iterations": (summary["static_stage"] or {}).get("iterations"),
             "block_steps_per_s": summary["blocks"] * (steps - 1) / stepping if stepping > 0 and steps > 1 else None,
@@ -98,8 +100,9 @@ def table(results, before=None, before_name="before"):
     """For people. before: {row: result} of an earlier measurement, or None."""
     columns = [Column("row"), Column("blocks", show="{:,}".format), Column("time"), Column("goal", show=number_text),
                Column("over goal", show="%.3g"), Column("steps", show="%d"), Column("iterations/step", show="%.3g"),
-               Column("solver its/step", show="%.3g"), Column("cuts", show="%d"), Column("block-steps/s", show=number_text),
-               Column("memory", "MB", "%.0f"), Column("spread", show=lambda part: "%.0f %%" % (100 * part))]
+               Column("most", show="%d"), Column("of few/step", show="%.3g"), Column("solver its/step", show="%.3g"),
+               Column("cuts", show="%d"), Column("block-steps/s", show=number_text), Column("memory", "MB", "%.0f"),
+               Column("spread", show=lambda part: "%.0f %%" % (100 * part))]
     if before is not None:
         columns += [Column("time over " + before_name, show="%.3g"), Column("its/step " + before_name, show="%.3g")]
     made = Table(columns)
