@@ -171,7 +171,7 @@ CASES = {
     "soft_base": Wanted(residual=0.001),
     "friction_10": Wanted(),
     "slope_blocks": Wanted(full_speed=1.7, full_size={"600": ["Mesh/Numbers=Angle = 20; Columns = 120; Rows = 5; Base above = 150"]},
-                           more=slides_as_one),
+                           more=slides_uncut),
     "tiny_block": Wanted(residual=0.001, more=slides_uncut),
     "stiff_slab": Wanted({"%s GPa" % modulus: ["Materials/rock/Young modulus=%se9" % modulus] for modulus in ("50", "5", "0.5")},
                          residual=0.001, more=needs_no_cut),

@@ -60,6 +60,8 @@ def test_row_has_its_counts_and_times(measured):
         assert len(r["repetitions"]) == 2 and r["value"] == min(r["repetitions"]) > 0 and not r["stopped_at_limit"]
         parts = summary["processor_times_s"]
         assert sum(parts.values()) == pytest.approx(summary["processor_time_s"], abs=0.02)
+        inside = [summary["timings_s"][name] for name in ("springs", "assembly", "factors", "products")]
+        assert 0.0 < sum(inside) <= summary["timings_s"]["blocks"]
     slide = rows["slide_100"]
     times = slide["processor_times_s"]
     assert slide["value"] == pytest.approx((times["first_step"] + times["steps"]) / 0.003)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How often a steady step of blocks asks for memory. The goal is never; what is asserted is that it
-// does not become more often. All requests of this process are counted, Eigen's, CHOLMOD's and
-// UMFPACK's too (memory_requests.h).
+// does not become more often. All requests of this process are counted, those of Eigen and CHOLMOD
+// too (memory_requests.h).
 #include "block_scenes.h"
 #include "memory_requests.h"
 

@@ -97,10 +97,10 @@ namespace hybrid::dda
 
 
 
-  void LinearSolver::serialize(restart::Archive &archive, const BlockMatrix &matrix)
+  void LinearSolver::serialize(restart::Archive &archive)
   {
     archive(choice, factor_is_current);
-    factor.serialize(archive, matrix);
+    factor.serialize(archive);
   }
 
 

@@ -384,7 +384,7 @@ namespace hybrid::dda
     bool is_current = tangent_pattern == matrix.pattern_version();
     archive(matrix, stiffness, tangent_dt, is_current, expects_many, stale);
     archive(memory.path_steps, memory.path_span, tangent_conditions, accuracy.left, secant);
-    solver.serialize(archive, matrix);
+    solver.serialize(archive);
     archive(times);
     if (!archive.is_reading())
       return;

@@ -69,7 +69,7 @@ namespace hybrid::dda
     void matrix_changed(const BlockMatrix &matrix, const std::vector<int> &blocks);
 
     /// What is kept from one step to the next, for the checkpoint; after the matrix.
-    void serialize(restart::Archive &archive, const BlockMatrix &matrix);
+    void serialize(restart::Archive &archive);
 
     /// The matrix is that of a checkpoint, and set_foundation_stiffness() has been called: make
     /// again what depends on both.

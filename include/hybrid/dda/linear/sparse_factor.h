@@ -8,23 +8,15 @@
 
 #include <Eigen/Core>
 
-#include <memory>
-
 namespace hybrid::dda
 {
   /**
    * Sparse factor of the blocks' part of a BlockMatrix: BlockLu where few blocks touch and joints
-   * slide with friction or soften, else FrontalLu; UMFPACK, which exchanges rows, where entries of
-   * these grow. Analyses of FrontalLu and UMFPACK are kept.
+   * slide with friction or soften, else FrontalLu, whose analysis is kept.
    */
   class SparseFactor
   {
   public:
-    SparseFactor();
-    ~SparseFactor();
-    SparseFactor(const SparseFactor &)            = delete;
-    SparseFactor &operator=(const SparseFactor &) = delete;
-
     /// Blocks from which the copy that JoinedMatrix makes is given back once it is factored.
     static constexpr int many_blocks = 16000;
 
@@ -35,7 +27,8 @@ namespace hybrid::dda
     }
 
     /// Of the blocks' part, or of blocks and @p foundation together if LU by fronts serves:
-    /// has_foundation(). @return false if the matrix is singular.
+    /// has_foundation(). @return false if the matrix is singular, or entries of the
+    /// factors grow too much.
     bool factorize(const BlockMatrix &matrix, const InterfaceStiffness *foundation = nullptr);
 
     /// What a factor takes, in 6x6 blocks.
@@ -71,9 +64,8 @@ namespace hybrid::dda
     /// True if a factor of this size is there.
     bool ready(int n_blocks) const;
 
-    /// For the checkpoint: what was factored is stored, and factored again when read. @param matrix
-    /// as it stands now; the factor may be that of an earlier one.
-    void serialize(restart::Archive &archive, const BlockMatrix &matrix);
+    /// For the checkpoint: what was factored is stored, and factored again when read.
+    void serialize(restart::Archive &archive);
 
     /// x = K^-1 b for the first 6 n_blocks entries, of has_foundation() x = (K + S)^-1 b for all.
     void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x);
@@ -82,24 +74,20 @@ namespace hybrid::dda
     /// For right-hand sides with the foundation.
     void make_room();
 
-    struct Lu;
-
     enum class Kind
     {
       frontal,
-      lu,
       block_lu
     };
 
-    std::unique_ptr<Lu> lu;
-    FrontalLu           frontal;
-    BlockLu             block_lu;
-    JoinedMatrix        joined;
-    Eigen::VectorXd     padded;                ///< work, with the foundation
-    int                 size              = 0; ///< of the factor there is, 0: none
-    int                 n_added           = 0; ///< blocks of nodes in it
-    Kind                kind              = Kind::frontal;
-    bool                symmetric         = false;
-    double              block_lu_products = 0.;
+    FrontalLu       frontal;
+    BlockLu         block_lu;
+    JoinedMatrix    joined;
+    Eigen::VectorXd padded;                ///< work, with the foundation
+    int             size              = 0; ///< of the factor there is, 0: none
+    int             n_added           = 0; ///< blocks of nodes in it
+    Kind            kind              = Kind::frontal;
+    bool            symmetric         = false;
+    double          block_lu_products = 0.;
   };
 } // namespace hybrid::dda

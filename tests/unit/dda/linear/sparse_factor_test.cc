@@ -31,10 +31,10 @@ namespace
     using hybrid::restart::Archive;
     Archive writer = Archive::writer();
     writer(matrix);
-    factor.serialize(writer, matrix);
+    factor.serialize(writer);
     Archive reader = Archive::reader(writer.content());
     reader(other);
-    copy.serialize(reader, other);
+    copy.serialize(reader);
     EXPECT_TRUE(reader.at_end());
   }
 } // namespace
