@@ -17,11 +17,12 @@ namespace hybrid::dda
 
 
 
-  void OpenCloseIteration::go_back(const TrialPlace &place)
+  void OpenCloseIteration::go_back(const Step &step, const TrialPlace &place)
   {
     for (const int b : islands.at_work())
       trial.increment[b] = place.increment[b];
-    trial.foundation = place.foundation;
+    trial.foundation     = place.foundation;
+    step.result.residual = evaluate(step.model, step.state, step.foundation);
   }
 
 
@@ -50,30 +51,21 @@ namespace hybrid::dda
         if (attempt == Attempt::converged)
           memory = {};
       }
-    if (attempt == Attempt::failed && local.is_stuck && local.stuck_at != state.time)
+    const bool sets_have_served = memory.path_span == 0;
+    if (attempt == Attempt::failed && sets_have_served && local.is_stuck &&
+        local.stuck_at != state.time)
       {
         attempt        = Attempt::stuck;
         local.stuck_at = state.time;
       }
     if (attempt != Attempt::failed)
       return attempt;
-    is_on_path = true;
-    for (const Stride stride : {Stride::own, Stride::common})
-      if (attempt == Attempt::failed)
-        {
-          go_back(at_start);
-          result.residual = evaluate(model, state, foundation);
-          attempt         = follow_path(step, stride);
-        }
-    is_on_path = false;
+    attempt = follow_path(step, Stride::own);
     if (attempt == Attempt::converged && !path_at_once)
       memory.path_steps = memory.path_span =
         std::min(std::max(2, 2 * memory.path_span), longest_span);
     if (attempt == Attempt::failed && !(result.residual <= first))
-      {
-        go_back(at_start);
-        result.residual = evaluate(model, state, foundation);
-      }
+      go_back(step, at_start);
     return attempt;
   }
 
@@ -89,10 +81,7 @@ namespace hybrid::dda
       conditions[s] = springs.condition(s);
     const Attempt attempt = iterate_conditions(step, most);
     if (attempt == Attempt::failed && !(step.result.residual < first))
-      {
-        go_back(at_start);
-        step.result.residual = evaluate(step.model, step.state, step.foundation);
-      }
+      go_back(step, at_start);
     return attempt;
   }
 

@@ -292,11 +292,14 @@ namespace hybrid::dda
     }
     stale = stale || tangent_dt != trial.dt || tangent_pattern != matrix.pattern_version() ||
             tangent_regularisation > 0.;
-    repairs         = 0;
-    Attempt attempt = Attempt::failed;
-    if (step.model.iteration.changes_together)
-      attempt = settle_contacts(step);
-    return attempt == Attempt::failed ? search(step) : attempt;
+    repairs             = 0;
+    const bool together = step.model.iteration.changes_together;
+    Attempt    attempt  = together ? settle_contacts(step) : Attempt::failed;
+    if (attempt == Attempt::failed)
+      attempt = search(step);
+    if (attempt == Attempt::failed && together && !step.model.iteration.is_patient)
+      attempt = follow_path(step, Stride::common);
+    return attempt;
   }
 
 

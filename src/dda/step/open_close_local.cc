@@ -39,11 +39,7 @@ namespace hybrid::dda
     Attempt    attempt = iterate_conditions(few, patience);
     const bool by_path = attempt == Attempt::failed && !is_on_path;
     if (by_path)
-      {
-        go_back(local.start);
-        own.residual = evaluate(model, state, foundation);
-        attempt      = follow_path(few, Stride::own);
-      }
+      attempt = follow_path(few, Stride::own);
     result.few_iterations += own.iterations;
     local.is_stuck  = by_path && attempt == Attempt::failed;
     local.is_on     = false;
@@ -58,10 +54,7 @@ namespace hybrid::dda
           local.conditions[s] = by_path ? springs.condition(s) : conditions[s];
         }
     else
-      {
-        go_back(local.start);
-        result.residual = evaluate(model, state, foundation);
-      }
+      go_back(step, local.start);
     conditions.assign(local.conditions.begin(), local.conditions.end());
     islands.widen();
     springs.widen();

@@ -27,8 +27,11 @@ namespace hybrid::dda
       return 0.;
     force = n_loaded > 0 ? std::sqrt(force / n_loaded)
                          : reference / std::sqrt(std::max(1, step.model.n_blocks()));
-    interior.begin(
-      step.model, springs, trial.dt, path_width * width * force * force * compliance / n, force);
+    interior.begin(step.model,
+                   springs,
+                   trial.dt,
+                   path_progress.width * width * force * force * compliance / n,
+                   force);
     return interior.mean_product();
   }
 
@@ -37,10 +40,9 @@ namespace hybrid::dda
   double OpenCloseIteration::go_along_path(const Step &step, const Stride stride, const bool begins)
   {
     constexpr double too_narrow = 0.1, nearly_all = 0.995, least_centring = 1e-6;
-    constexpr double least_part = 0.01, least_gain = 0.7; // else the path does not advance
     const double     most_centring                 = stride == Stride::own ? 0.1 : 1.;
     const auto &[model, state, foundation, result] = step;
-    const double before = result.residual, mean = interior.mean_product();
+    const double mean                              = interior.mean_product();
     interior.aim(0., false);
     interior.set_responses(trial, springs);
     double norm = balance(model, state, foundation);
@@ -64,7 +66,7 @@ namespace hybrid::dda
       interior.move(part);
     take(step, stride == Stride::own ? 1. : part);
     result.residual = evaluate(model, state, foundation);
-    path_holds = part < least_part && result.residual > least_gain * before ? path_holds + 1 : 0;
+    path_progress.saw(part, result.residual);
     return part;
   }
 
@@ -72,12 +74,22 @@ namespace hybrid::dda
 
   Attempt OpenCloseIteration::follow_path(const Step &step, const Stride stride)
   {
+    go_back(step, local.is_on ? local.start : at_start);
+    is_on_path            = !local.is_on;
+    const Attempt attempt = go_to_end_of_path(step, stride);
+    is_on_path            = false;
+    return attempt;
+  }
+
+
+
+  Attempt OpenCloseIteration::go_to_end_of_path(const Step &step, const Stride stride)
+  {
     constexpr double   few_changes = 0.01, near_balance = 1e-2, wider = 100.;
-    constexpr int      most_widenings = 4, most_holds = 2;
+    constexpr int      most_widenings = 4;
     constexpr Patience to_finish{4, 0};
     const auto &[model, state, foundation, result] = step;
-    path_width                                     = 1.;
-    path_holds                                     = 0;
+    path_progress                                  = {};
     if (begin_path(step) <= 0.)
       return Attempt::failed;
     path_now.assign(conditions.size(), Condition::law);
@@ -87,14 +99,14 @@ namespace hybrid::dda
       {
         if (go_along_path(step, stride, begins && widenings < most_widenings) == 0. && begins)
           {
-            path_width *= wider;
+            path_progress.width *= wider;
             ++widenings;
             result.residual = evaluate(model, state, foundation);
             begin_path(step);
             continue;
           }
         begins = false;
-        if (!std::isfinite(result.residual) || path_holds == most_holds)
+        if (!std::isfinite(result.residual) || path_progress.holds())
           return Attempt::failed;
         if (is_balanced(step))
           return Attempt::converged;
@@ -109,8 +121,7 @@ namespace hybrid::dda
             const Attempt attempt = iterate_conditions(step, to_finish);
             if (attempt != Attempt::failed)
               return attempt;
-            go_back(on_path);
-            result.residual = evaluate(model, state, foundation);
+            go_back(step, on_path);
           }
       }
     return result.stopped ? Attempt::stopped : Attempt::failed;

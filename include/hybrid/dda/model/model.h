@@ -110,7 +110,7 @@ namespace hybrid::dda
   /// How the open-close iteration works.
   struct IterationParameters
   {
-    int    maximum_iterations         = 40;
+    int    maximum_iterations         = 80;
     double tolerance                  = 1e-8; ///< residual over the sum of absolute forces [-]
     double maximum_displacement_ratio = 0.05; ///< displacement per step over block size [-]
     bool   regularises_sliding =

@@ -157,23 +157,22 @@ namespace hybrid::dda
     SecantCorrection secant; ///< of the kept tangent
     PartTimes        times;
     LocalAttempt     local;
-    double           path_width = 1.;    ///< beside that of a path of usual width
-    int              path_holds = 0;     ///< iterations in a row in which it has not advanced
+    PathProgress     path_progress;
     bool             is_on_path = false; ///< with all contacts
 
     static constexpr double nearly_at_rest = 1e-6; ///< out of balance, of forces or weights [-]
-
-    TrialPlace at_start, on_path;
+    TrialPlace              at_start, on_path;
 
     void keep(TrialPlace &place) const;
-    void go_back(const TrialPlace &place);
-
     using Step = StepUnderWay;
+
+    /// Move the trial to a place, and see what is left of the balance there.
+    void go_back(const Step &step, const TrialPlace &place);
 
     /// All methods, one after the other.
     Attempt iterate(const Step &step);
 
-    /// Active sets, then interior point method; failures end where the line search shall begin.
+    /// Active sets, then own strides on the path; failures end where the line search shall begin.
     Attempt settle_contacts(const Step &step);
     Attempt yield_patiently(const Step &step); ///< for IterationParameters::is_patient
 
@@ -191,8 +190,9 @@ namespace hybrid::dda
     /// What the laws say now; a spring that would slide back sticks first.
     void renew_conditions();
 
-    /// The interior point method, from the start of the step.
+    /// The interior point method, from the start of the step or of the few bodies' attempt.
     Attempt follow_path(const Step &step, Stride stride);
+    Attempt go_to_end_of_path(const Step &step, Stride stride);
 
     /// Begin the path. @return its mean product
     double begin_path(const Step &step);

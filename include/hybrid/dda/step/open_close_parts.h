@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 /// @file
@@ -58,6 +60,33 @@ namespace hybrid::dda
   {
     bool follow_softening; ///< of joints, see SpringStiffness
     bool all;              ///< rows, not only those of springs that have changed
+  };
+
+
+  /// Whether the central path advances: not where next to nothing can be taken of two directions
+  /// in a row, and neither brings the residual well below the least that there was. (Where contacts
+  /// are stuck at their bounds the bodies may go to and fro between two places.)
+  class PathProgress
+  {
+  public:
+    double width = 1.; ///< beside that of a path of usual width
+
+    /// @param part of the last direction that all contacts could take; the residual after it
+    void saw(const double part, const double residual)
+    {
+      constexpr double least_part = 0.01, least_gain = 0.7;
+      held  = part < least_part && residual > least_gain * least ? held + 1 : 0;
+      least = std::min(least, residual);
+    }
+
+    bool holds() const
+    {
+      return held >= 2;
+    }
+
+  private:
+    double least = std::numeric_limits<double>::infinity(); ///< residual so far
+    int    held  = 0;                                       ///< iterations in a row
   };
 
 

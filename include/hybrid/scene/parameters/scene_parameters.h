@@ -145,7 +145,7 @@ namespace hybrid::scene
       1.; ///< of the shape of a block that no joint holds, of critical [-], >= 0
     bool stiffness_correction =
       true; ///< take the joints' compliance off the blocks' (design: bonds cost stiffness)
-    int    maximum_iterations = 40;   ///< of the open-close iteration before the step is cut [-]
+    int    maximum_iterations = 80;   ///< of the open-close iteration before the step is cut [-]
     double tolerance          = 1e-8; ///< relative force residual of the open-close iteration [-]
     std::vector<InitialVelocity> initial_velocities; ///< of blocks that do not start from rest
   };
