@@ -63,9 +63,10 @@ namespace hybrid::dda
   };
 
 
-  /// Whether the central path advances: not where next to nothing can be taken of two directions
-  /// in a row, and neither brings the residual well below the least that there was. (Where contacts
-  /// are stuck at their bounds the bodies may go to and fro between two places.)
+  /// How wide the central path is, and whether it advances: not where next to nothing can be taken
+  /// of two directions in a row, and neither brings the residual well below the least that there
+  /// was. (Where contacts are stuck at their bounds the bodies may go to and fro between two
+  /// places.)
   class PathProgress
   {
   public:
