@@ -4,7 +4,6 @@
 #include <hybrid/dda/step/open_close_iteration.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace hybrid::dda
@@ -89,13 +88,13 @@ namespace hybrid::dda
 
   Attempt OpenCloseIteration::iterate_conditions(const Step &step, const Patience &patience)
   {
-    constexpr double leads_away = 100., same = 1e-6, well_done = 1e-3;
+    constexpr double leads_away = 100., well_done = 1e-3, near_balance = 0.1;
     const auto &[model, state, foundation, result] = step;
-    const double          first                    = result.residual;
-    double                least = std::numeric_limits<double>::infinity(), previous = least;
-    int                   slow      = 0;
-    bool                  was_local = local.is_on;
-    std::array<double, 3> before{-1., -1., -1.}; // last residuals: circles are of two, or three
+    const double first                             = result.residual;
+    double       least = std::numeric_limits<double>::infinity(), previous = least;
+    int          slow      = 0;
+    bool         was_local = local.is_on, goes_round = false;
+    Circles      circles;
     for (int k = 0; k < patience.updates; ++k)
       {
         if (!may_go_on(step))
@@ -113,7 +112,7 @@ namespace hybrid::dda
         repair(step, served, previous);
         tangent_conditions.resize(conditions.size());
         std::copy(conditions.begin(), conditions.end(), tangent_conditions.begin());
-        before[k % 3] = previous = result.residual;
+        previous = result.residual;
         // A mass that may rest is balanced block by block, so that it comes to rest.
         const double enough = 0.2 * model.iteration.tolerance;
         const double part   = local.is_on ? LocalAttempt::accuracy : accuracy.part(k);
@@ -132,15 +131,19 @@ namespace hybrid::dda
         if (converged)
           return Attempt::converged;
         settle_islands(step);
-        const bool circle = std::any_of(before.begin(), before.end(), [&](const double r) {
-          return r > 0. && r != previous && std::abs(result.residual - r) <= same * r;
-        });
-        const bool away   = !(result.residual <= leads_away * std::max(first, 1.)); // or NaN
         slow += result.residual > 0.5 * least ? 1 : 0;
-        if (away || circle || slow > patience.slow_ones)
+        if (!(result.residual <= leads_away * std::max(first, 1.))) // or NaN
           return Attempt::failed;
+        if (circles.close(previous, result.residual) || slow > patience.slow_ones)
+          {
+            if (goes_round || result.residual > near_balance)
+              return Attempt::failed;
+            goes_round = true;
+            slow       = 0;
+            circles    = {};
+          }
         least = std::min(least, result.residual);
-        renew_conditions();
+        renew_conditions(goes_round);
         was_local = local.is_on || (result.residual > well_done * previous && settle_few(step));
         if (is_balanced(step))
           return Attempt::converged;
@@ -161,16 +164,19 @@ namespace hybrid::dda
 
 
 
-  void OpenCloseIteration::renew_conditions()
+  void OpenCloseIteration::renew_conditions(const bool goes_round)
   {
+    const auto slides = [](const Condition c) {
+      return c == Condition::slides_forward || c == Condition::slides_backward;
+    };
     for (std::size_t k = 0; k < springs.n_at_work(); ++k)
       {
         const std::size_t s   = springs.at_work(k);
         const Condition   now = springs.condition(s), last = conditions[s];
-        const bool        slides_back =
-          (last == Condition::slides_forward && now == Condition::slides_backward) ||
-          (last == Condition::slides_backward && now == Condition::slides_forward);
-        conditions[s] = slides_back ? Condition::sticks : now;
+        const bool        slides_back = slides(last) && slides(now) && now != last;
+        const bool        to_and_fro =
+          (last == Condition::open && slides(now)) || (slides(last) && now == Condition::open);
+        conditions[s] = slides_back || (goes_round && to_and_fro) ? Condition::sticks : now;
       }
   }
 } // namespace hybrid::dda

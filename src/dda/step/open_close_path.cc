@@ -9,20 +9,22 @@ namespace hybrid::dda
 {
   double OpenCloseIteration::begin_path(const Step &step)
   {
-    constexpr double width      = 10.; ///< product over the mean elastic energy of a spring
-    double           compliance = 0., force = 0.;
+    constexpr double width         = 10.; ///< product over the mean elastic energy of a spring
+    double           stiffness_sum = 0., force = 0.;
     int              n = 0, n_loaded = 0;
-    for (std::size_t k = 0; k < springs.n_at_work(); ++k)
-      {
-        const Springs::Spring &spring = springs.springs[springs.at_work(k)];
-        if (!spring.coulomb || spring.settled || spring.length <= 0.)
-          continue;
-        const double pressed = spring.length * std::max(0., spring.old.normal);
-        compliance += 1. / (spring.length * spring.law->normal_stiffness());
-        force += pressed * pressed;
-        n_loaded += pressed > 0. ? 1 : 0;
-        ++n;
-      }
+    // Joints tell the scale only where there is no contact: they bear more.
+    for (int contacts = 1; contacts >= 0 && n == 0; --contacts)
+      for (std::size_t k = 0; k < springs.n_at_work(); ++k)
+        {
+          const Springs::Spring &spring = springs.springs[springs.at_work(k)];
+          if (spring.settled || spring.length <= 0. || (contacts == 1 && !spring.coulomb))
+            continue;
+          const double pressed = spring.length * std::max(0., spring.old.normal);
+          stiffness_sum += spring.length * spring.law->normal_stiffness();
+          force += pressed * pressed;
+          n_loaded += pressed > 0. ? 1 : 0;
+          ++n;
+        }
     if (n == 0)
       return 0.;
     force = n_loaded > 0 ? std::sqrt(force / n_loaded)
@@ -30,7 +32,7 @@ namespace hybrid::dda
     interior.begin(step.model,
                    springs,
                    trial.dt,
-                   path_progress.width * width * force * force * compliance / n,
+                   path_progress.width * width * force * force * n / stiffness_sum,
                    force);
     return interior.mean_product();
   }
@@ -66,7 +68,7 @@ namespace hybrid::dda
       interior.move(part);
     take(step, stride == Stride::own ? 1. : part);
     result.residual = evaluate(model, state, foundation);
-    path_progress.saw(part, result.residual);
+    path_progress.saw(part, result.residual, interior.mean_product());
     return part;
   }
 

@@ -77,7 +77,8 @@ namespace hybrid::dda
     // The first linear system is solved to the end where that may be all.
     double previous = expects_many ? result.residual : std::numeric_limits<double>::infinity();
     // A tangent that active sets have left is that of another place.
-    bool served = result.iterations == 0;
+    bool    served = result.iterations == 0;
+    Circles circles;
     while (std::isfinite(result.residual))
       {
         if (result.iterations > 0 && result.residual <= model.iteration.tolerance)
@@ -100,6 +101,8 @@ namespace hybrid::dda
         const LineSearch searched = search_line(model, state, foundation);
         result.residual           = searched.residual;
         served                    = result.residual <= 1e-3 * previous;
+        if (!served && circles.close(previous, result.residual))
+          return Attempt::failed;
         if (model.iteration.regularises_sliding)
           stale = sliding_regularisation.adapt(searched.fraction) || stale;
       }

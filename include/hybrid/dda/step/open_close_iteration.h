@@ -187,8 +187,8 @@ namespace hybrid::dda
 
     double relative_residual() const; ///< of the bodies that move, over the reference [-]
 
-    /// What the laws say now; a spring that would slide back sticks first.
-    void renew_conditions();
+    /// What the laws say now; a spring that would slide back, or one that goes round, sticks first.
+    void renew_conditions(bool goes_round);
 
     /// The interior point method, from the start of the step or of the few bodies' attempt.
     Attempt follow_path(const Step &step, Stride stride);

@@ -6,6 +6,8 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -63,21 +65,25 @@ namespace hybrid::dda
   };
 
 
-  /// How wide the central path is, and whether it advances: not where next to nothing can be taken
-  /// of two directions in a row, and neither brings the residual well below the least that there
-  /// was. (Where contacts are stuck at their bounds the bodies may go to and fro between two
-  /// places.)
+  /// How wide the central path is, and whether it advances: not where, twice in a row, next to
+  /// nothing can be taken of a direction, the products do not fall, and the residual stays near the
+  /// least that there was. (Where contacts are stuck at their bounds the bodies may go to and fro
+  /// between two places.)
   class PathProgress
   {
   public:
     double width = 1.; ///< beside that of a path of usual width
 
-    /// @param part of the last direction that all contacts could take; the residual after it
-    void saw(const double part, const double residual)
+    /// @param part of the last direction that all contacts could take; the residual and the mean
+    /// product after it
+    void saw(const double part, const double residual, const double product)
     {
-      constexpr double least_part = 0.01, least_gain = 0.7;
-      held  = part < least_part && residual > least_gain * least ? held + 1 : 0;
+      constexpr double least_part = 0.01, least_gain = 0.7, falls = 0.9;
+      const bool       stays =
+        part < least_part && residual > least_gain * least && product > falls * last;
+      held  = stays ? held + 1 : 0;
       least = std::min(least, residual);
+      last  = product;
     }
 
     bool holds() const
@@ -87,7 +93,28 @@ namespace hybrid::dda
 
   private:
     double least = std::numeric_limits<double>::infinity(); ///< residual so far
+    double last  = std::numeric_limits<double>::infinity(); ///< mean product
     int    held  = 0;                                       ///< iterations in a row
+  };
+
+
+  /// Whether updates go round in circles of two or three: a residual comes back.
+  class Circles
+  {
+  public:
+    /// @param before, after: residuals of one update
+    bool close(const double before, const double after)
+    {
+      constexpr double same      = 1e-6;
+      last[next++ % last.size()] = before;
+      return std::any_of(last.begin(), last.end(), [&](const double r) {
+        return r > 0. && r != before && std::abs(after - r) <= same * r;
+      });
+    }
+
+  private:
+    std::array<double, 3> last{-1., -1., -1.};
+    std::size_t           next = 0;
   };
 
 
