@@ -3,6 +3,7 @@
 #include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/springs/surface_force.h>
 #include <hybrid/dda/step/block_energy.h>
+#include <hybrid/dda/step/bond_memory.h>
 #include <hybrid/dda/step/open_close_iteration.h>
 
 #include <algorithm>
@@ -147,7 +148,10 @@ namespace hybrid::dda
     state.time += dt;
     const double kept = (1. - Newmark::memory) * Newmark::remembered_in(dt, state.last_step);
     if (model.newmark.filter > 0.)
-      state.last_step = dt;
+      {
+        state.last_step = dt;
+        remember_bond_forces(model, springs, trial, kept, state);
+      }
 
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
@@ -163,12 +167,16 @@ namespace hybrid::dda
         const Eigen::Vector3d stress = model.blocks[b].elasticity * strain;
         block.plastic_strain += shear_strain(stresses.plastic_strain(b));
         if (model.newmark.filter > 0.)
-          block.acceleration_change =
-            carried_rates(kept * block.acceleration_change +
-                            Newmark::memory *
-                              (acceleration[b] - (block.acceleration - block.contact_acceleration)),
-                          move.cosine,
-                          move.sine);
+          {
+            block.acceleration_change =
+              carried_rates(kept * block.acceleration_change +
+                              Newmark::memory * (acceleration[b] -
+                                                 (block.acceleration - block.contact_acceleration)),
+                            move.cosine,
+                            move.sine);
+            block.acceleration_change.head<2>() -=
+              turned_beyond_bonds(springs, trial, state, b) / model.blocks[b].mass;
+          }
         block.viscous_stress =
           rotated_stress(damping_time[b] / dt * stress, move.cosine, move.sine);
         block.acceleration =

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/linear/shared_loop.h>
+#include <hybrid/dda/step/bond_memory.h>
+
+#include <cmath>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    /// Cosine and sine of an angle.
+    struct Turn
+    {
+      double cosine, sine;
+
+      Turn(const double c, const double s)
+        : cosine(c)
+        , sine(s)
+      {}
+
+      explicit Turn(const BlockMotion &motion)
+        : Turn(motion.cosine, motion.sine)
+      {}
+
+      Vec2 operator*(const Vec2 &v) const
+      {
+        return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
+      }
+
+      /// This turn after the opposite of another one.
+      Turn beyond(const Turn &other) const
+      {
+        return {cosine * other.cosine + sine * other.sine,
+                sine * other.cosine - cosine * other.sine};
+      }
+    };
+
+
+
+    /// By the mean of both angles.
+    Turn mean_turn(const BlockMotion &a, const BlockMotion &b)
+    {
+      const double c = a.cosine + b.cosine, s = a.sine + b.sine, size = std::hypot(c, s);
+      return {c / size, s / size};
+    }
+
+
+
+    /// Force on the joint's block of what its two ends bear as bonds, over directions [N/m].
+    Vec2 bond_force(const Springs &springs,
+                    const int      first,
+                    const Vec2    &normal,
+                    const Vec2    &tangent,
+                    const bool     at_start)
+    {
+      Vec2 sum = Vec2::Zero();
+      for (int s = first; s < first + 2; ++s)
+        {
+          const Springs::Spring  &spring  = springs.springs[s];
+          const SpringState      &state   = at_start ? spring.old : springs.responses[s].now;
+          const Springs::Traction contact = spring.contact_traction(state);
+          sum -= spring.length * ((state.normal - contact.normal) * normal +
+                                  (state.shear - contact.shear) * tangent);
+        }
+      return sum;
+    }
+
+
+
+    /// Unit vector along a joint between two blocks.
+    Vec2 tangent_of(const Joint &joint, const Geometry &geometry)
+    {
+      const Vec2 &pa = geometry.vertices[joint.edge];
+      const Vec2 &pb = geometry.vertices[geometry.next(joint.edge)];
+      const Vec2 &q0 = geometry.vertices[joint.points[0].other_vertex];
+      const Vec2 &q1 = geometry.vertices[joint.points[1].other_vertex];
+      return ((joint.points[1].position - joint.points[0].position) * (pb - pa) + (q1 - q0))
+        .normalized();
+    }
+  } // namespace
+
+
+
+  void remember_bond_forces(const Model   &model,
+                            const Springs &springs,
+                            const Trial   &trial,
+                            const double   kept,
+                            DdaState      &state)
+  {
+    const int n_joints = static_cast<int>(springs.first_contact() / 2);
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n_joints))
+    for (int k = 0; k < n_joints; ++k)
+      {
+        const Springs::Spring &spring = springs.springs[2 * k];
+        if (spring.other == foundation_body)
+          continue;
+        const Vec2 tangent = tangent_of(model.joints[spring.joint], state.geometry);
+        const Vec2 before  = bond_force(springs, 2 * k, {tangent.y(), -tangent.x()}, tangent, true);
+        const Springs::Response &end = springs.responses[2 * k];
+        const Vec2               now = bond_force(springs, 2 * k, end.normal, end.tangent, false);
+        Vec2                    &change = state.joints[spring.joint].force_change;
+        change = mean_turn(trial.motion[spring.block], trial.motion[spring.other]) *
+                 (kept * change + Newmark::memory * (now - before));
+      }
+  }
+
+
+
+  Vec2 turned_beyond_bonds(const Springs  &springs,
+                           const Trial    &trial,
+                           const DdaState &state,
+                           const int       block)
+  {
+    const int  n_joint_springs = static_cast<int>(springs.first_contact());
+    const Turn turn(trial.motion[block]);
+    Vec2       sum = Vec2::Zero();
+    for (const int entry : springs.of_block(block))
+      {
+        const int s = entry / 2;
+        if (s >= n_joint_springs || s % 2 == 1)
+          continue;
+        const Springs::Spring &spring = springs.springs[s];
+        if (spring.other == foundation_body)
+          continue;
+        const Vec2 &change = state.joints[spring.joint].force_change;
+        const Turn  beyond =
+          turn.beyond(mean_turn(trial.motion[spring.block], trial.motion[spring.other]));
+        const Vec2 added = beyond * change - change;
+        sum += block == spring.block ? added : Vec2(-added);
+      }
+    return sum;
+  }
+} // namespace hybrid::dda

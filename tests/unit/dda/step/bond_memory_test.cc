@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block_scenes.h"
+
+#include <gtest/gtest.h>
+
+using namespace hybrid;
+using namespace hybrid::dda;
+using namespace hybrid::test;
+
+namespace
+{
+  /// Two bonded squares of 1 m at the origin, and a third one 0.02 m beside them, half a metre up.
+  scene::SectionMesh pair_and_square()
+  {
+    scene::SectionMesh mesh = square_blocks(2, 1);
+    const int          n    = static_cast<int>(mesh.nodes.size());
+    for (const Vec2 &corner : {Vec2(2.02, 0.5), Vec2(3.02, 0.5), Vec2(3.02, 1.5), Vec2(2.02, 1.5)})
+      mesh.nodes.push_back(corner);
+    mesh.blocks.push_back({n, n + 1, n + 2, n + 3});
+    mesh.block_region.push_back(0);
+    return mesh;
+  }
+
+
+
+  Vec2 momentum(const FixedBaseRun &run)
+  {
+    Vec2 sum = Vec2::Zero();
+    for (std::size_t b = 0; b < run.state.blocks.size(); ++b)
+      sum += run.model.blocks[b].mass * run.state.blocks[b].velocity.head<2>();
+    return sum;
+  }
+} // namespace
+
+
+
+TEST(BondMemory, bonded_bodies_that_turn_and_are_hit_keep_their_momentum)
+{
+  scene::SceneParameters scene             = block_parameters(20., 5e9);
+  scene.materials["rock"].cohesion         = 1e9;
+  scene.materials["rock"].tensile_strength = 1e9;
+  scene.time.newmark                       = Newmark::preset("filtered");
+  scene.blocks.bonded                      = true;
+  std::vector<Vec2> base                   = straight_foundation(0., 200., 200.);
+  for (Vec2 &node : base)
+    node.y() -= 100.;
+  FixedBaseRun run(pair_and_square(), scene, base);
+  run.model.gravity               = 0.;
+  run.state                       = initial_state(run.model);
+  run.state.blocks[2].velocity[0] = -3.;
+  run.state.blocks[0].velocity[2] = run.state.blocks[1].velocity[2] = 2.;
+  run.state.blocks[0].velocity[1]                                   = -1.;
+  run.state.blocks[1].velocity[1]                                   = 1.;
+  const Vec2 before                                                 = momentum(run);
+  ASSERT_TRUE(run.run(0.2, 1e-3));
+  EXPECT_GT(run.state.blocks[2].velocity.norm(), 0.5); // it was hit off its centre
+  EXPECT_LT((momentum(run) - before).norm(), 1e-9 * run.model.blocks[0].mass * 3.);
+}
