@@ -27,8 +27,15 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, JointState &joint)
   {
-    auto &[points, failure, failure_time, has_yielded, released, handed_over, parted, rest_slip, force_change] =
-      joint;
+    auto &[points,
+           failure,
+           failure_time,
+           has_yielded,
+           released,
+           handed_over,
+           parted,
+           rest_slip,
+           force_change] = joint;
     archive(
       points, failure, failure_time, has_yielded, released, handed_over, parted[0], parted[1]);
     archive(rest_slip[0], rest_slip[1], force_change);

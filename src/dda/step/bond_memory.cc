@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/step/bond_memory.h>
 
 #include <cmath>
@@ -40,7 +39,7 @@ namespace hybrid::dda
     /// By the mean of both angles.
     Turn mean_turn(const BlockMotion &a, const BlockMotion &b)
     {
-      const double c = a.cosine + b.cosine, s = a.sine + b.sine, size = std::hypot(c, s);
+      const double c = a.cosine + b.cosine, s = a.sine + b.sine, size = std::sqrt(c * c + s * s);
       return {c / size, s / size};
     }
 
@@ -81,27 +80,24 @@ namespace hybrid::dda
 
 
 
-  void remember_bond_forces(const Model   &model,
-                            const Springs &springs,
-                            const Trial   &trial,
-                            const double   kept,
-                            DdaState      &state)
+  void remember_bond_force(const Model   &model,
+                           const Springs &springs,
+                           const Trial   &trial,
+                           const double   kept,
+                           const int      number,
+                           DdaState      &state)
   {
-    const int n_joints = static_cast<int>(springs.first_contact() / 2);
-#pragma omp parallel for schedule(static) if (is_worth_sharing(n_joints))
-    for (int k = 0; k < n_joints; ++k)
-      {
-        const Springs::Spring &spring = springs.springs[2 * k];
-        if (spring.other == foundation_body)
-          continue;
-        const Vec2 tangent = tangent_of(model.joints[spring.joint], state.geometry);
-        const Vec2 before  = bond_force(springs, 2 * k, {tangent.y(), -tangent.x()}, tangent, true);
-        const Springs::Response &end = springs.responses[2 * k];
-        const Vec2               now = bond_force(springs, 2 * k, end.normal, end.tangent, false);
-        Vec2                    &change = state.joints[spring.joint].force_change;
-        change = mean_turn(trial.motion[spring.block], trial.motion[spring.other]) *
-                 (kept * change + Newmark::memory * (now - before));
-      }
+    const int              first  = 2 * number;
+    const Springs::Spring &spring = springs.springs[first];
+    if (spring.other == foundation_body)
+      return;
+    const Vec2 tangent = tangent_of(model.joints[spring.joint], state.geometry);
+    const Vec2 before  = bond_force(springs, first, {tangent.y(), -tangent.x()}, tangent, true);
+    const Springs::Response &end    = springs.responses[first];
+    const Vec2               now    = bond_force(springs, first, end.normal, end.tangent, false);
+    Vec2                    &change = state.joints[spring.joint].force_change;
+    change = mean_turn(trial.motion[spring.block], trial.motion[spring.other]) *
+             (kept * change + Newmark::memory * (now - before));
   }
 
 

@@ -148,9 +148,23 @@ namespace hybrid::dda
     state.time += dt;
     const double kept = (1. - Newmark::memory) * Newmark::remembered_in(dt, state.last_step);
     if (model.newmark.filter > 0.)
+      state.last_step = dt;
+
+    const int n_joints  = static_cast<int>(springs.first_contact() / 2);
+    bool      any_tears = false;
+#pragma omp parallel for schedule(static) reduction(|| : any_tears) if (is_worth_sharing(n_joints))
+    for (int k = 0; k < n_joints; ++k)
       {
-        state.last_step = dt;
-        remember_bond_forces(model, springs, trial, kept, state);
+        const int   j     = springs.springs[2 * k].joint;
+        JointState &joint = state.joints[j];
+        if (at_rest)
+          joint.force_change.setZero();
+        else if (model.newmark.filter > 0.)
+          remember_bond_force(model, springs, trial, kept, k, state);
+        for (int end = 0; end < 2; ++end)
+          joint.points[end] = springs.responses[2 * k + end].now;
+        update_failure(model.joints[j], state.time, joint, model.blocks_yield);
+        any_tears = any_tears || tears(springs, state, 2 * k) || tears(springs, state, 2 * k + 1);
       }
 
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
@@ -199,18 +213,6 @@ namespace hybrid::dda
         model.initial.foundation_nodes[k] + trial.foundation.segment<2>(2 * k);
 
     const int n_springs = static_cast<int>(springs.springs.size());
-    const int n_joints  = static_cast<int>(springs.first_contact() / 2);
-    bool      any_tears = false;
-#pragma omp parallel for schedule(static) reduction(|| : any_tears) if (is_worth_sharing(n_joints))
-    for (int k = 0; k < n_joints; ++k)
-      {
-        const int   j     = springs.springs[2 * k].joint;
-        JointState &joint = state.joints[j];
-        for (int end = 0; end < 2; ++end)
-          joint.points[end] = springs.responses[2 * k + end].now;
-        update_failure(model.joints[j], state.time, joint, model.blocks_yield);
-        any_tears = any_tears || tears(springs, state, 2 * k) || tears(springs, state, 2 * k + 1);
-      }
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n_springs - 2 * n_joints))
     for (int s = 2 * n_joints; s < n_springs; ++s)
       {

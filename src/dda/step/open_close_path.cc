@@ -9,7 +9,7 @@ namespace hybrid::dda
 {
   double OpenCloseIteration::begin_path(const Step &step)
   {
-    constexpr double width         = 10.; ///< product over the mean elastic energy of a spring
+    constexpr double width         = 10.; ///< force over the mean, and parting likewise
     double           stiffness_sum = 0., force = 0.;
     int              n = 0, n_loaded = 0;
     // Joints tell the scale only where there is no contact: they bear more.

@@ -13,16 +13,18 @@ namespace hybrid::dda
   // resultant, which changes the momentum of the body. So the bond's share turns by the mean of
   // both angles, on both sides.
 
-  /// Bring JointState::force_change to the end of a solved step. The geometry of @p state is that
-  /// where the step began. @param kept of the old memory, see Newmark
-  void remember_bond_forces(const Model   &model,
-                            const Springs &springs,
-                            const Trial   &trial,
-                            double         kept,
-                            DdaState      &state);
+  /// Bring JointState::force_change of joint @p number of the step to the end of the solved step.
+  /// The geometry of @p state is that where the step began. @param kept of the old memory, see
+  /// Newmark
+  void remember_bond_force(const Model   &model,
+                           const Springs &springs,
+                           const Trial   &trial,
+                           double         kept,
+                           int            number,
+                           DdaState      &state);
 
   /// What turning a block's memory with the block has added to the bonds' shares of it [N/m], after
-  /// remember_bond_forces().
+  /// remember_bond_force() of all joints.
   Vec2
   turned_beyond_bonds(const Springs &springs, const Trial &trial, const DdaState &state, int block);
 } // namespace hybrid::dda
