@@ -3,6 +3,7 @@
 #include <hybrid/restart/archive.h>
 #include <hybrid/scene/input_error.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <sstream>
@@ -85,15 +86,25 @@ namespace hybrid
 
   bool CheckpointSchedule::is_due(const long steps) const
   {
+    constexpr double others = 19.; ///< time for all else, over that of writing
     return (parameters.step_interval > 0 && steps % parameters.step_interval == 0) ||
-           (parameters.wall_interval > 0. && clock() - last >= parameters.wall_interval);
+           (parameters.wall_interval > 0. &&
+            clock() - last >= std::max(parameters.wall_interval, others * taking));
+  }
+
+
+
+  void CheckpointSchedule::begins()
+  {
+    began = clock();
   }
 
 
 
   void CheckpointSchedule::written()
   {
-    last = clock();
+    last   = clock();
+    taking = last - began;
   }
 
 

@@ -95,6 +95,7 @@ namespace hybrid
     run.count_processor_time_of_steps();
     if (!run.recorder)
       return;
+    run.schedule.begins();
     run.recorder->flush(); // run.h5 is never behind the checkpoint
     const std::uint64_t number = fingerprint(model.mesh, model.motion.outcrop());
     const auto          write  = [&](restart::Archive &archive) {

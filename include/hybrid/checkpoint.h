@@ -15,7 +15,8 @@ namespace hybrid
   std::string checkpoint_file(const std::string &directory);
 
 
-  /// When a checkpoint is due: after so many steps of the whole run, or so much wall time.
+  /// When a checkpoint is due: after so many steps of the whole run, or so much wall time, but so
+  /// much later that writing takes at most a twentieth of the time.
   class CheckpointSchedule
   {
   public:
@@ -26,13 +27,18 @@ namespace hybrid
     /// @param steps accepted since the start of the run.
     bool is_due(long steps) const;
 
-    /// A checkpoint has been written.
+    /// A checkpoint begins to be written.
+    void begins();
+
+    /// It has been written.
     void written();
 
   private:
     const scene::CheckpointParameters parameters;
     const std::function<double()>     clock;
-    double                            last; ///< wall clock at the last checkpoint [s]
+    double                            last;        ///< wall clock at the last checkpoint [s]
+    double                            began  = 0.; ///< the same where its writing began [s]
+    double                            taking = 0.; ///< what writing it took [s]
   };
 
 

@@ -18,7 +18,8 @@ namespace hybrid::scene
       checkpoint.wall_interval,
       "s",
       ParameterRange::at_least(0.),
-      "Wall time between checkpoints; 0: none by time. With both intervals 0 there are no "
-      "checkpoints, but Ctrl-C still writes one.");
+      "Wall time between checkpoints, longer where writing would take more than a twentieth of the "
+      "time; 0: none by time. With both intervals 0 there are no checkpoints, but Ctrl-C still "
+      "writes one.");
   }
 } // namespace hybrid::scene

@@ -60,8 +60,18 @@ TEST(Checkpoint, is_due_after_steps_or_wall_time)
   EXPECT_FALSE(by_time.is_due(20));
   now += 61.;
   EXPECT_TRUE(by_time.is_due(21));
+  by_time.begins();
   by_time.written();
   EXPECT_FALSE(by_time.is_due(22));
+  now += 61.;
+  EXPECT_TRUE(by_time.is_due(23));
+  by_time.begins();
+  now += 10.; // to write it: the next one after 190 s
+  by_time.written();
+  now += 189.;
+  EXPECT_FALSE(by_time.is_due(24));
+  now += 2.;
+  EXPECT_TRUE(by_time.is_due(25));
 
   intervals.wall_interval = 0.;
   const CheckpointSchedule never(intervals, [&] { return now; });
