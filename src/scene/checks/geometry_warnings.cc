@@ -206,6 +206,59 @@ namespace hybrid::scene
            << thickness << " m thick on average: it makes steps small and results doubtful";
       warnings.push_back(text.str());
     }
+
+
+
+    /// Corners of two blocks that are all but in one place, so that edges there are not bonded.
+    void look_at_near_corners(const SectionMesh &mesh, std::vector<std::string> &warnings)
+    {
+      std::vector<double> size(mesh.nodes.size(), 0.); // of the smallest block there [m]
+      for (const auto &block : mesh.blocks)
+        {
+          double area = 0.;
+          for (std::size_t i = 0; i < block.size(); ++i)
+            area += 0.5 * cross(mesh.nodes[block[i]] - mesh.nodes[block[0]],
+                                mesh.nodes[block[(i + 1) % block.size()]] - mesh.nodes[block[0]]);
+          for (const int node : block)
+            size[node] = size[node] > 0. ? std::min(size[node], std::sqrt(area)) : std::sqrt(area);
+        }
+      std::vector<int> corners;
+      for (std::size_t n = 0; n < size.size(); ++n)
+        if (size[n] > 0.)
+          corners.push_back(static_cast<int>(n));
+      std::sort(corners.begin(), corners.end(), [&](const int a, const int b) {
+        return mesh.nodes[a].x() < mesh.nodes[b].x();
+      });
+      int    count = 0;
+      double apart = 0.;
+      Vec2   where = Vec2::Zero();
+      for (std::size_t k = 0; k < corners.size(); ++k)
+        for (std::size_t j = k + 1; j < corners.size(); ++j)
+          {
+            const Vec2  &a = mesh.nodes[corners[k]], &b = mesh.nodes[corners[j]];
+            const double reach = touching * std::min(size[corners[k]], size[corners[j]]);
+            if (b.x() - a.x() > touching * size[corners[k]])
+              break;
+            if (a == b || (b - a).norm() > reach) // a notch has two nodes in one place
+              continue;
+            if (count++ == 0)
+              {
+                apart = (b - a).norm();
+                where = a;
+              }
+          }
+      if (count == 0)
+        return;
+      std::ostringstream text;
+      text << "corners of blocks are next to each other, not in one place: " << apart
+           << " m apart at " << at(where);
+      if (count > 1)
+        text << " and in " << count - 1 << (count == 2 ? " other place" : " other places");
+      text << "; edges there are not bonded";
+      warnings.push_back(text.str());
+    }
+
+
     /// Water as deep above the section as the section is high, and deep: perhaps of another datum.
     void look_at_water(const SectionMesh        &mesh,
                        const SceneParameters    &scene,
@@ -246,6 +299,8 @@ namespace hybrid::scene
          scene.environment.static_stage == StaticStage::move))
       look_at_support(mesh, warnings);
     look_at_slivers(mesh, warnings);
+    if (scene.blocks.bonded)
+      look_at_near_corners(mesh, warnings);
     look_at_water(mesh, scene, warnings);
     return warnings;
   }

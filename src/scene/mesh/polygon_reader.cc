@@ -4,6 +4,7 @@
 #include <hybrid/scene/text_table.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -160,27 +161,49 @@ namespace hybrid::scene
     }
 
 
-    /// Nodes by their exact coordinates.
+    /// Length of the shortest edge of all polygons [m].
+    double shortest_edge(const std::vector<Polygon> &polygons)
+    {
+      double shortest = std::numeric_limits<double>::infinity();
+      for (const Polygon &polygon : polygons)
+        for (std::size_t i = 0; i < polygon.vertices.size(); ++i)
+          {
+            const Vec2 &a = polygon.vertices[i].x;
+            const Vec2 &b = polygon.vertices[(i + 1) % polygon.vertices.size()].x;
+            if (a != b)
+              shortest = std::min(shortest, (b - a).norm());
+          }
+      return shortest;
+    }
+
+
+    /// Nodes by their coordinates: what is within a distance of a node is that node, as the last
+    /// digits of a file may be rounded.
     class NodeFinder
     {
     public:
-      explicit NodeFinder(std::vector<Vec2> &node_list)
+      NodeFinder(std::vector<Vec2> &node_list, const double same_place)
         : nodes(node_list)
+        , distance(same_place)
       {}
 
       int find_or_add(const Vec2 &x)
       {
-        // adding zero turns -0 into 0
-        const auto [entry, is_new] =
-          index.emplace(std::make_pair(x.x() + 0., x.y() + 0.), int(nodes.size()));
-        if (is_new)
-          nodes.push_back(x);
-        return entry->second;
+        for (auto near = index.lower_bound(x.x() - distance);
+             near != index.end() && near->first <= x.x() + distance;
+             ++near)
+          if ((nodes[near->second] - x).norm() <= distance)
+            return near->second;
+        const int number = static_cast<int>(nodes.size());
+        index.emplace(x.x(), number);
+        nodes.push_back(x);
+        return number;
       }
 
     private:
-      std::vector<Vec2>                       &nodes;
-      std::map<std::pair<double, double>, int> index;
+      std::vector<Vec2>         &nodes;
+      const double               distance; ///< [m]
+      std::multimap<double, int> index;    ///< by x
     };
 
 
@@ -235,7 +258,8 @@ namespace hybrid::scene
     mesh.lines.erase("mass_surface");
     drop_unused_nodes(mesh);
 
-    NodeFinder finder(mesh.nodes);
+    constexpr double same_place = 1e-6; ///< of the shortest edge [-]
+    NodeFinder       finder(mesh.nodes, same_place * shortest_edge(polygons));
     for (const Polygon &polygon : polygons)
       {
         check_simple(polygon, file);

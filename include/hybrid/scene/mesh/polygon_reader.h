@@ -12,7 +12,8 @@ namespace hybrid::scene
    * ("sliding_mass", the default, or "sliding_mass_<suffix>"), replacing blocks that
    * @p mesh has. Rows with the same block name follow each other and list one simple polygon,
    * in either direction, without repeating the first vertex; the block comes out
-   * counter-clockwise. Vertices with equal coordinates become one node.
+   * counter-clockwise. Vertices that are within 1e-6 of the
+   * shortest edge of each other become one node.
    * A first row "block,x,y..." is a header; # starts a comment.
    *
    * @throws InputError with file and line for fewer than three vertices, a repeated vertex,

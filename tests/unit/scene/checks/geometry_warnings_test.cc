@@ -18,6 +18,7 @@ namespace hybrid::scene
       /// A base from (0, 0) to (10, 0) in two edges, a unit square on it and another on that.
       void SetUp() override
       {
+        scene.blocks.bonded           = false;
         mesh.nodes                    = {{0., 0.}, {4., 0.}, {10., 0.}};
         mesh.lines["sliding_surface"] = {{0, 1}, {1, 2}};
         add_block({{1., 0.}, {2., 0.}, {2., 1.}, {1., 1.}});
@@ -72,6 +73,15 @@ namespace hybrid::scene
     expect({"a block with nothing below", "(12, 0) m", "2 m are between"});
     mesh.lines.clear();
     expect({"3 blocks", "there is no base"});
+  }
+
+
+  TEST_F(GeometryWarnings, CornersThatAreNearlyInOnePlaceAreNamed)
+  {
+    add_block({{2.0005, 0.}, {3., 0.}, {3., 0.5}, {2.001, 0.5}});
+    expect({});
+    scene.blocks.bonded = true;
+    expect({"next to each other", "0.0005 m apart at (2, 0) m;", "not bonded"});
   }
 
 

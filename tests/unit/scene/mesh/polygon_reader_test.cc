@@ -49,6 +49,17 @@ namespace hybrid::scene::test
   }
 
 
+  // 0.1 + 0.2 is not 0.3 in the last digit; 0.001 m is no rounding.
+  TEST_F(PolygonReader, RoundedCornersAreOneNode)
+  {
+    const std::string left = "a,0,0\na,0.3,0\na,0.3,1\na,0,1\n";
+    EXPECT_EQ(
+      polygons(left + "b,0.30000000000000004,0\nb,1,0\nb,1,1\nb,0.2999999999,1\n").nodes.size(),
+      6u);
+    EXPECT_EQ(polygons(left + "b,0.301,0\nb,1,0\nb,1,1\nb,0.301,1\n").nodes.size(), 8u);
+  }
+
+
   TEST_F(PolygonReader, MessagesCallBlocksAsTheFileDoes)
   {
     const SectionMesh mesh = polygons("7,0,0\n7,1,0\n7,0,1\ntop,0,1\ntop,1,1\ntop,0,2\n");
