@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace hybrid::output
 {
@@ -149,35 +151,45 @@ namespace hybrid::output
     double largest = 0.; // [m]
     for (int b = 0; b < model.n_mass(); ++b)
       largest = std::max(largest, model.blocks[b].size);
-    std::string     worst;
-    double          resolved = std::numeric_limits<double>::infinity(), energy = 0.;
-    const Material &mass = scene.material(blocks.material, "Blocks/Material");
+    struct Unresolved
+    {
+      double      resolved, energy; ///< size [m]; stored where a joint breaks [J/m2]
+      std::string name;
+    };
+    std::vector<Unresolved> found;
+    const Material         &mass = scene.material(blocks.material, "Blocks/Material");
     for (const std::string &name : {blocks.material,
                                     blocks.saturated_material,
                                     blocks.belt_material,
                                     blocks.saturated_belt_material})
       {
-        if (name.empty())
+        const auto is_this = [&](const Unresolved &other) { return other.name == name; };
+        if (name.empty() || std::any_of(found.begin(), found.end(), is_this))
           continue;
         const bool   is_belt  = name != blocks.material && name != blocks.saturated_material;
         const double strength = scene.material(name, "Blocks/Material").tensile_strength;
         const double e =
           is_belt ? mass.young_modulus : scene.material(name, "Blocks/Material").young_modulus;
         const double size = e * blocks.fracture_energy / (strength * strength);
-        if (!(strength > 0.) || strength > 0.05 * e || size >= resolved)
-          continue;
-        worst    = name;
-        resolved = size;
-        energy   = strength * strength * largest / e;
+        if (strength > 0. && strength <= 0.05 * e && largest > (1. + round_off) * size)
+          found.push_back({size, 0.5 * strength * strength * largest / e, name});
       }
-    if (!(largest > (1. + round_off) * resolved))
+    if (found.empty())
       return "";
-    return "tensile fracture of '" + worst + "' is not resolved: blocks of " + number(largest) +
-           " m store " + number(0.5 * energy) +
-           " J/m2 when a joint breaks, Blocks/Fracture energy is " +
-           number(blocks.fracture_energy) +
-           " J/m2, so that it is effectively brittle; blocks of at most " +
-           number(rounded_down(resolved)) + " m (E G_f / F_t^2) would resolve it";
+    std::stable_sort(found.begin(), found.end(), [](const Unresolved &a, const Unresolved &b) {
+      return a.resolved < b.resolved;
+    });
+    const Unresolved &worst = found.front();
+    std::string text = "tensile fracture of '" + worst.name + "' is not resolved: blocks of " +
+                       number(largest) + " m store " + number(worst.energy) +
+                       " J/m2 when a joint breaks, Blocks/Fracture energy is " +
+                       number(blocks.fracture_energy) +
+                       " J/m2, so that it is effectively brittle; blocks of at most " +
+                       number(rounded_down(worst.resolved)) + " m (E G_f / F_t^2) would resolve it";
+    for (std::size_t k = 1; k < found.size(); ++k)
+      text += "; nor is that of '" + found[k].name + "' (" + number(found[k].energy) +
+              " J/m2, at most " + number(rounded_down(found[k].resolved)) + " m)";
+    return text;
   }
 
 

@@ -134,6 +134,13 @@ namespace hybrid::output
       "tensile fracture of 'rock' is not resolved: blocks of 4 m store 144 J/m2 when a joint "
       "breaks, Blocks/Fracture energy is 10 J/m2, so that it is effectively brittle; blocks "
       "of at most 0.13 m (E G_f / F_t^2) would resolve it");
+    scene.materials["belt"]                  = scene.materials["rock"];
+    scene.materials["belt"].tensile_strength = 30e3;
+    scene.blocks.belt_material               = "belt";
+    EXPECT_NE(with(4.).find("fracture of 'rock' is"), std::string::npos);
+    EXPECT_NE(with(4.).find("; nor is that of 'belt' (36.1 J/m2, at most 0.55 m)"),
+              std::string::npos);
+    scene.blocks.belt_material = "";
     EXPECT_EQ(with(0.13), "");
     EXPECT_NE(with(0.15), "");
     scene.blocks.fracture_energy = 0.; // brittle is what the user wants
