@@ -119,6 +119,7 @@ namespace hybrid
         fallen_blocks(settled, state, has_failed);
         return;
       }
+    const bool  is_held = model.scene.environment.static_stage == scene::StaticStage::held;
     std::string where =
       model.scene.environment.horizontal != 0. ? " and Gravity/Horizontal coefficient" : "";
     if (settled.moving_block >= 0)
@@ -133,7 +134,10 @@ namespace hybrid
         where += text;
       }
     log.warning(
-      "no static equilibrium was found: the mass moves under its own weight" + where +
+      std::string(
+        is_held ? "no static equilibrium was found though no joint or contact slides: blocks topple"
+                : "no static equilibrium was found: the mass moves under its own weight") +
+      where +
       (has_failed
          ? "; the run ends here: give it more strength (Blocks/Material, Blocks/Belt material), or "
            "set Gravity/Static stage to held (settles with unlimited strengths), none (starts "
