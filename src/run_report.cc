@@ -135,8 +135,9 @@ namespace hybrid
       }
     log.warning(
       std::string(
-        is_held ? "no static equilibrium was found though no joint or contact slides: blocks topple"
-                : "no static equilibrium was found: the mass moves under its own weight") +
+        is_held
+          ? "no static equilibrium was found, with unlimited strengths either: blocks still move"
+          : "no static equilibrium was found: the mass moves under its own weight") +
       where +
       (has_failed
          ? "; the run ends here: give it more strength (Blocks/Material, Blocks/Belt material), or "
