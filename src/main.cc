@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/checkpoint.h>
 #include <hybrid/command_line.h>
+#include <hybrid/directory_lock.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/version.h>
 #include <hybrid/processes.h>
@@ -18,6 +19,7 @@
 
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -191,6 +193,7 @@ namespace
   /// repetition is a run of its own: it can be resumed, and looks at the target at its end.
   RunStatus meet_error_target(std::unique_ptr<Simulation> simulation,
                               const Processes            &processes,
+                              DirectoryLock              &lock,
                               const Interruption         &interruption)
   {
     const std::string directory = simulation->directory();
@@ -209,7 +212,7 @@ namespace
         });
                simulation.reset(); // its memory
                simulation = make_simulation(directory, scene, processes, voice.log);
-               processes.on_first([&] { prepare_directory(scene, true, voice.log); });
+               processes.on_first([&] { prepare_directory(scene, true, voice.log, lock); });
                voice.log.info("Repeated in steps of " + size + " s: " + choice.why);
                simulation->report().card();
                const RunStatus status = simulation->run(interruption);
@@ -225,8 +228,10 @@ namespace
 
 
 
-  int
-  run_scene(const CommandLine &command, const scene::SceneParameters &scene, Processes &processes)
+  int run_scene(const CommandLine            &command,
+                const scene::SceneParameters &scene,
+                Processes                    &processes,
+                DirectoryLock                &lock)
   {
     const bool force    = command.force || command.action == Action::resume;
     const bool is_check = command.action == Action::check;
@@ -235,6 +240,8 @@ namespace
       if (command.action == Action::run && !force)
         refuse_earlier_run(scene.output.directory);
       check_directory(scene.output.directory);
+      if (!is_check && std::filesystem::is_directory(scene.output.directory))
+        lock.take(scene.output.directory); // before it is meshed in vain
     });
     Voice voice(processes);
     if (command.action == Action::resume)
@@ -250,7 +257,7 @@ namespace
     const Interruption interruption; // before anything is written
     processes.on_first([&] {
       if (!is_check)
-        prepare_directory(scene, force, voice.log);
+        prepare_directory(scene, force, voice.log, lock);
       if (command.action == Action::run)
         forget_step_record(scene.output.directory);
     });
@@ -265,18 +272,21 @@ namespace
     return run_guarded(scene.output.directory, processes, [&] {
       const RunStatus status = simulation->run(interruption);
       return status == RunStatus::finished
-               ? meet_error_target(std::move(simulation), processes, interruption)
+               ? meet_error_target(std::move(simulation), processes, lock, interruption)
                : status;
     });
   }
 
 
 
-  int
-  resume_run(const CommandLine &command, const scene::SceneParameters &scene, Processes &processes)
+  int resume_run(const CommandLine            &command,
+                 const scene::SceneParameters &scene,
+                 Processes                    &processes,
+                 DirectoryLock                &lock)
   {
+    processes.on_first([&] { lock.take(command.target); });
     if (has_not_begun(command.target))
-      return run_scene(command, scene, processes);
+      return run_scene(command, scene, processes, lock);
     const restart::CheckpointContent checkpoint =
       restart::read_checkpoint(checkpoint_file(command.target));
     prepare_process();
@@ -293,7 +303,7 @@ namespace
     return run_guarded(command.target, processes, [&] {
       const RunStatus status = simulation->resume(checkpoint, interruption);
       return status == RunStatus::finished
-               ? meet_error_target(std::move(simulation), processes, interruption)
+               ? meet_error_target(std::move(simulation), processes, lock, interruption)
                : status;
     });
   }
@@ -310,7 +320,9 @@ namespace
     if (command.action != Action::check)
       sleep_while_waiting(scene.threads, argv);
     processes.start(argc, argv);
-    return resumes ? resume_run(command, scene, processes) : run_scene(command, scene, processes);
+    DirectoryLock lock;
+    return resumes ? resume_run(command, scene, processes, lock)
+                   : run_scene(command, scene, processes, lock);
   }
 
 

@@ -174,12 +174,16 @@ namespace hybrid
 
 
 
-  void prepare_directory(const scene::SceneParameters &scene, const bool force, output::Log &log)
+  void prepare_directory(const scene::SceneParameters &scene,
+                         const bool                    force,
+                         output::Log                  &log,
+                         DirectoryLock                &lock)
   {
     const std::string &directory = scene.output.directory;
     if (!force)
       refuse_earlier_run(directory);
     make_directory(directory);
+    lock.take(directory);
     remove_run(directory);
     make_directory(directory + "/checkpoint");
     log.open_file(directory + "/log.txt");

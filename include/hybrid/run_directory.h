@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/directory_lock.h>
 #include <hybrid/output/log.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
@@ -28,9 +29,13 @@ namespace hybrid
    * Make the output directory of a new run, with log.txt and params.used.prm.
    *
    * @param force what an earlier run has left there is deleted.
-   * @throws InputError if an earlier run is there, or nothing can be written.
+   * @param lock is taken before anything is deleted.
+   * @throws InputError if an earlier run or one under way is there, or nothing can be written.
    */
-  void prepare_directory(const scene::SceneParameters &scene, bool force, output::Log &log);
+  void prepare_directory(const scene::SceneParameters &scene,
+                         bool                          force,
+                         output::Log                  &log,
+                         DirectoryLock                &lock);
 
   /// The scene of the run in @p directory, for which the results go there again.
   /// @throws InputError if there is no run, or a file that its scene needs is gone.

@@ -213,6 +213,23 @@ def on_a_terminal(columns, *words):
     return text.decode()
 
 
+def check_two_runs():
+    """Of two runs in one directory the second is refused, and the first goes on."""
+    directory = WORK / "of_one_run"
+    words = [WORK / "good.prm", "-s", f"Output/Directory={directory}"]
+    first = subprocess.Popen([BINARY, *map(str, words), "-s", "Time/End time=1000"], cwd=WORK, stdout=subprocess.PIPE, text=True)
+    while not (directory / "params.used.prm").exists() and first.stdout.readline():
+        pass
+    for second in (["--force", *words], ["--resume", directory]):
+        result = run(*second)
+        require(result.returncode == 2 and "another run" in result.stderr, f"{second[0]} is refused while a run is under way", result)
+    require(first.poll() is None, "the first run goes on")
+    first.terminate()
+    first.communicate(timeout=60)
+    result = run(*words, "--force", "-s", "Time/End time=0.01")
+    require(result.returncode == 0, "once it has ended the directory is free", result)
+
+
 def check_progress_line():
     """Redrawn lines are narrower than the terminal: a wider one would begin another at each redraw."""
     for columns in (80, 50):
@@ -247,6 +264,7 @@ def main():
     WORK.mkdir(parents=True)
     check_mistakes()
     check_good_ways()
+    check_two_runs()
     check_progress_line()
     check_slope_that_cannot_stand()
     print(f"{len(complaints)} complaints")

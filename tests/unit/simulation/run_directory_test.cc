@@ -19,6 +19,7 @@ namespace
     scene::SceneParameters scene;
     std::ostringstream     screen;
     output::Log            log{screen};
+    DirectoryLock          lock;
     std::string            directory = testing::TempDir() + "hybrid_run_directory";
 
     void SetUp() override
@@ -40,7 +41,7 @@ namespace
 
 TEST_F(RunDirectory, an_earlier_run_is_kept_unless_forced)
 {
-  prepare_directory(scene, false, log);
+  prepare_directory(scene, false, log, lock);
   EXPECT_TRUE(fs::exists(directory + "/params.used.prm"));
   const auto of_run  = {"summary.json",
                         "run.h5",
@@ -55,7 +56,7 @@ TEST_F(RunDirectory, an_earlier_run_is_kept_unless_forced)
       touch(name);
   try
     {
-      prepare_directory(scene, false, log);
+      prepare_directory(scene, false, log, lock);
       FAIL();
     }
   catch (const InputError &error)
@@ -67,7 +68,7 @@ TEST_F(RunDirectory, an_earlier_run_is_kept_unless_forced)
   EXPECT_TRUE(fs::exists(directory + "/run.h5"));
 
   output::Log second(screen);
-  prepare_directory(scene, true, second);
+  prepare_directory(scene, true, second, lock);
   for (const char *name : of_run)
     EXPECT_FALSE(fs::exists(directory + "/" + name)) << name;
   for (const char *name : of_user)
@@ -106,7 +107,7 @@ TEST(ResumeCommand, quotes_what_a_shell_would_split)
 TEST_F(RunDirectory, a_directory_with_other_files_can_be_used)
 {
   touch("notes.txt");
-  prepare_directory(scene, false, log);
+  prepare_directory(scene, false, log, lock);
   EXPECT_TRUE(fs::exists(directory + "/notes.txt"));
 }
 
@@ -121,7 +122,7 @@ TEST_F(RunDirectory, nothing_to_resume_is_said)
 
 TEST_F(RunDirectory, a_run_without_steps_has_not_begun)
 {
-  prepare_directory(scene, false, log);
+  prepare_directory(scene, false, log, lock);
   EXPECT_TRUE(has_not_begun(directory));
   touch("summary.json");
   EXPECT_FALSE(has_not_begun(directory));
