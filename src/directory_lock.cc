@@ -26,7 +26,8 @@ namespace hybrid
       return;
     close(descriptor);
     descriptor = -1;
-    throw InputError("Output/Directory: another run is writing into '" + directory +
-                     "' at this moment: wait until it ends, stop it, or let this one write elsewhere");
+    throw InputError(
+      "Output/Directory: another run is writing into '" + directory +
+      "' at this moment: wait until it ends, stop it, or let this one write elsewhere");
   }
 } // namespace hybrid
