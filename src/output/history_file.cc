@@ -302,17 +302,43 @@ namespace hybrid::output
                                 const std::size_t  columns,
                                 const std::string &description)
   {
+    write_static({path, unit, description, rows, columns},
+                 H5T_IEEE_F64LE,
+                 H5T_NATIVE_DOUBLE,
+                 values);
+  }
+
+
+
+  void HistoryFile::write_integers(const std::string      &path,
+                                   const std::vector<int> &values,
+                                   const std::string      &description)
+  {
+    write_static({path, "1", description, values.size(), 1},
+                 H5T_STD_I32LE,
+                 H5T_NATIVE_INT,
+                 values.data());
+  }
+
+
+
+  void HistoryFile::write_static(const StaticArray &array,
+                                 const std::int64_t in_file,
+                                 const std::int64_t in_memory,
+                                 const void        *values)
+  {
+    const auto &[path, unit, description, rows, columns] = array;
     remove(path);
     const Handle space(make_dataspace(rows, columns, false), H5Sclose, "make a data space");
     const Handle links(make_link_properties(), H5Pclose, "make link properties");
     const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make data set properties");
     H5Pset_obj_track_times(creation, false);
     const Handle dataset(
-      H5Dcreate2(file, path.c_str(), H5T_IEEE_F64LE, space, links, creation, H5P_DEFAULT),
+      H5Dcreate2(file, path.c_str(), in_file, space, links, creation, H5P_DEFAULT),
       H5Dclose,
       "create data set " + path + " in " + file_name);
     if (rows * columns > 0)
-      check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values),
+      check(H5Dwrite(dataset, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values),
             "write " + path + " in " + file_name);
     write_text(dataset, "unit", unit);
     write_text(dataset, "description", description);

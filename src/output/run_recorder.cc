@@ -346,8 +346,7 @@ namespace hybrid::output
       return;
     const Vec2           base = base_displacement();
     const dda::Geometry &g    = parts.blocks->initial;
-    std::vector<double>  offsets(g.offset.begin(), g.offset.end()), points, final_points,
-      displacement;
+    std::vector<double>  points, final_points, displacement;
     for (const Vec2 &v : g.vertices)
       points.insert(points.end(), {v.x(), v.y()});
     for (const Vec2 &v : state.blocks.geometry.vertices)
@@ -357,8 +356,7 @@ namespace hybrid::output
         const Vec2 u = state.blocks.blocks[b].centroid - reference_centroids[b] - base;
         displacement.insert(displacement.end(), {u.x(), u.y()});
       }
-    file.write_table(
-      "section/blocks_offsets", "1", offsets.data(), offsets.size(), 1, "first vertex");
+    file.write_integers("section/blocks_offsets", g.offset, "first vertex");
     file.write_table("section/blocks_points", "m", points.data(), g.vertices.size(), 2, "initial");
     file.write_table(
       "section/blocks_points_final", "m", final_points.data(), g.vertices.size(), 2, "at the end");
@@ -395,7 +393,8 @@ namespace hybrid::output
 
   void RunRecorder::write_joints(const coupling::CoupledState &state)
   {
-    std::vector<double>  time, kind, position, ends;
+    std::vector<double>  time, position, ends;
+    std::vector<int>     kind;
     const dda::Geometry &g = parts.blocks->initial;
     for (std::size_t j = 0; j < parts.blocks->joints.size(); ++j)
       {
@@ -406,13 +405,13 @@ namespace hybrid::output
         const Vec2        p     = joint_point(g, joint, joint.points[0]),
                    q            = joint_point(g, joint, joint.points[1]);
         time.push_back(s.failure_time);
-        kind.push_back(s.failure == dda::FailureKind::tensile ? 1. : 2.);
+        kind.push_back(s.failure == dda::FailureKind::tensile ? 1 : 2);
         position.insert(position.end(), {0.5 * (p.x() + q.x()), 0.5 * (p.y() + q.y())});
         ends.insert(ends.end(), {p.x(), p.y(), q.x(), q.y()});
       }
     file.write_table(
       "joints/failure_time", "s", time.data(), time.size(), 1, "negative: static stage");
-    file.write_table("joints/failure_kind", "1", kind.data(), kind.size(), 1, "1 tensile, 2 shear");
+    file.write_integers("joints/failure_kind", kind, "1 tensile, 2 shear");
     file.write_table("joints/position", "m", position.data(), time.size(), 2, "middle, initial");
     file.write_table("joints/ends", "m", ends.data(), time.size(), 4, "initial");
   }

@@ -60,7 +60,7 @@ namespace hybrid::output
 
       void write_cells()
       {
-        std::vector<double> material;
+        std::vector<int> material;
         for (const int region : mesh.bedrock_region)
           material.push_back(number(scene.bedrock_material(mesh.bedrock_region_names[region])));
         const std::vector<double> corners = coordinates(mesh.bedrock_cells);
@@ -70,12 +70,9 @@ namespace hybrid::output
                          material.size(),
                          8,
                          "corners of the bedrock's cells, initial");
-        file.write_table("section/cells_material",
-                         "1",
-                         material.data(),
-                         material.size(),
-                         1,
-                         "index into the materials of the section");
+        file.write_integers("section/cells_material",
+                            material,
+                            "index into the materials of the section");
       }
 
       void write_blocks(const dda::Model &model)
@@ -83,7 +80,7 @@ namespace hybrid::output
         file.set_attribute("section",
                            "mass_blocks",
                            std::vector<double>{static_cast<double>(model.n_mass())});
-        std::vector<double> material;
+        std::vector<int> material;
         for (const dda::BlockProperties &block : model.blocks)
           {
             const int  rock       = block.region - static_cast<int>(mesh.block_region_names.size());
@@ -92,12 +89,9 @@ namespace hybrid::output
                                         ? scene.bedrock_material(mesh.bedrock_region_names[rock])
                                         : of_mass(false, block.saturated)));
           }
-        file.write_table("section/blocks_material",
-                         "1",
-                         material.data(),
-                         material.size(),
-                         1,
-                         "index into the materials of the section");
+        file.write_integers("section/blocks_material",
+                            material,
+                            "index into the materials of the section");
       }
 
       void write_belt()
@@ -105,7 +99,7 @@ namespace hybrid::output
         const auto line = mesh.lines.find("sliding_surface");
         if (!scene.blocks.bonded || scene.blocks.belt_material.empty() || line == mesh.lines.end())
           return;
-        std::vector<double> material;
+        std::vector<int> material;
         for (const auto &edge : line->second)
           {
             const Vec2 x = 0.5 * (mesh.nodes[edge[0]] + mesh.nodes[edge[1]]);
@@ -114,12 +108,9 @@ namespace hybrid::output
         const std::vector<double> ends = coordinates(line->second);
         file.write_table(
           "section/belt", "m", ends.data(), material.size(), 4, "edges of the belt, initial");
-        file.write_table("section/belt_material",
-                         "1",
-                         material.data(),
-                         material.size(),
-                         1,
-                         "index into the materials of the section");
+        file.write_integers("section/belt_material",
+                            material,
+                            "index into the materials of the section");
       }
 
     private:
@@ -145,12 +136,12 @@ namespace hybrid::output
         return scene.material(saturated && !wet.empty() ? wet : dry, "Blocks");
       }
 
-      double number(const Material &material) const
+      int number(const Material &material) const
       {
         auto entry = scene.materials.begin();
         while (&entry->second != &material)
           ++entry;
-        return static_cast<double>(std::distance(scene.materials.begin(), entry));
+        return static_cast<int>(std::distance(scene.materials.begin(), entry));
       }
     };
   } // namespace

@@ -82,6 +82,11 @@ namespace hybrid::output
                      std::size_t        columns,
                      const std::string &description = "");
 
+    /// Write a static list of whole numbers, shape (n); replaces an old one.
+    void write_integers(const std::string      &path,
+                        const std::vector<int> &values,
+                        const std::string      &description = "");
+
     /// Take a table or a whole group out of the file, if it is there.
     void remove(const std::string &path);
 
@@ -128,6 +133,19 @@ namespace hybrid::output
     void open_series(Series &series);
 
     bool exists(const std::string &path) const;
+
+    /// What a static array is made of.
+    struct StaticArray
+    {
+      const std::string &path, &unit, &description;
+      std::size_t        rows, columns;
+    };
+
+    /// @param in_file, in_memory HDF5 types of the numbers
+    void write_static(const StaticArray &array,
+                      std::int64_t       in_file,
+                      std::int64_t       in_memory,
+                      const void        *values);
 
     std::string         file_name;
     std::int64_t        file = -1; ///< HDF5 identifier

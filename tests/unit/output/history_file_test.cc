@@ -48,6 +48,7 @@ namespace hybrid::output
         file.write_table("section/surface", "m", table, 1, 2);
         file.write_table("section/surface", "m", table, 3, 2, "replaces the first");
         file.write_table("section/empty", "m", table, 0, 2);
+        file.write_integers("section/offsets", {0, 4, 7}, "first vertex");
         file.write_table("section/outdated", "m", table, 3, 2);
         file.write_table("joints/outdated", "m", table, 3, 2);
         for (const char *path : {"section/outdated", "joints", "nothing/there"})
@@ -67,7 +68,9 @@ assert np.array_equal(v[:], np.column_stack([k, -k])), v
 assert v.attrs['unit'] == 'm/s' and v.attrs['description'] == 'of the point' and type(v.attrs['unit']) is str
 assert np.array_equal(f['section/surface'][:], [[1, 2], [3, 4], [5, 6]])
 assert f['section/empty'].shape == (0, 2)
-assert sorted(f['section']) == ['empty', 'surface'] and 'joints' not in f
+assert f['section/offsets'].dtype == np.int32 and f['section/offsets'][:].tolist() == [0, 4, 7]
+assert f['section/offsets'].attrs['unit'] == '1' and f['section/offsets'].attrs['description'] == 'first vertex'
+assert sorted(f['section']) == ['empty', 'offsets', 'surface'] and 'joints' not in f
 assert np.array_equal(f['monitors/S1'].attrs['position'], [206., 134.6])
 assert f.attrs['title'] == 'Gefälle 20°, 175 m' and f['profiles/ZK1'].attrs['note'] == ''
 kind = h5py.check_string_dtype(f.attrs.get_id('title').dtype)
