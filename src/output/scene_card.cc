@@ -253,12 +253,14 @@ namespace hybrid::output
                         const scene::Motion          &motion,
                         std::string                  &text)
     {
-      const bool continuum = scene.has_continuum();
-      const bool loads     = continuum && !scene.point_loads.loads.empty();
-      text += line("  point loads        %s  %zu forces, Ricker %g Hz",
-                   state(loads).c_str(),
-                   scene.point_loads.loads.size(),
-                   scene.point_loads.frequency);
+      const bool        continuum = scene.has_continuum();
+      const bool        loads     = continuum && !scene.point_loads.loads.empty();
+      const std::size_t n_loads   = scene.point_loads.loads.size();
+      text += loads ? line("  point loads        on   %zu force%s, Ricker %g Hz",
+                           n_loads,
+                           n_loads == 1 ? "" : "s",
+                           scene.point_loads.frequency)
+                    : line("  point loads        off");
       const scene::InitialWaveParameters &wave    = scene.initial_wave;
       const char                         *waves[] = {"", "P", "SV"};
       if (continuum && wave.type != scene::WaveType::none)
@@ -407,13 +409,14 @@ namespace hybrid::output
       card.text += describe_explicit_time(scene, *continuum);
     else
       card.text +=
-        line("Time       %g s in steps of %g s, scheme %s: Newmark beta %g, gamma %g%s%s",
+        line("Time       %g s in steps of %g s, scheme %s: Newmark beta %g, gamma %g%s%s%s",
              scene.time.end_time,
              scene.time.time_step,
              scene.time.scheme.c_str(),
              scene.time.newmark.beta,
              scene.time.newmark.gamma,
              scene.time.newmark.filter > 0. ? ", filtered" : "",
+             scene.time.newmark.corrected_step > 0. ? ", fourth order" : "",
              continuum != nullptr && continuum->is_iterated() ? ", conjugate gradients" : "");
     warn(step_warning(scene.time.time_step, resolutions.wanted), card);
     if (scene.continuum.is_explicit && continuum != nullptr)
