@@ -233,6 +233,11 @@ namespace hybrid::output
         found.peak_acceleration / g,
         motion.duration(),
         highest_frequency(motion));
+      if (!scene.motion.outcrop)
+        text +=
+          line("                          as an outcrop, and of a rigid base, twice that: peak "
+               "%.4g m/s2",
+               2. * found.peak_acceleration);
       if (scene.motion.repetitions > 1)
         text += line("                          %d times, every %g s",
                      scene.motion.repetitions,
@@ -349,9 +354,11 @@ namespace hybrid::output
                          in_words(r).c_str());
             break;
           case ModelPart::mass:
-            text += line("Blocks     %d blocks, %zu joints, %s",
+            text += line("Blocks     %d block%s, %zu joint%s, %s",
                          blocks->n_mass(),
+                         blocks->n_mass() == 1 ? "" : "s",
                          blocks->joints.size(),
+                         blocks->joints.size() == 1 ? "" : "s",
                          in_words(r).c_str());
         }
     }

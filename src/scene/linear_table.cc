@@ -9,16 +9,6 @@ namespace hybrid::scene
 {
   namespace
   {
-    bool is_heading(const TableRow &row)
-    {
-      double value;
-      return std::none_of(row.fields.begin(), row.fields.end(), [&](const std::string &field) {
-        return parse_number(field, value);
-      });
-    }
-
-
-
     double number_in_column(const TableRow    &row,
                             const int          column,
                             const ColumnRange &range,
@@ -81,9 +71,7 @@ namespace hybrid::scene
   LinearTable
   read_linear_table(const std::string &file, const ColumnRange &place, const ColumnRange &value)
   {
-    std::vector<TableRow> rows = read_text_table(file);
-    if (!rows.empty() && is_heading(rows.front()))
-      rows.erase(rows.begin());
+    const std::vector<TableRow> rows = read_text_table(file);
     if (rows.empty())
       throw InputError(file,
                        0,

@@ -53,6 +53,21 @@ namespace hybrid::scene
     }
 
 
+    /// A number, in quotation marks or not finite too: one that is meant to be in the table.
+    bool looks_like_number(const std::string &field)
+    {
+      const char *const quotes = "\"'";
+      const auto        begin  = field.find_first_not_of(quotes);
+      if (begin == std::string::npos)
+        return false;
+      const std::string inside = field.substr(begin, field.find_last_not_of(quotes) + 1 - begin);
+      double            value;
+      const char *const end  = inside.data() + inside.size();
+      const auto        read = std::from_chars(inside.data(), end, value);
+      return (read.ec == std::errc() && read.ptr == end) || parse_number(inside, value);
+    }
+
+
     /// What would make a row readable, in brackets; empty if that is not known.
     std::string remedy_for(const std::string &text)
     {
@@ -107,7 +122,8 @@ namespace hybrid::scene
       {
         check_text(text, file, line);
         std::vector<std::string> fields = split_fields(text);
-        if (!fields.empty())
+        if (!fields.empty() &&
+            !(rows.empty() && std::none_of(fields.begin(), fields.end(), looks_like_number)))
           rows.push_back({line, std::move(fields)});
       }
     if (stream.bad())

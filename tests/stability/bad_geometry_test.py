@@ -293,6 +293,36 @@ Physical Curve("bedding_1") = {5, 6};
 Physical Curve("bedding_2") = {7, 8};
 """), [r"section.geo: gmsh crashes on this file: look at bedding_1 \(curve 5\) within surface 1, bedding_1 \(curve 6\) within .*: divide "
        r"a recombined surface along each curve"]),
+    "algorithm with which gmsh crashes": (CONTINUUM, {"section.geo": """
+Point(1) = {0, 0, 0, 5};
+Point(2) = {120, 0, 0, 5};
+Point(3) = {0, 30, 0, 5};
+Point(4) = {120, 30, 0, 5};
+Point(5) = {0, 40, 0, 5};
+Point(6) = {40, 40, 0, 5};
+Point(7) = {70, 60, 0, 5};
+Point(8) = {120, 60, 0, 5};
+Line(1) = {1, 2};
+Line(2) = {2, 4};
+Line(3) = {3, 4};
+Line(4) = {1, 3};
+Line(5) = {4, 8};
+Line(6) = {5, 6};
+Line(7) = {6, 7};
+Line(8) = {7, 8};
+Line(9) = {3, 5};
+Curve Loop(1) = {1, 2, -3, -4};
+Plane Surface(1) = {1};
+Curve Loop(2) = {3, 5, -8, -7, -6, -9};
+Plane Surface(2) = {2};
+Transfinite Curve {1, 3} = 25;
+Transfinite Curve {2, 4} = 7;
+Transfinite Surface {1};
+Recombine Surface {1, 2};
+Mesh.Algorithm = 8;
+Physical Surface("bedrock") = {1, 2};
+Physical Curve("base") = {1};
+"""}, [r"gmsh crashes on this file: it sets Mesh.Algorithm = 8, .* set 6"]),
     "plane within a recombined surface": (CONTINUUM, geometry("""
 Point(5) = {20, 20, 0, h};
 Point(6) = {60, 20, 0, h};

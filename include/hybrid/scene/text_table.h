@@ -19,7 +19,8 @@ namespace hybrid::scene
   /**
    * Rows of a text file: fields separated by commas or semicolons, or else by blanks.
    * Beside semicolons or blanks a comma between digits is a decimal mark ("0,01; 0,3").
-   * # starts a comment; empty lines are skipped.
+   * # starts a comment; empty lines are skipped, and so are lines without any number before the
+   * first row: they are its heading.
    * @throws InputError if the file cannot be read or is no text.
    */
   std::vector<TableRow> read_text_table(const std::string &file);

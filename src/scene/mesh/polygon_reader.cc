@@ -27,21 +27,9 @@ namespace hybrid::scene
     };
 
 
-    bool is_header(const TableRow &row)
-    {
-      double value;
-      for (const std::string &field : row.fields)
-        if (parse_number(field, value))
-          return false;
-      return true;
-    }
-
-
     std::vector<Polygon> collect_polygons(const std::string &file)
     {
-      std::vector<TableRow> rows = read_text_table(file);
-      if (!rows.empty() && is_header(rows.front()))
-        rows.erase(rows.begin());
+      const std::vector<TableRow> rows = read_text_table(file);
 
       std::vector<Polygon>  polygons;
       std::set<std::string> names;
@@ -286,9 +274,7 @@ namespace hybrid::scene
 
   void read_surface(const std::string &file, SectionMesh &mesh)
   {
-    std::vector<TableRow> rows = read_text_table(file);
-    if (!rows.empty() && is_header(rows.front()))
-      rows.erase(rows.begin());
+    const std::vector<TableRow> rows = read_text_table(file);
     if (rows.size() < 2)
       throw InputError(file,
                        0,

@@ -395,7 +395,13 @@ namespace hybrid::scene
     /// Once the curves of a geometry are meshed. @return the number of cells at most.
     double check_before_meshing(const std::string &file, CrashGuard &guard)
     {
+      constexpr double frontal_for_quads = 8.;
       check_curves(file);
+      double algorithm = 0.;
+      gmsh::option::getNumber("Mesh.Algorithm", algorithm);
+      if (algorithm == frontal_for_quads)
+        guard.suspect("it sets Mesh.Algorithm = 8, with which gmsh 4.8 crashes on many sections: "
+                      "set 6, the frontal Delaunay method");
       const std::string within = curves_within_surfaces();
       if (!within.empty())
         guard.suspect("look at " + within +

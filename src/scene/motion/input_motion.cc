@@ -80,7 +80,16 @@ namespace hybrid::scene
       const double  end =
         parameters.start + (parameters.repetitions - 1) * parameters.repetition_interval + T;
       if (motion.peak_acceleration() == 0.)
-        return;
+        {
+          if (!motion.empty())
+            input.notes.push_back("Motion/Peak = 0: nothing shakes");
+          return;
+        }
+      if (parameters.repetitions > 1 && parameters.repetition_interval < T)
+        input.warnings.push_back("the motion lasts " + in_words(T) + " s and comes again every " +
+                                 in_words(parameters.repetition_interval) +
+                                 " s (Motion/Repetition interval): events overlap and add up, and "
+                                 "what is said of its peaks is that of one");
       const double drift = motion.velocity(T);
       if (std::abs(drift) > 1e-3 * largest_velocity(motion) && input.warnings.empty())
         input.warnings.push_back("the motion ends with a velocity of " + in_words(drift) +

@@ -161,7 +161,7 @@ namespace hybrid::scene
       motion.outcrop,
       {{"outcrop", true}, {"incident", false}},
       "What the motion is: that of a rock outcrop (twice the upgoing wave) or the upgoing "
-      "wave itself.");
+      "wave itself. A rigid base moves as the outcrop, so by twice the upgoing wave.");
     section.number("Angle",
                    motion.angle,
                    "deg",

@@ -56,7 +56,7 @@ namespace hybrid::scene
                    continuum.base,
                    base_boundaries(),
                    "Base of the bedrock: compliant absorbs what leaves and lets the motion in, "
-                   "rigid moves with the motion, fixed does not move.");
+                   "rigid moves as the outcrop, fixed does not move.");
     section.option("Sides",
                    continuum.sides,
                    side_boundaries(),

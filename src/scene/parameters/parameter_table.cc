@@ -143,12 +143,13 @@ namespace hybrid::scene
 
     if (known != line.section)
       {
-        const std::string &name = line.section[known.size()];
-        const std::string  hint = suggestion(name, names);
+        // Without any name there is no section of a material.
+        const bool is_material =
+          line.section.front() == "Materials" && line.section.size() > 1 && known.size() < 2;
+        const std::string &name = line.section[is_material ? 1 : known.size()];
+        const std::string  hint = is_material && known.empty() ? "" : suggestion(name, names);
         throw line.error("unknown section '" + join_path(line.section) + "'" + hint +
-                         (known == std::vector<std::string>{"Materials"}
-                            ? ": Materials/Names does not list '" + name + "'"
-                            : ""));
+                         (is_material ? ": Materials/Names does not list '" + name + "'" : ""));
       }
     if (line.path() == "Model/Continuum") // of earlier versions
       throw line.error(

@@ -30,6 +30,13 @@ TEST_F(SceneErrors, MaterialThatIsNotInTheListOfNamesIsRefused)
     {"scene.prm:21: ", "unknown section 'Materials/sand'", "Materials/Names does not list 'sand'"});
 }
 
+TEST_F(SceneErrors, MaterialWithoutAnyNameIsRefusedInTheSameWords)
+{
+  expect_error(write_scene(),
+               {"unknown section 'Materials/rock'", "Materials/Names does not list 'rock'"},
+               {"Materials/Names="});
+}
+
 TEST_F(SceneErrors, DuplicateParameterNamesBothPlaces)
 {
   expect_error(write_scene("subsection Blocks\n  set Material = rock\nend\n"),

@@ -93,6 +93,25 @@ namespace hybrid::scene::test
   }
 
 
+  TEST_F(InputMotionTest, events_that_overlap_are_warned_of)
+  {
+    MotionParameters p    = record(0.);
+    p.repetitions         = 3;
+    p.repetition_interval = 10.;
+    EXPECT_TRUE(make(p, 30.).warnings.empty());
+    p.repetition_interval = 9.;
+    expect_part(make(p, 30.).warnings.at(0), "lasts 10 s and comes again every 9 s");
+  }
+
+
+  TEST_F(InputMotionTest, a_peak_of_zero_is_said)
+  {
+    MotionParameters p = record(0.);
+    p.peak             = 0.;
+    expect_part(make(p, 10.).notes.at(0), "Motion/Peak = 0: nothing shakes");
+  }
+
+
   TEST_F(InputMotionTest, units_of_text_records)
   {
     MotionParameters p = record(0.);

@@ -328,12 +328,25 @@ namespace hybrid::scene::test
   }
 
 
+  TEST_F(MotionReader, AHeadingIsLeftOut)
+  {
+    for (const char *heading :
+         {"Time (s);Acc (m/s2)\n", "a record\n\ntime, acceleration\n", "# t a\nt a\n"})
+      {
+        const Motion motion =
+          read_text_motion(write("record.txt", std::string(heading) + "0 0\n0.1 1\n0.2 0\n"), 1.);
+        EXPECT_EQ(motion.samples().size(), 3u) << heading;
+        EXPECT_EQ(motion.peak_acceleration(), 1.) << heading;
+      }
+  }
+
+
   TEST_F(MotionReader, WhatWouldMakeARecordReadableIsSaid)
   {
-    expect_part(text_error("time acc\n0 0\n0.01 1\n"),
-                "record.txt:1: 'time' is not a number; expected a time [s] (a line of words must "
+    expect_part(text_error("0 0\ntime acc\n0.01 1\n"),
+                "record.txt:2: 'time' is not a number; expected a time [s] (a line of words must "
                 "start with #)");
-    expect_part(text_error("Time (s),Acc (g)\n0,0\n"), "(a line of words must start with #)");
+    expect_part(text_error("nan inf\n0 0\n"), "record.txt:1: 'nan' is not a number");
     expect_part(text_error("0,00,0,0\n0,01,0,3\n"), "record.txt:1: found 4 columns");
     expect_part(text_error("\"0\",\"0\"\n\"1\",\"0\"\n"), "(leave the quotation marks away)");
     expect_part(text_error("0.1\n0.2\n0.3\n"), "to accelerations alone add the time before each");
