@@ -81,11 +81,15 @@ namespace hybrid::output
   {
     if (!(warning > 0.) || ledger.scheme_fraction() <= warning)
       return "";
-    const char *did = ledger.given_by_scheme() > 0. ? "gave" : "took";
-    return std::string("the time integration ") + did + " " +
+    const bool        gave  = ledger.given_by_scheme() > 0.;
+    const std::string terms = list(ledger.scheme_terms());
+    const bool        hits  = !gave && terms.find("blocks_integration_loss") != std::string::npos;
+    return std::string("the time integration ") + (gave ? "gave " : "took ") +
            number(100. * ledger.scheme_fraction()) + " % of the " + number(ledger.exchanged()) +
-           " J/m in play (" + list(ledger.scheme_terms()) +
-           "): this part depends on Time/Time step, compare with half the step";
+           " J/m in play (" + terms + "): " +
+           (hits ? "what blocks lose as they hit each other is part of it, the rest"
+                 : "this part") +
+           " depends on Time/Time step, compare with half the step";
   }
 
 
