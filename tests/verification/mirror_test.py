@@ -5,7 +5,7 @@ the left.
 
 Coarse (h = 8), 0.6 s of a motion of 2 s. gmsh meshes a mirrored geometry differently, so the mesh itself is
 mirrored. Both runs solve the same equations in another order, to a residual of 1e-8 of all forces (Blocks/Tolerance):
-numbers have to agree within 5e-5 of the largest one of their kind (found: 4e-6, at the toe, where the belt slips), a
+numbers have to agree within 5e-5 of the largest one of their kind (found: 4e-7, at the toe, where the belt slips), a
 tenth of a picture's line.
 
 Usage: mirror_test.py HYBRID_BINARY SOURCE_DIR WORK_DIR

@@ -33,7 +33,7 @@ def logarithmic(axes, x, y):
         getattr(axes, "set_%sscale" % name)("log")
         room = max((high / low) ** 0.12, 1.4)
         getattr(axes, "set_%slim" % name)(low / room, high * room)
-        steps = (1, 2, 5) if high / low < 300 else (1,)
+        steps = range(1, 10) if high / low < 3 else (1, 2, 5) if high / low < 300 else (1,)
         axis.set_ticks([m * 10.0**k for k in range(-9, 9) for m in steps if low / room <= m * 10.0**k <= high * room])
         axis.set_major_formatter(FuncFormatter(words))
         axis.set_minor_formatter(NullFormatter())
