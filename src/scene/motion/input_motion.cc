@@ -85,7 +85,7 @@ namespace hybrid::scene
             input.notes.push_back("Motion/Peak = 0: nothing shakes");
           return;
         }
-      if (parameters.repetitions > 1 && parameters.repetition_interval < T)
+      if (parameters.repetitions > 1 && parameters.repetition_interval < T * (1. - 1e-9))
         input.warnings.push_back("the motion lasts " + in_words(T) + " s and comes again every " +
                                  in_words(parameters.repetition_interval) +
                                  " s (Motion/Repetition interval): events overlap and add up, and "
