@@ -2,6 +2,7 @@
 #include <hybrid/checkpoint.h>
 #include <hybrid/command_line.h>
 #include <hybrid/directory_lock.h>
+#include <hybrid/library_settings.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/version.h>
 #include <hybrid/processes.h>
@@ -15,7 +16,6 @@
 #include <hybrid/scene/parameters/time_integrator.h>
 #include <hybrid/simulation.h>
 #include <hybrid/tool.h>
-#include <hybrid/waiting_threads.h>
 
 #include <csignal>
 #include <exception>
@@ -318,7 +318,7 @@ namespace
                                              ? read_scene_of_run(command.target, command.overrides)
                                              : scene::read_scene(command.target, command.overrides);
     if (command.action != Action::check)
-      sleep_while_waiting(scene.threads, argv);
+      apply_library_settings(scene.threads, argv);
     processes.start(argc, argv);
     DirectoryLock lock;
     return resumes ? resume_run(command, scene, processes, lock)
@@ -335,6 +335,7 @@ namespace
           std::cout << command.help;
           return 0;
         case Action::version:
+          apply_library_settings(1, argv); // as in a run
           std::cout << output::version_text();
           return 0;
         case Action::print_parameters:
