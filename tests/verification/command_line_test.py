@@ -168,6 +168,9 @@ def check_good_ways():
     result = run("--version")
     require(result.returncode == 0 and all(word in result.stdout for word in (
         "hybrid ", "commit ", "deal.II ", "Trilinos ", "gmsh ", "Eigen ", "HDF5 ")), "--version", result)
+    flags = re.search(r"^flags\s*:(.*)$", pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8"), re.MULTILINE)
+    if flags and {"avx2", "fma"} <= set(flags.group(1).split()) and "OPENBLAS_CORETYPE" not in os.environ:
+        require("Prescott" not in result.stdout, "OpenBLAS uses what the processor has", result)
 
     result = run("--print-parameters")
     require(result.returncode == 0 and not result.stderr, "--print-parameters", result)

@@ -130,8 +130,10 @@ def page_text(facts, rows, made, lines):
 
 def headline(facts):
     m, p = facts["machine"], facts["program"]
+    kernels = p.get("OpenBLAS", "?").partition(" MAX_THREADS")[0].split()[-1]
     return ["%s, %d cores, %s GB, load %g at the start.  " % (m["processor"], m["cores"], m["memory_GB"], m["load_at_start"]),
-            "%s, commit %s, GCC %s, %s." % (p["version"], p["commit"], p.get("compiler", "?"), p.get("flags", "flags unknown"))]
+            "%s, commit %s, GCC %s, %s, OpenBLAS for %s." % (p["version"], p["commit"], p.get("compiler", "?"), p.get("flags", "flags unknown"),
+                                                             kernels)]
 
 
 def show_list():
