@@ -224,7 +224,7 @@ namespace hybrid::dda
         state.time += solved_dt;
         return;
       }
-    iteration.accept(model, state);
+    iteration.accept(state);
     if (model.iteration.sleeps && iteration.is_at_rest() && !searched)
       sleep.rested(model, state, solved_dt, solved);
     else

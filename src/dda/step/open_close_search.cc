@@ -21,26 +21,22 @@ namespace hybrid::dda
 
 
 
-  LineSearch OpenCloseIteration::search_line(const Model              &model,
-                                             const DdaState           &state,
-                                             const FoundationResponse &foundation)
+  LineSearch OpenCloseIteration::search_line()
   {
     // Work of the residual along the update; zero at the best place. Falling work is followed to
     // its end: only a spring that grew stiffer on the way can turn its sign. No search where the
     // unsymmetric tangent points uphill.
-    constexpr double good_fraction = 0.3;
-    constexpr int    maximum_cuts  = 10;
-    const double     start         = residual.dot(update);
-    double           lower = 0., upper = 1., work_lower = start, work_upper = 0.;
-    double           fraction = 1., done = 0.;
+    constexpr double       good_fraction = 0.3;
+    constexpr int          maximum_cuts  = 10;
+    const Eigen::VectorXd &residual      = problem.left().of_unknowns;
+    const double           start         = residual.dot(update);
+    double                 lower = 0., upper = 1., work_lower = start, work_upper = 0.;
+    double                 fraction = 1., done = 0.;
     for (int cut = 0;; ++cut)
       {
-        for (int b = 0; b < model.n_blocks(); ++b)
-          trial.increment[b] += (fraction - done) * update.segment<6>(6 * b);
-        if (!foundation.prescribed)
-          trial.foundation += (fraction - done) * update.tail(trial.foundation.size());
+        problem.move(update, fraction - done);
         done              = fraction;
-        const double norm = evaluate(model, state, foundation);
+        const double norm = problem.evaluate();
         const double work = residual.dot(update);
         if (start <= 0. || cut == maximum_cuts || !std::isfinite(norm) ||
             std::abs(work) <= good_fraction * start || (cut == 0 && work > 0.))
@@ -65,14 +61,14 @@ namespace hybrid::dda
 
 
 
-  Attempt OpenCloseIteration::search(const Step &step)
+  Attempt OpenCloseIteration::search(StepResult &result)
   {
-    constexpr int    stall_window                  = 10;
-    constexpr double stalled_fraction              = 0.3;
-    const auto &[model, state, foundation, result] = step;
-    const int first                                = result.iterations;
+    constexpr int    stall_window     = 10;
+    constexpr double stalled_fraction = 0.3;
+    const Model     &model            = *problem.model;
+    const int        first            = result.iterations;
     tangent_conditions.clear(); // it is one of the laws from now on
-    islands.wake(springs);
+    problem.wake_islands();
     double window_start = std::numeric_limits<double>::infinity();
     // The first linear system is solved to the end where that may be all.
     double previous = expects_many ? result.residual : std::numeric_limits<double>::infinity();
@@ -83,7 +79,7 @@ namespace hybrid::dda
       {
         if (result.iterations > 0 && result.residual <= model.iteration.tolerance)
           return Attempt::converged;
-        if (!may_go_on(step))
+        if (!may_go_on(result))
           return result.stopped ? Attempt::stopped : Attempt::failed;
         if ((result.iterations - first) % stall_window == 0)
           {
@@ -92,19 +88,19 @@ namespace hybrid::dda
             window_start = result.residual;
           }
         // A kept tangent that no longer takes most of the residual away is rebuilt.
-        repair(step, served, previous);
+        tangent.repair(problem, served, result.residual <= previous);
         const double left = std::max(0.2 * model.iteration.tolerance,
                                      forcing_term(result.residual, previous) * result.residual);
-        solve_linear(step, left);
+        solve_linear(result, left);
         ++result.iterations;
         previous                  = result.residual;
-        const LineSearch searched = search_line(model, state, foundation);
+        const LineSearch searched = search_line();
         result.residual           = searched.residual;
         served                    = result.residual <= 1e-3 * previous;
         if (!served && circles.close(previous, result.residual))
           return Attempt::failed;
         if (model.iteration.regularises_sliding)
-          stale = sliding_regularisation.adapt(searched.fraction) || stale;
+          tangent.adapt_sliding(searched.fraction);
       }
     return Attempt::failed;
   }

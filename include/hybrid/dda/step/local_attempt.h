@@ -3,7 +3,7 @@
 
 #include <hybrid/dda/joint/contact_state.h>
 #include <hybrid/dda/linear/local_system.h>
-#include <hybrid/dda/step/open_close_parts.h>
+#include <hybrid/dda/step/step_problem.h>
 
 #include <limits>
 #include <vector>
@@ -17,7 +17,6 @@ namespace hybrid::dda
     static constexpr double accuracy = 3e-3;
 
     LocalSystem system;
-    bool        is_on    = false;
     bool        is_stuck = false; ///< the last one of this step found no conditions
     double      stuck_at = -std::numeric_limits<double>::infinity(); ///< time from which a step was
                                                                      ///< given up for that [s]

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/dda/block/block_motion.h>
-
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 /// @file
 /// Small parts of OpenCloseIteration.
@@ -38,30 +33,6 @@ namespace hybrid::dda
   {
     own,   ///< bodies all of it, each contact as far as it can
     common ///< all as far as all can
-  };
-
-
-  struct DdaState;
-  struct FoundationResponse;
-  struct Model;
-  struct StepResult;
-
-
-  /// What the iteration works on.
-  struct StepUnderWay
-  {
-    const Model              &model;
-    const DdaState           &state;
-    const FoundationResponse &foundation;
-    StepResult               &result;
-  };
-
-
-  /// What a tangent is made of.
-  struct Tangent
-  {
-    bool follow_softening; ///< of joints, see SpringStiffness
-    bool all;              ///< rows, not only those of springs that have changed
   };
 
 
@@ -131,13 +102,5 @@ namespace hybrid::dda
   {
     double residual; ///< relative norm there
     double fraction; ///< of the update that was taken
-  };
-
-
-  /// Where a trial was.
-  struct TrialPlace
-  {
-    std::vector<Vec6> increment;  ///< of each block
-    Eigen::VectorXd   foundation; ///< displacement of the foundation nodes [m]
   };
 } // namespace hybrid::dda

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What becomes of a solved step.
 #include <hybrid/dda/failure/joint_failure.h>
 #include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/springs/surface_force.h>
 #include <hybrid/dda/step/block_energy.h>
 #include <hybrid/dda/step/bond_memory.h>
-#include <hybrid/dda/step/open_close_iteration.h>
+#include <hybrid/dda/step/step_problem.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,23 +34,23 @@ namespace hybrid::dda
 
 
 
-  double OpenCloseIteration::displacement_ratio(const Model &model, const int block) const
+  double StepProblem::displacement_ratio(const int block) const
   {
     const Vec6 &d = trial.increment[block];
-    return d.head<2>().norm() / model.blocks[block].size + std::abs(d[2]) +
+    return d.head<2>().norm() / model->blocks[block].size + std::abs(d[2]) +
            d.tail<3>().lpNorm<Eigen::Infinity>();
   }
 
 
 
-  bool OpenCloseIteration::flies_too_far(const Model &model, StepResult &result) const
+  bool StepProblem::flies_too_far(StepResult &result) const
   {
-    for (int b = 0; b < model.n_blocks(); ++b)
+    for (int b = 0; b < model->n_blocks(); ++b)
       {
         // Exact in free flight, but for the strains of a shape that rings.
         const Vec6  &d     = trial.increment[b];
-        const double ratio = d.head<2>().norm() / model.blocks[b].size + std::abs(d[2]);
-        if (ratio <= model.iteration.maximum_displacement_ratio || !springs.of_block(b).empty())
+        const double ratio = d.head<2>().norm() / model->blocks[b].size + std::abs(d[2]);
+        if (ratio <= model->iteration.maximum_displacement_ratio || !springs.of_block(b).empty())
           continue;
         result.displacement_ratio = ratio;
         result.largest_block      = b;
@@ -60,7 +61,7 @@ namespace hybrid::dda
 
 
 
-  void OpenCloseIteration::judge(const Model &model, StepResult &result) const
+  void StepProblem::judge(StepResult &result) const
   {
     struct Judgement
     {
@@ -78,11 +79,11 @@ namespace hybrid::dda
       }
     };
     const Judgement all =
-      shared_sum<Judgement>(model.blocks.size(), [&](const std::size_t b, Judgement &sum) {
-        const double size    = model.blocks[b].size;
+      shared_sum<Judgement>(model->blocks.size(), [&](const std::size_t b, Judgement &sum) {
+        const double size    = model->blocks[b].size;
         const Vec6   inertia = mass[b] * (acceleration[b] + contact_acceleration[b]);
         sum += {inertia.head<2>().squaredNorm() + inertia.tail<4>().squaredNorm() / (size * size),
-                displacement_ratio(model, static_cast<int>(b)),
+                displacement_ratio(static_cast<int>(b)),
                 static_cast<int>(b)};
       });
     result.displacement_ratio = all.ratio;
@@ -92,11 +93,9 @@ namespace hybrid::dda
 
 
 
-  void OpenCloseIteration::carry_contact_accelerations(const Model &model,
-                                                       DdaState    &state,
-                                                       const bool   any_tears) const
+  void StepProblem::carry_contact_accelerations(DdaState &state, const bool any_tears) const
   {
-    const int       n        = model.n_blocks();
+    const int       n        = model->n_blocks();
     const int       n_joints = static_cast<int>(springs.first_contact());
     Eigen::VectorXd torn; // forces of what becomes a contact of joints
     if (any_tears)
@@ -114,9 +113,9 @@ namespace hybrid::dda
             : Springs::contact_traction(now, contact_fraction_at_end(springs, state, s));
         springs.add_force(trial, s, {next.normal - then.normal, next.shear - then.shear}, torn);
       }
-    state.foundation_contact_force = contact_force.tail(2 * model.n_foundation_nodes());
+    state.foundation_contact_force = contact_force.tail(2 * model->n_foundation_nodes());
     if (torn.size() > 0)
-      state.foundation_contact_force += torn.tail(2 * model.n_foundation_nodes());
+      state.foundation_contact_force += torn.tail(2 * model->n_foundation_nodes());
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
@@ -130,26 +129,45 @@ namespace hybrid::dda
 
 
 
-  void OpenCloseIteration::accept(const Model &model, DdaState &state) const
+  void StepProblem::accept(DdaState &state) const
   {
-    const int    n  = model.n_blocks();
     const double dt = trial.dt;
-    state.energy    = audit_step(
-      {model, state, trial, springs, stresses, mass, damping_time, kinematics, incoming, at_rest});
+    accept_energy(state);
+    state.surface_force = surface_force(*model, springs);
+    state.time += dt;
+    const double kept = (1. - Newmark::memory) * Newmark::remembered_in(dt, state.last_step);
+    if (model->newmark.filter > 0.)
+      state.last_step = dt;
+    const bool any_tears = accept_joints(kept, state);
+    const int  n         = model->n_blocks();
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
+    for (int b = 0; b < n; ++b)
+      accept_block(b, kept, state);
+    accept_places(state);
+    accept_contacts(state);
+    carry_contact_accelerations(state, any_tears);
+  }
+
+
+
+  void StepProblem::accept_energy(DdaState &state) const
+  {
+    state.energy = audit_step(
+      {*model, state, trial, springs, stresses, mass, damping_time, kinematics, incoming, at_rest});
     if (incoming.size() > 0)
       state.boundary_force = incoming;
-    const double gamma    = model.newmark.gamma;
-    const auto   contacts = contact_force.tail(2 * model.n_foundation_nodes());
+    const double gamma    = model->newmark.gamma;
+    const auto   contacts = contact_force.tail(2 * model->n_foundation_nodes());
     state.energy.foundation_work -=
       ((1. - gamma) * (state.foundation_force - state.foundation_contact_force) +
        gamma * (force_increment + state.static_force - contacts) + contacts)
         .dot(trial.foundation - state.foundation_displacement);
-    state.surface_force = surface_force(model, springs);
-    state.time += dt;
-    const double kept = (1. - Newmark::memory) * Newmark::remembered_in(dt, state.last_step);
-    if (model.newmark.filter > 0.)
-      state.last_step = dt;
+  }
 
+
+
+  bool StepProblem::accept_joints(const double kept, DdaState &state) const
+  {
     const int n_joints  = static_cast<int>(springs.first_contact() / 2);
     bool      any_tears = false;
 #pragma omp parallel for schedule(static) reduction(|| : any_tears) if (is_worth_sharing(n_joints))
@@ -159,62 +177,76 @@ namespace hybrid::dda
         JointState &joint = state.joints[j];
         if (at_rest)
           joint.force_change.setZero();
-        else if (model.newmark.filter > 0.)
-          remember_bond_force(model, springs, trial, kept, k, state);
+        else if (model->newmark.filter > 0.)
+          remember_bond_force(*model, springs, trial, kept, k, state);
         for (int end = 0; end < 2; ++end)
           joint.points[end] = springs.responses[2 * k + end].now;
-        update_failure(model.joints[j], state.time, joint, model.blocks_yield);
+        update_failure(model->joints[j], state.time, joint, model->blocks_yield);
         any_tears = any_tears || tears(springs, state, 2 * k) || tears(springs, state, 2 * k + 1);
       }
+    return any_tears;
+  }
 
-#pragma omp parallel for schedule(static) if (is_worth_sharing(n))
-    for (int b = 0; b < n; ++b)
+
+
+  void StepProblem::accept_block(const int b, const double kept, DdaState &state) const
+  {
+    BlockState        &block = state.blocks[b];
+    const BlockMotion &move  = trial.motion[b];
+    block.centroid           = move.centroid;
+    block.rotation += trial.increment[b][2];
+    block.velocity_change =
+      carried_rates(kinematics.remembered(b, trial.rate[b]), move.cosine, move.sine);
+    block.velocity               = rotated_rates(trial.rate[b], move.cosine, move.sine);
+    const Eigen::Vector3d strain = stresses.elastic_strain(trial.increment[b].tail<3>(), b);
+    const Eigen::Vector3d stress = model->blocks[b].elasticity * strain;
+    block.plastic_strain += shear_strain(stresses.plastic_strain(b));
+    if (model->newmark.filter > 0.)
       {
-        BlockState        &block = state.blocks[b];
-        const BlockMotion &move  = trial.motion[b];
-        block.centroid           = move.centroid;
-        block.rotation += trial.increment[b][2];
-        block.velocity_change =
-          carried_rates(kinematics.remembered(b, trial.rate[b]), move.cosine, move.sine);
-        block.velocity               = rotated_rates(trial.rate[b], move.cosine, move.sine);
-        const Eigen::Vector3d strain = stresses.elastic_strain(trial.increment[b].tail<3>(), b);
-        const Eigen::Vector3d stress = model.blocks[b].elasticity * strain;
-        block.plastic_strain += shear_strain(stresses.plastic_strain(b));
-        if (model.newmark.filter > 0.)
-          {
-            block.acceleration_change =
-              carried_rates(kept * block.acceleration_change +
-                              Newmark::memory * (acceleration[b] -
-                                                 (block.acceleration - block.contact_acceleration)),
-                            move.cosine,
-                            move.sine);
-            block.acceleration_change.head<2>() -=
-              turned_beyond_bonds(springs, trial, state, b) / model.blocks[b].mass;
-          }
-        block.viscous_stress =
-          rotated_stress(damping_time[b] / dt * stress, move.cosine, move.sine);
-        block.acceleration =
-          rotated_rates(acceleration[b] + contact_acceleration[b], move.cosine, move.sine);
-        block.stress =
-          rotated_stress(block.stress + stresses.change(stress, strain, b), move.cosine, move.sine);
-        if (stresses.branches().is_on())
-          stresses.branches().advance(model, move, strain, b, state);
-        if (at_rest)
-          block.velocity_change = block.acceleration_change = Vec6::Zero();
+        block.acceleration_change =
+          carried_rates(kept * block.acceleration_change +
+                          Newmark::memory *
+                            (acceleration[b] - (block.acceleration - block.contact_acceleration)),
+                        move.cosine,
+                        move.sine);
+        block.acceleration_change.head<2>() -=
+          turned_beyond_bonds(springs, trial, state, b) / model->blocks[b].mass;
       }
+    block.viscous_stress =
+      rotated_stress(damping_time[b] / trial.dt * stress, move.cosine, move.sine);
+    block.acceleration =
+      rotated_rates(acceleration[b] + contact_acceleration[b], move.cosine, move.sine);
+    block.stress =
+      rotated_stress(block.stress + stresses.change(stress, strain, b), move.cosine, move.sine);
+    if (stresses.branches().is_on())
+      stresses.branches().advance(*model, move, strain, b, state);
+    if (at_rest)
+      block.velocity_change = block.acceleration_change = Vec6::Zero();
+  }
+
+
+
+  void StepProblem::accept_places(DdaState &state) const
+  {
     const std::size_t n_vertices = state.geometry.vertices.size();
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n_vertices))
     for (std::size_t v = 0; v < n_vertices; ++v)
       state.geometry.vertices[v] += trial.displacement[v];
     state.foundation_displacement = trial.foundation;
     state.foundation_force        = force_increment + state.static_force;
-    for (int k = 0; k < model.n_foundation_nodes(); ++k)
+    for (int k = 0; k < model->n_foundation_nodes(); ++k)
       state.geometry.foundation_nodes[k] =
-        model.initial.foundation_nodes[k] + trial.foundation.segment<2>(2 * k);
+        model->initial.foundation_nodes[k] + trial.foundation.segment<2>(2 * k);
+  }
 
+
+
+  void StepProblem::accept_contacts(DdaState &state) const
+  {
+    const int first     = static_cast<int>(springs.first_contact());
     const int n_springs = static_cast<int>(springs.springs.size());
-#pragma omp parallel for schedule(static) if (is_worth_sharing(n_springs - 2 * n_joints))
-    for (int s = 2 * n_joints; s < n_springs; ++s)
+#pragma omp parallel for schedule(static) if (is_worth_sharing(n_springs - first))
+    for (int s = first; s < n_springs; ++s)
       {
         const Springs::Response &response = springs.responses[s];
         Contact                 &contact  = state.contacts[springs.springs[s].contact];
@@ -229,6 +261,5 @@ namespace hybrid::dda
         if (gap >= 0.) // they have parted
           contact.stress_free_gap = 0.;
       }
-    carry_contact_accelerations(model, state, any_tears);
   }
 } // namespace hybrid::dda
