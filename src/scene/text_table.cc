@@ -157,8 +157,12 @@ namespace hybrid::scene
 
   bool parse_number(const std::string &text, double &value)
   {
-    const char *const end   = text.data() + text.size();
-    const char       *begin = text.data();
+    std::string in_c     = text;
+    const auto  exponent = in_c.find_first_of("dD"); // as Fortran writes double precision
+    if (exponent != std::string::npos)
+      in_c[exponent] = 'e';
+    const char *const end   = in_c.data() + in_c.size();
+    const char       *begin = in_c.data();
     if (begin != end && *begin == '+')
       ++begin;
     const auto result = std::from_chars(begin, end, value);

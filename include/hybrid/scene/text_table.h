@@ -41,7 +41,7 @@ namespace hybrid::scene
 
 
   /// @return true and the value if all of @p text is one finite number ("." is the decimal mark in
-  /// every locale).
+  /// every locale; exponents begin with e or, in Fortran's double precision, d).
   bool parse_number(const std::string &text, double &value);
 
 

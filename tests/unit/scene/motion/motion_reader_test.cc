@@ -159,6 +159,16 @@ namespace hybrid::scene::test
   }
 
 
+  TEST_F(MotionReader, FortranWritesExponentsWithD)
+  {
+    const Motion expected = read_text_motion(write("points.csv", "0,0.5\n0.01,-12\n"), 1.);
+    for (const char *const text : {"0.0D+00 5.0D-01\n1.0D-02 -1.2D+01\n", "0 0.5d0\n.1d-1 -12\n"})
+      EXPECT_EQ(read_text_motion(write("fortran.txt", text), 1.).samples(), expected.samples());
+    EXPECT_NE(text_error("0 1\n0.01 1d\n"), "");
+    EXPECT_NE(text_error("0 1\n0.01 1d1d1\n"), "");
+  }
+
+
   TEST_F(MotionReader, RoundedTimesAreEquallySpaced)
   {
     std::ostringstream text;
