@@ -81,98 +81,104 @@ namespace hybrid::continuum
                        MPI_Comm                      communicator)
     : impl(std::make_unique<Implementation>())
   {
-    auto &m = *impl;
     if (mesh.bedrock_cells.empty())
       throw InputError("Mesh: the continuum needs bedrock cells, and there are none.");
-    const auto region_material = materials_of_regions(mesh, scene);
-    m.cell_region              = mesh.bedrock_region;
-    for (const int region : mesh.bedrock_region)
-      m.cell_material.push_back(region_material[region]);
-    m.newmark                = scene.time.newmark;
-    m.rayleigh_mass          = scene.continuum.rayleigh_mass;
-    m.rayleigh_stiffness     = scene.continuum.rayleigh_stiffness;
-    m.rock                   = split_bedding_planes(mesh, scene.bedding.names);
-    m.joint_stiffness        = {scene.bedding.normal_stiffness, scene.bedding.shear_stiffness};
-    const auto make_boundary = [&] {
-      m.boundary =
-        std::make_unique<BoundaryForces>(m.rock, *m.nodes, m.cell_material, mesh, scene, motion);
-    };
-    const auto take_static_model = [&] {
-      m.has_weight  = scene.environment.gravity > 0.;
-      m.left_nodes  = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"left"}));
-      m.right_nodes = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"right"}));
-      m.base_nodes  = nodes_of_faces(*m.nodes, faces_of_lines(m.rock, mesh, {"base"}));
-      if (scene.environment.has_initial_stress())
-        m.initial_stress = std::make_unique<InitialRockStress>(
-          scene::InitialStress(mesh, scene), m.cell_region, m.rock, *m.nodes, m.joint_stiffness);
-    };
+    impl->take_rock(mesh, scene);
     if (scene.continuum.is_explicit ||
         scene.continuum.linear_solver == scene::LinearSolver::conjugate_gradients)
-      {
-        const ElementSpace space(m.rock,
-                                 mesh,
-                                 scene.continuum.degree,
-                                 MPI_COMM_SELF,
-                                 scene.continuum.is_explicit ? MassQuadrature::lobatto
-                                                             : MassQuadrature::gauss);
-        m.nodes = std::make_unique<ElementNodes>(space.nodes);
-        make_boundary();
-        m.add_point_loads(scene.point_loads);
-        const RockDamping damping{m.rayleigh_mass,
-                                  m.rayleigh_stiffness,
-                                  m.make_maxwell(scene.maxwell)};
-        if (scene.continuum.is_explicit)
-          m.waves = std::make_unique<ExplicitWaves>(m.rock,
-                                                    space,
-                                                    m.cell_material,
-                                                    m.joint_stiffness,
-                                                    m.point_loads,
-                                                    *m.boundary,
-                                                    damping,
-                                                    communicator);
-        else
-          m.waves = std::make_unique<ImplicitWaves>(ImplicitWaves::Model{m.rock,
-                                                                         space,
-                                                                         m.cell_material,
-                                                                         m.joint_stiffness,
-                                                                         m.point_loads,
-                                                                         *m.boundary,
-                                                                         damping,
-                                                                         m.newmark},
-                                                    communicator);
-        take_static_model();
-        m.add_wave(scene.initial_wave, mesh);
-        return;
-      }
-    {
-      const ElementSpace space(m.rock, mesh, scene.continuum.degree, communicator);
-      m.nodes    = std::make_unique<ElementNodes>(space.nodes);
-      m.matrices = assemble_elastic(
-        space, m.rock, m.cell_material, m.joint_stiffness, m.newmark.corrected_step);
-    }
-    make_boundary();
-    take_static_model();
-    const bool blocks =
-      scene.blocks.enabled && (!mesh.blocks.empty() || !scene.mesh.polygons_file.empty());
-    if (blocks)
-      {
-        Surface surface  = surface_of(m.rock, mesh, *m.nodes);
-        m.surface        = std::move(surface.nodes);
-        m.surface_shares = std::move(surface.shares);
-      }
-    for (const int node : m.surface)
-      m.surface_positions.push_back(m.nodes->positions[node]);
-    m.number_system();
-    m.allocate_work();
-    if (scene.bedding.slips && !m.rock.joints.empty())
-      m.prepare_slip(scene.bedding);
-    m.prepare_maxwell(scene.maxwell);
-    m.add_point_loads(scene.point_loads);
-    m.add_wave(scene.initial_wave, mesh);
+      impl->make_waves(mesh, scene, motion, communicator);
+    else
+      impl->make_system(mesh, scene, motion, communicator);
+    impl->add_wave(scene.initial_wave, mesh);
   }
 
 
   Continuum::~Continuum() = default;
+
+
+  void Continuum::Implementation::take_rock(const scene::SectionMesh     &mesh,
+                                            const scene::SceneParameters &scene)
+  {
+    const auto region_material = materials_of_regions(mesh, scene);
+    cell_region                = mesh.bedrock_region;
+    for (const int region : mesh.bedrock_region)
+      cell_material.push_back(region_material[region]);
+    newmark            = scene.time.newmark;
+    rayleigh_mass      = scene.continuum.rayleigh_mass;
+    rayleigh_stiffness = scene.continuum.rayleigh_stiffness;
+    rock               = split_bedding_planes(mesh, scene.bedding.names);
+    joint_stiffness    = {scene.bedding.normal_stiffness, scene.bedding.shear_stiffness};
+  }
+
+
+  void Continuum::Implementation::take_static_model(const scene::SectionMesh     &mesh,
+                                                    const scene::SceneParameters &scene)
+  {
+    has_weight  = scene.environment.gravity > 0.;
+    left_nodes  = nodes_of_faces(*nodes, faces_of_lines(rock, mesh, {"left"}));
+    right_nodes = nodes_of_faces(*nodes, faces_of_lines(rock, mesh, {"right"}));
+    base_nodes  = nodes_of_faces(*nodes, faces_of_lines(rock, mesh, {"base"}));
+    if (scene.environment.has_initial_stress())
+      initial_stress = std::make_unique<InitialRockStress>(
+        scene::InitialStress(mesh, scene), cell_region, rock, *nodes, joint_stiffness);
+  }
+
+
+  void Continuum::Implementation::make_waves(const scene::SectionMesh     &mesh,
+                                             const scene::SceneParameters &scene,
+                                             const scene::GroundMotion    &motion,
+                                             MPI_Comm                      communicator)
+  {
+    const bool         is_explicit = scene.continuum.is_explicit;
+    const ElementSpace space(rock,
+                             mesh,
+                             scene.continuum.degree,
+                             MPI_COMM_SELF,
+                             is_explicit ? MassQuadrature::lobatto : MassQuadrature::gauss);
+    nodes    = std::make_unique<ElementNodes>(space.nodes);
+    boundary = std::make_unique<BoundaryForces>(rock, *nodes, cell_material, mesh, scene, motion);
+    add_point_loads(scene.point_loads);
+    const RockDamping damping{rayleigh_mass, rayleigh_stiffness, make_maxwell(scene.maxwell)};
+    if (is_explicit)
+      waves = std::make_unique<ExplicitWaves>(
+        rock, space, cell_material, joint_stiffness, point_loads, *boundary, damping, communicator);
+    else
+      waves = std::make_unique<ImplicitWaves>(
+        ImplicitWaves::Model{
+          rock, space, cell_material, joint_stiffness, point_loads, *boundary, damping, newmark},
+        communicator);
+    take_static_model(mesh, scene);
+  }
+
+
+  void Continuum::Implementation::make_system(const scene::SectionMesh     &mesh,
+                                              const scene::SceneParameters &scene,
+                                              const scene::GroundMotion    &motion,
+                                              MPI_Comm                      communicator)
+  {
+    {
+      const ElementSpace space(rock, mesh, scene.continuum.degree, communicator);
+      nodes = std::make_unique<ElementNodes>(space.nodes);
+      matrices =
+        assemble_elastic(space, rock, cell_material, joint_stiffness, newmark.corrected_step);
+    }
+    boundary = std::make_unique<BoundaryForces>(rock, *nodes, cell_material, mesh, scene, motion);
+    take_static_model(mesh, scene);
+    if (scene.blocks.enabled && (!mesh.blocks.empty() || !scene.mesh.polygons_file.empty()))
+      {
+        Surface under_blocks = surface_of(rock, mesh, *nodes);
+        surface              = std::move(under_blocks.nodes);
+        surface_shares       = std::move(under_blocks.shares);
+      }
+    for (const int node : surface)
+      surface_positions.push_back(nodes->positions[node]);
+    number_system();
+    allocate_work();
+    if (scene.bedding.slips && !rock.joints.empty())
+      prepare_slip(scene.bedding);
+    prepare_maxwell(scene.maxwell);
+    add_point_loads(scene.point_loads);
+  }
 
 
   void Continuum::Implementation::number_system()

@@ -102,21 +102,28 @@ namespace hybrid::continuum
 
   void Continuum::Implementation::predict(const ContinuumState &state, const double dt)
   {
-    StepMatrix       &matrix = step_matrix(dt);
-    const std::size_t n      = n_dofs();
-    const double     *u = state.displacement.data(), *v = state.velocity.data(),
-                 *a         = state.acceleration.data();
-    const double beta       = newmark.beta;
-    const double to_inertia = 1. / (beta * dt * dt);
+    StepMatrix &matrix = step_matrix(dt);
     newmark_acceleration(state);
-    filter               = newmark.filter_in(dt, state.last_step);
-    const bool    keeps  = newmark.filter > 0.;
-    const double *change = keeps ? state.acceleration_change.data() : nullptr;
+    filter = newmark.filter_in(dt, state.last_step);
+    predict_columns(state, dt);
+    add_predicted_inertia(state, dt);
+    add_rock_forces(state, dt);
+    add_boundary_forces();
+    if (!point_loads.empty())
+      point_loads.add_forces(state.time + dt, product);
+    set_right_hand_side(matrix, state.time + dt, dt);
+    factorisation->forward(*matrix.factor, rhs, surface_load);
+  }
 
-    boundary->step_columns({u + n,
-                            v + n,
-                            a + n,
-                            keeps ? change + n : nullptr,
+
+  void Continuum::Implementation::predict_columns(const ContinuumState &state, const double dt)
+  {
+    const std::size_t n     = n_dofs();
+    const bool        keeps = newmark.filter > 0.;
+    boundary->step_columns({state.displacement.data() + n,
+                            state.velocity.data() + n,
+                            state.acceleration.data() + n,
+                            keeps ? state.acceleration_change.data() + n : nullptr,
                             state.last_step,
                             maxwell.is_on() ? state.maxwell.strain.data() + n : nullptr,
                             n + column_u.size()},
@@ -132,8 +139,17 @@ namespace hybrid::continuum
                        column_v.data(),
                        incoming1,
                        columns_stressed(maxwell1, column_u.data()));
+  }
 
-    for (std::size_t i = 0; i < n; ++i)
+
+  void Continuum::Implementation::add_predicted_inertia(const ContinuumState &state,
+                                                        const double          dt)
+  {
+    const double *u = state.displacement.data(), *v = state.velocity.data();
+    const double *change     = state.acceleration_change.data();
+    const double  beta       = newmark.beta;
+    const double  to_inertia = 1. / (beta * dt * dt);
+    for (std::size_t i = 0; i < n_dofs(); ++i)
       {
         predicted[i] = u[i] + dt * v[i] + dt * dt * (0.5 - beta) * a0[i];
         if (filter > 0.)
@@ -145,10 +161,15 @@ namespace hybrid::continuum
       predicted[i] = rate[i] = load[i] = 0.;
     matrices.multiply_mass(load.data(), product.data());
     matrices.add_inertia_correction(to_inertia, predicted.data(), product.data());
+  }
+
+
+  void Continuum::Implementation::add_rock_forces(const ContinuumState &state, const double dt)
+  {
     if (rayleigh_stiffness != 0.)
       {
         matrices.multiply_stiffness(rate.data(), product2.data());
-        for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t i = 0; i < n_dofs(); ++i)
           product[i] += rayleigh_stiffness * product2[i];
         if (slip != nullptr)
           add_joint_force(-rayleigh_stiffness, rate.data(), product);
@@ -160,9 +181,12 @@ namespace hybrid::continuum
         slip->begin(state.slip);
         slip->add_load(state.slip.jump, 1., product);
       }
+  }
 
-    // Boundary: t_in + Z (v_ff - v) with v = 2 u / dt - rate; the first part of v is in
-    // A.
+
+  void Continuum::Implementation::add_boundary_forces()
+  {
+    // t_in + Z (v_ff - v) with v = 2 u / dt - rate; the first part of v is in A.
     gather_boundary(rate, edge0);
     for (double &x : edge0)
       x = -x;
@@ -173,22 +197,23 @@ namespace hybrid::continuum
         boundary->springs().add_forces({edge0, incoming1.displacement}, edge_force1);
       }
     add_boundary(edge_force1, product);
+  }
 
-    if (!point_loads.empty())
-      point_loads.add_forces(state.time + dt, product);
 
+  void Continuum::Implementation::set_right_hand_side(const StepMatrix &matrix,
+                                                      const double      time,
+                                                      const double      dt)
+  {
     for (std::size_t s = 0; s < dof_of_system.size(); ++s)
       rhs[s] =
         boundary->supports()[dof_of_system[s]] == Support::none ? product[dof_of_system[s]] : 0.;
-    if (!matrix.base.empty())
-      {
-        const int  node  = boundary->moving_nodes().front();
-        const Vec2 moved = Vec2(predicted[2 * node], predicted[2 * node + 1]) +
-                           beta * dt * dt * boundary->base_acceleration(state.time + dt);
-        for (const auto &coupling : matrix.base)
-          rhs[coupling.system] -= coupling.x * moved.x() + coupling.y * moved.y();
-      }
-    factorisation->forward(*matrix.factor, rhs, surface_load);
+    if (matrix.base.empty())
+      return;
+    const int  node  = boundary->moving_nodes().front();
+    const Vec2 moved = Vec2(predicted[2 * node], predicted[2 * node + 1]) +
+                       newmark.beta * dt * dt * boundary->base_acceleration(time);
+    for (const auto &coupling : matrix.base)
+      rhs[coupling.system] -= coupling.x * moved.x() + coupling.y * moved.y();
   }
 
 

@@ -103,6 +103,18 @@ namespace hybrid::continuum
     }
 
     // construction (continuum.cc)
+    void take_rock(const scene::SectionMesh &mesh, const scene::SceneParameters &scene);
+    void take_static_model(const scene::SectionMesh &mesh, const scene::SceneParameters &scene);
+    /// Steps without a matrix: explicit ones, or conjugate gradients.
+    void make_waves(const scene::SectionMesh     &mesh,
+                    const scene::SceneParameters &scene,
+                    const scene::GroundMotion    &motion,
+                    MPI_Comm                      communicator);
+    /// Implicit steps with a factored matrix, on which blocks may stand.
+    void make_system(const scene::SectionMesh     &mesh,
+                     const scene::SceneParameters &scene,
+                     const scene::GroundMotion    &motion,
+                     MPI_Comm                      communicator);
     void number_system();
     void allocate_work();
     void add_point_loads(const scene::PointLoadParameters &loads);
@@ -128,11 +140,17 @@ namespace hybrid::continuum
     void find_acceleration(ContinuumState &state);
 
     // one step (continuum_step.cc)
-    StepMatrix                     &step_matrix(double dt);
-    std::vector<BaseCoupling>       base_coupling(const std::vector<double> &blocks) const;
-    void                            predict(const ContinuumState &state, double dt);
-    void                            newmark_acceleration(const ContinuumState &state);
-    void                            keep_change(ContinuumState &state, double dt) const;
+    StepMatrix               &step_matrix(double dt);
+    std::vector<BaseCoupling> base_coupling(const std::vector<double> &blocks) const;
+    void                      predict(const ContinuumState &state, double dt);
+    // its parts; forces are in product
+    void predict_columns(const ContinuumState &state, double dt);
+    void add_predicted_inertia(const ContinuumState &state, double dt);
+    void add_rock_forces(const ContinuumState &state, double dt);
+    void add_boundary_forces();
+    void set_right_hand_side(const StepMatrix &matrix, double time, double dt);
+    void newmark_acceleration(const ContinuumState &state);
+    void keep_change(ContinuumState &state, double dt) const;
     CondensedFactorisation::Factor &factor_of_inertia();
     void solve_inertia(const std::vector<double> &force, std::vector<double> &a);
     void take_acceleration(std::vector<double> &a) const; ///< what solution holds
