@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/blas_kernels.h>
 #include <hybrid/checkpoint.h>
 #include <hybrid/command_line.h>
 #include <hybrid/directory_lock.h>
-#include <hybrid/library_settings.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/version.h>
 #include <hybrid/processes.h>
@@ -16,6 +16,7 @@
 #include <hybrid/scene/parameters/time_integrator.h>
 #include <hybrid/simulation.h>
 #include <hybrid/tool.h>
+#include <hybrid/waiting_threads.h>
 
 #include <csignal>
 #include <exception>
@@ -170,6 +171,7 @@ namespace
     std::signal(SIGXFSZ, SIG_IGN); // a file that grows too large is an error of writing
     std::signal(SIGPIPE, SIG_IGN); // a run outlives its screen
     openblas_set_num_threads(1);   // its bits change with the number of threads
+    use_better_blas_kernels();
   }
 
 
@@ -318,7 +320,7 @@ namespace
                                              ? read_scene_of_run(command.target, command.overrides)
                                              : scene::read_scene(command.target, command.overrides);
     if (command.action != Action::check)
-      apply_library_settings(scene.threads, argv);
+      sleep_while_waiting(scene.threads, argv);
     processes.start(argc, argv);
     DirectoryLock lock;
     return resumes ? resume_run(command, scene, processes, lock)
@@ -335,7 +337,7 @@ namespace
           std::cout << command.help;
           return 0;
         case Action::version:
-          apply_library_settings(1, argv); // as in a run
+          use_better_blas_kernels(); // as in a run
           std::cout << output::version_text();
           return 0;
         case Action::print_parameters:

@@ -1,26 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/library_settings.h>
+#include <hybrid/blas_kernels.h>
 
 #include <gtest/gtest.h>
 
+extern "C" char *
+openblas_get_corename();
+
 namespace hybrid
 {
-  TEST(LibrarySettings, AProcessorThatOpenBlasDoesNotKnowGetsKernelsThatItCanRun)
+  TEST(BlasKernels, AProcessorThatOpenBlasDoesNotKnowGetsKernelsThatItCanRun)
   {
     EXPECT_EQ(better_blas_kernels("Prescott", {true, true}), "SkylakeX");
     EXPECT_EQ(better_blas_kernels("Prescott", {true, false}), "Haswell");
   }
 
 
-  TEST(LibrarySettings, AProcessorWithoutVectorUnitsKeepsItsKernels)
+  TEST(BlasKernels, AProcessorWithoutVectorUnitsKeepsItsKernels)
   {
     EXPECT_EQ(better_blas_kernels("Prescott", {false, false}), "");
   }
 
 
-  TEST(LibrarySettings, WhatOpenBlasHasFoundStays)
+  TEST(BlasKernels, WhatOpenBlasHasFoundStays)
   {
     for (const char *known : {"Haswell", "Zen", "SkylakeX", "Cooperlake", "Nehalem"})
       EXPECT_EQ(better_blas_kernels(known, {true, true}), "");
+  }
+
+
+  TEST(BlasKernels, NothingBetterIsLeftOnceTheyAreChosen)
+  {
+    use_better_blas_kernels();
+    const std::string used = openblas_get_corename();
+    use_better_blas_kernels();
+    EXPECT_EQ(openblas_get_corename(), used);
   }
 } // namespace hybrid
