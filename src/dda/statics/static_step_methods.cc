@@ -38,10 +38,8 @@ namespace hybrid::dda
 
 
 
-  StepResult StaticStepMethods::solve(DdaState                 &state,
-                                      const FoundationResponse &foundation,
-                                      const double              dt,
-                                      const double              residual)
+  StepResult
+  StaticStepMethods::solve(DdaState &state, const FoundationResponse &foundation, const double dt)
   {
     if (method == Method::line_search)
       return plain->solve(state, foundation, dt);
@@ -50,7 +48,7 @@ namespace hybrid::dda
     const StepResult held = from_hold->hold(state, foundation, dt);
     if (held.stopped)
       return held;
-    StepResult step = from_hold->solve(state, foundation, dt, residual);
+    StepResult step = from_hold->solve(state, foundation, dt);
     step.iterations += held.iterations;
     return step;
   }

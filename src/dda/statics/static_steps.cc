@@ -152,8 +152,7 @@ namespace hybrid::dda
       {
         if (!yielding.keeps_velocity())
           stop_blocks(state);
-        const StepResult step =
-          methods.solve(state, foundation, dt, result.steps > 0 ? result.residual : 1.);
+        const StepResult step = methods.solve(state, foundation, dt);
         result.iterations += step.iterations;
         result.stopped = step.stopped;
         if (result.stopped)

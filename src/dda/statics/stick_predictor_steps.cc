@@ -2,27 +2,15 @@
 #include <hybrid/dda/statics/static_steps.h>
 #include <hybrid/dda/statics/stick_predictor_steps.h>
 
-#include <algorithm>
-
 namespace hybrid::dda
 {
-  namespace
-  {
-    constexpr double guess_tolerance = 1e-4; ///< residual of a first guess [-]
-    constexpr double fall            = 1e-3; ///< of the residual in a step that is not the last [-]
-  }                                          // namespace
-
-
-
   StickPredictorSteps::StickPredictorSteps(const Model                     &problem,
                                            const OpenCloseIteration::Watch &watch)
     : held(with_unlimited_friction(problem))
     , eased(problem)
-    , tolerance(problem.iteration.tolerance)
     , hold_solver(held)
     , solver(eased)
   {
-    held.iteration.tolerance            = std::max(tolerance, guess_tolerance);
     eased.iteration.regularises_sliding = true;
     hold_solver.set_watch(watch);
     solver.set_watch(watch);
@@ -42,12 +30,9 @@ namespace hybrid::dda
 
 
 
-  StepResult StickPredictorSteps::solve(DdaState                 &state,
-                                        const FoundationResponse &foundation,
-                                        const double              dt,
-                                        const double              residual)
+  StepResult
+  StickPredictorSteps::solve(DdaState &state, const FoundationResponse &foundation, const double dt)
   {
-    eased.iteration.tolerance = std::max(tolerance, fall * residual);
     return solver.solve(state,
                         foundation,
                         dt,

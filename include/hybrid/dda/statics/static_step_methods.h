@@ -26,9 +26,8 @@ namespace hybrid::dda
     StaticStepMethods(const StaticStepMethods &)            = delete;
     StaticStepMethods &operator=(const StaticStepMethods &) = delete;
 
-    /// Solve a step. @param residual of the state [-]
-    StepResult
-    solve(DdaState &state, const FoundationResponse &foundation, double dt, double residual);
+    /// Solve a step.
+    StepResult solve(DdaState &state, const FoundationResponse &foundation, double dt);
 
     /// Make the solved step the new state.
     void accept(DdaState &state);

@@ -8,11 +8,9 @@ namespace hybrid::dda
   /**
    * Static steps for loose masses in which hundreds of contacts reach their friction limit at once.
    *
-   * Each begins where contacts that never slide would bring the blocks, sliding is eased
-   * (SlidingRegularisation), and only steps near rest are solved to the problem's tolerance: the
-   * slip of the others is that of steps whose residual is a thousandth of the last one's. They are
-   * great from the start: on the way of small ones the upper blocks hardly weigh on the lower ones,
-   * and contacts without force open and close.
+   * Each begins where contacts that never slide would bring the blocks, and sliding is eased
+   * (SlidingRegularisation). They are great from the start: on the way of small ones the upper
+   * blocks hardly weigh on the lower ones, and contacts without force open and close.
    */
   class StickPredictorSteps
   {
@@ -27,9 +25,8 @@ namespace hybrid::dda
     /// Find where contacts that never slide would bring the blocks. @return how it went
     StepResult hold(const DdaState &state, const FoundationResponse &foundation, double dt);
 
-    /// Solve the step from there. @param residual of the state [-]
-    StepResult
-    solve(DdaState &state, const FoundationResponse &foundation, double dt, double residual);
+    /// Solve the step from there.
+    StepResult solve(DdaState &state, const FoundationResponse &foundation, double dt);
 
     /// Make the solved step the new state.
     void accept(DdaState &state)
@@ -45,7 +42,6 @@ namespace hybrid::dda
 
   private:
     Model       held, eased;
-    double      tolerance; ///< of the problem [-]
     BlockSolver hold_solver, solver;
     bool        has_guess = false; ///< the hold of this step converged
   };
