@@ -10,9 +10,9 @@ import scipy.optimize
 from scene_numbers import Numbers
 
 CONTINUOUS = 0.1075  # least thickness over radius without end of voussoirs (Milankovitch 1907)
-MARGIN = 0.02  # of the least thickness, and of tan(phi), on either side of the limit
+MARGIN = 0.02  # on either side of a limit
 CUTS = 5  # bisections of the bracket, for the page
-THICK = 0.2  # over the radius: thick enough, so that friction decides
+THICK = 0.2  # over the radius: thick enough, so that friction decides, or what pushes it
 FALLS = 0.9  # of the least thickness: moves for a second
 
 
@@ -25,8 +25,8 @@ def voussoirs(ratio, count, radius):
     return np.stack([inner[:-1], outer[:-1], outer[1:], inner[1:]], axis=1)
 
 
-def bears(polygons, mu):
-    """Whether forces at the ends of the joints can balance the weights (of density and gravity 1)."""
+def bears(polygons, mu, push=0.0):
+    """Whether forces at the ends of the joints can balance the weights (of density and gravity 1) and a part of them to the right."""
     n = len(polygons)
     unknown = lambda joint, end, part: 4 * joint + 2 * end + part  # part 0: pressure, 1: shear along the joint, outwards
     equations, weights = np.zeros((3 * n, 4 * (n + 1))), np.zeros(3 * n)
@@ -35,7 +35,7 @@ def bears(polygons, mu):
         cross = x * np.roll(y, -1) - np.roll(x, -1) * y
         area = cross.sum() / 2
         centre = np.array([((x + np.roll(x, -1)) * cross).sum(), ((y + np.roll(y, -1)) * cross).sum()]) / (6 * area)
-        weights[3 * k + 1], weights[3 * k + 2] = area, area * centre[0]
+        weights[3 * k : 3 * k + 3] = -push * area, area, area * (centre[0] + push * centre[1])
         for joint, places, sign in ((k, polygon[:2], 1), (k + 1, polygon[[3, 2]], -1)):
             along = (places[1] - places[0]) / np.linalg.norm(places[1] - places[0])
             across = np.array([-along[1], along[0]])  # into the voussoir above the joint
@@ -82,21 +82,21 @@ class Arch:
         return self.case.run(name, "Mesh/Polygons file=%s" % file.resolve(),
                              "Materials/rock/Friction angle=%.12g" % np.degrees(np.arctan(mu)), *overrides)
 
-    def stands(self, ratio, mu):
-        run = self.run("t_%.6f_mu_%.6f" % (ratio, mu), ratio, mu, "Gravity/Static stage=equilibrium or move")
+    def stands(self, ratio, mu, push=0.0):
+        run = self.run("t_%.6f_mu_%.6f_k_%.6f" % (ratio, mu, push), ratio, mu, "Gravity/Horizontal coefficient=%.12g" % push,
+                       "Gravity/Static stage=equilibrium or move")
         return run.summary["static_stage"]["equilibrium"]
 
 
-def bracket(case, what, limit, stands):
-    """The limit as hybrid has it, by bisection from 2 % on either side of that of limit analysis."""
-    low, high = (1 - MARGIN) * limit, (1 + MARGIN) * limit
-    case.true("%s = %.4f, %g %% above limit analysis: it stands" % (what, high, 100 * MARGIN), stands(high))
-    case.true("%s = %.4f, %g %% below: it does not" % (what, low, 100 * MARGIN), not stands(low))
+def bracket(case, what, limit, stands, sign=1):
+    """The limit as hybrid has it, by bisection from 2 % on either side of that of limit analysis. sign: -1 where less stands."""
+    falls, bears_it = (1 - sign * MARGIN) * limit, (1 + sign * MARGIN) * limit
+    case.true("%s = %.4f, %g %% on the safe side of limit analysis: it stands" % (what, bears_it, 100 * MARGIN), stands(bears_it))
+    case.true("%s = %.4f, %g %% on the other: it does not" % (what, falls, 100 * MARGIN), not stands(falls))
     for _ in range(CUTS):
-        middle = 0.5 * (low + high)
-        low, high = (low, middle) if stands(middle) else (middle, high)
-    case.near("%s at the limit, within %.2g" % (what, high - low), 0.5 * (low + high), limit, MARGIN)
-    return 0.5 * (low + high)
+        middle = 0.5 * (falls + bears_it)
+        falls, bears_it = (falls, middle) if stands(middle) else (middle, bears_it)
+    case.near("%s at the limit, within %.2g" % (what, abs(bears_it - falls)), 0.5 * (falls + bears_it), limit, MARGIN)
 
 
 def check(case):
@@ -108,6 +108,8 @@ def check(case):
     bracket(case, "thickness over radius", thin, lambda ratio: arch.stands(ratio, arch.mu))
     smooth = least(lambda mu: bears(arch.polygons(THICK), mu), 0.1, 1.0)
     bracket(case, "thickness 0.2 R: tan(phi)", smooth, lambda mu: arch.stands(THICK, mu))
+    push = least(lambda k: not bears(arch.polygons(THICK), arch.mu, k), 0.0, 1.0)
+    bracket(case, "thickness 0.2 R: horizontal coefficient", push, lambda k: arch.stands(THICK, arch.mu, k), sign=-1)
     case.moved = arch.run("moves", FALLS * thin, arch.mu, "Gravity/Static stage=none", "Time/End time=1")
     case.true("an arch of %g of the least thickness falls" % FALLS, case.moved.blocks.displacement.min() < -0.1 * arch.radius)
 
