@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Semicircular arch of voussoirs on level ground: the least thickness that bears its weight, by limit analysis of rigid blocks.
 
-An arch stands if a line of thrust fits into it (Heyman 1969). Joints bear no tension and mu = tan(phi) times what presses them: two forces at
-the ends of each joint, in equilibrium with the weights of the voussoirs. Whether there are such forces is a linear programme.
+An arch stands if a line of thrust fits into it (Heyman 1969). Joints bear no tension and mu = tan(phi) times what presses them
+(rigid_blocks.py).
 """
 
 import numpy as np
-import scipy.optimize
+from rigid_blocks import Assembly
 from scene_numbers import Numbers
 
 CONTINUOUS = 0.1075  # least thickness over radius without end of voussoirs (Milankovitch 1907)
@@ -25,32 +25,9 @@ def voussoirs(ratio, count, radius):
     return np.stack([inner[:-1], outer[:-1], outer[1:], inner[1:]], axis=1)
 
 
-def bears(polygons, mu, push=0.0):
-    """Whether forces at the ends of the joints can balance the weights (of density and gravity 1) and a part of them to the right."""
-    n = len(polygons)
-    unknown = lambda joint, end, part: 4 * joint + 2 * end + part  # part 0: pressure, 1: shear along the joint, outwards
-    equations, weights = np.zeros((3 * n, 4 * (n + 1))), np.zeros(3 * n)
-    for k, polygon in enumerate(polygons):
-        x, y = polygon.T
-        cross = x * np.roll(y, -1) - np.roll(x, -1) * y
-        area = cross.sum() / 2
-        centre = np.array([((x + np.roll(x, -1)) * cross).sum(), ((y + np.roll(y, -1)) * cross).sum()]) / (6 * area)
-        weights[3 * k : 3 * k + 3] = -push * area, area, area * (centre[0] + push * centre[1])
-        for joint, places, sign in ((k, polygon[:2], 1), (k + 1, polygon[[3, 2]], -1)):
-            along = (places[1] - places[0]) / np.linalg.norm(places[1] - places[0])
-            across = np.array([-along[1], along[0]])  # into the voussoir above the joint
-            for end, place in enumerate(places):
-                for part, direction in enumerate((sign * across, sign * along)):
-                    column = unknown(joint, end, part)
-                    equations[3 * k : 3 * k + 2, column] = direction
-                    equations[3 * k + 2, column] = place[0] * direction[1] - place[1] * direction[0]
-    friction = np.zeros((4 * (n + 1), 4 * (n + 1)))  # +-T - mu N <= 0
-    for row, (joint, end, sign) in enumerate((j, e, s) for j in range(n + 1) for e in (0, 1) for s in (1, -1)):
-        friction[row, unknown(joint, end, 1)] = sign
-        friction[row, unknown(joint, end, 0)] = -mu
-    bounds = [(0, None), (None, None)] * (2 * (n + 1))
-    found = scipy.optimize.linprog(np.zeros(4 * (n + 1)), friction, np.zeros(len(friction)), equations, weights, bounds, method="highs")
-    return found.status == 0
+def assembly(polygons):
+    joints = [(k, k - 1 if k > 0 else None, polygon[:2]) for k, polygon in enumerate(polygons)]
+    return Assembly(polygons, joints + [(len(polygons) - 1, None, polygons[-1][2:])])
 
 
 def least(holds, low, high):
@@ -103,12 +80,12 @@ def check(case):
     arch = case.arch = Arch(case, case.run())
     case.true("the scene's arch is the one that is analysed",
               np.allclose(case.run("again").blocks.polygons, arch.polygons(arch.ratio), atol=1e-6))
-    thin = case.thin = least(lambda ratio: bears(arch.polygons(ratio), arch.mu), 0.05, 0.2)
+    thin = case.thin = least(lambda ratio: assembly(arch.polygons(ratio)).bears(arch.mu), 0.05, 0.2)
     case.near("least thickness over radius by limit analysis, and of a continuous arch", thin, CONTINUOUS, 0.03)
     bracket(case, "thickness over radius", thin, lambda ratio: arch.stands(ratio, arch.mu))
-    smooth = least(lambda mu: bears(arch.polygons(THICK), mu), 0.1, 1.0)
+    smooth = least(lambda mu: assembly(arch.polygons(THICK)).bears(mu), 0.1, 1.0)
     bracket(case, "thickness 0.2 R: tan(phi)", smooth, lambda mu: arch.stands(THICK, mu))
-    push = least(lambda k: not bears(arch.polygons(THICK), arch.mu, k), 0.0, 1.0)
+    push = assembly(arch.polygons(THICK)).largest_push(arch.mu)
     bracket(case, "thickness 0.2 R: horizontal coefficient", push, lambda k: arch.stands(THICK, arch.mu, k), sign=-1)
     case.moved = arch.run("moves", FALLS * thin, arch.mu, "Gravity/Static stage=none", "Time/End time=1")
     case.true("an arch of %g of the least thickness falls" % FALLS, case.moved.blocks.displacement.min() < -0.1 * arch.radius)
