@@ -2,6 +2,7 @@
 #include <hybrid/restart/archive.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/simulation_run.h>
 
 #include <cstdio>
@@ -139,6 +140,13 @@ namespace hybrid
     if (number != fingerprint(model.mesh, model.motion.outcrop()))
       throw InputError("the mesh or the motion is not that of the run in '" +
                        model.scene.output.directory + "': a file of the scene has changed since");
+
+    archive(state); // how far it has got, before any file is opened; load() reads all
+    const scene::TimeParameters &time = model.scene.time;
+    if (time.end_time + time.time_step < state.time) // the end is rounded to whole steps
+      throw InputError("Time/End time = " + scene::number_text(time.end_time) +
+                       " s lies before the run's " + scene::number_text(state.time) +
+                       " s; a run that is resumed cannot end earlier");
 
     Run run(*this, output::HistoryFile::Mode::resume);
     load(checkpoint, run);

@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import random
+import re
 import resource
 import shutil
 import signal
@@ -225,6 +226,10 @@ def check_signals():
     before = results(short)
     run([BINARY, "--resume", str(short)])
     require(results(short) == before, "resuming a finished run changes nothing")
+    refused = subprocess.run([BINARY, "--resume", str(short), "-s", "Time/End time=0.2"], capture_output=True, text=True, env=ENVIRONMENT)
+    require(refused.returncode == 2 and "cannot end earlier" in refused.stderr and results(short) == before
+            and "End time = 0.2" not in re.sub(" +", " ", (short / "params.used.prm").read_text()),
+            f"an end before the present time is refused and changes nothing, not {refused.returncode}: {refused.stderr}")
     check_killed_extension()
 
 
