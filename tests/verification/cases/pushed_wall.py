@@ -12,7 +12,7 @@ COLUMNS, WIDTH, HEIGHT = 5, 0.4, 0.175  # bricks of a course [m]
 WALLS = {6: (0.64286, 0.63982), 10: (0.58000, 0.56262)}  # courses: published limits with and without dilation
 MARGIN = 0.02  # on either side of the limit
 CUTS = 5  # bisections of the bracket, for the page
-DIGITS = 2e-4  # of the published numbers, relative
+DIGITS = 1e-4  # of the published numbers, relative
 FALLS = 1.1  # of the limit of the higher wall: moves for half a second
 
 

@@ -56,8 +56,7 @@ namespace hybrid::dda
     /// far from balance, with none where that is closer. @return as evaluate()
     double choose_start();
 
-    /// What the laws make of the trial, and what is left of the balance. @return
-    /// relative_residual()
+    /// What the laws make of the trial, and what that leaves. @return relative_residual()
     double evaluate();
 
     /// What is left of the balance with what springs bear now. @return relative_residual()

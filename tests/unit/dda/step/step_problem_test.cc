@@ -82,7 +82,7 @@ TEST(StepProblem, what_is_accepted_is_where_the_trial_was)
 
 
 
-TEST(StepProblem, a_mass_moves_nothing_only_where_it_had_no_velocity)
+TEST(StepProblem, a_trial_without_motion_moves_nothing_and_leaves_the_momentum_there_was)
 {
   Heap moving, resting(Vec2::Zero());
   for (Heap *heap : {&moving, &resting})
@@ -93,7 +93,8 @@ TEST(StepProblem, a_mass_moves_nothing_only_where_it_had_no_velocity)
       heap->problem.evaluate();
     }
   EXPECT_TRUE(resting.problem.moves_nothing());
-  EXPECT_FALSE(moving.problem.lies_in_balance()); // its momentum
+  EXPECT_TRUE(moving.problem.moves_nothing());
+  EXPECT_FALSE(moving.problem.lies_in_balance());
 }
 
 
