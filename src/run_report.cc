@@ -117,6 +117,7 @@ namespace hybrid
     if (settled.equilibrium)
       {
         fallen_blocks(settled, state, has_failed);
+        slid_blocks(settled);
         return;
       }
     const bool  is_held = model.scene.environment.static_stage == scene::StaticStage::held;
@@ -173,6 +174,24 @@ namespace hybrid
                    "Gravity/Static stage to equilibrium or move (starts from where it has got to) "
                    "or none (starts unloaded)"
                  : "; the dynamic stage starts from there"));
+  }
+
+
+
+  void RunReport::slid_blocks(const dda::StaticResult &settled) const
+  {
+    // Slip of joints is told in any case; a bonded mass bends, which that bound does not know.
+    if (!settled.has_slid() || model.scene.blocks.bonded || model.blocks->blocks_yield)
+      return;
+    char text[300];
+    std::snprintf(
+      text,
+      sizeof(text),
+      "blocks have moved by up to %.3g m before they came to rest, elasticity explains at "
+      "most about %.2g m: they slid or turned; is this the slope that you drew?",
+      settled.largest_displacement,
+      settled.elastic_settlement);
+    log.warning(text);
   }
 
 

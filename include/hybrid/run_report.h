@@ -58,5 +58,7 @@ namespace hybrid
     void fallen_blocks(const dda::StaticResult &result,
                        const dda::DdaState     &state,
                        bool                     has_failed) const;
+
+    void slid_blocks(const dda::StaticResult &result) const;
   };
 } // namespace hybrid

@@ -141,6 +141,50 @@ def test_wedge_of_culmann(hybrid, tmp_path):
     assert_brackets(read(tmp_path / "out", "fos"), "fos", exact, 0.01)
 
 
+DAM = """subsection Time
+  set End time = 0
+end
+subsection Model
+  set Bedrock = rigid
+  set Blocks = loose
+end
+subsection Materials
+  set Names = rock
+  subsection rock
+    set Density = 2400
+    set Young modulus = 1e9
+    set Poisson ratio = 0.2
+    set Friction angle = 30
+  end
+end
+subsection Blocks
+  set Material = rock
+end
+subsection Mesh
+  set Polygons file = dam.csv
+  set Surface file = ground.csv
+end
+subsection Water
+  set Line file = line.csv
+  set Method = %s
+end
+"""
+
+
+@pytest.mark.parametrize("method", ["submerged", "pressures"])
+def test_a_dam_does_not_slide_out_of_the_thrust_of_its_water(hybrid, tmp_path, method):
+    (tmp_path / "dam.prm").write_text(DAM % method)
+    for name, rows in (("dam", "block,x,y\n1,0,0\n1,8,0\n1,2,10\n1,0,10\n"), ("ground", "x,y\n-50,0\n50,0\n"),
+                       ("line", "x,y\n-50,9\n0,9\n8,0\n50,0\n")):
+        (tmp_path / (name + ".csv")).write_text(rows)
+    result = hybrid("fos", tmp_path / "dam.prm", "--output", tmp_path / "out")
+    assert result.returncode == 0, result.stderr
+    weight, uplift, thrust = 50 * 2400, 36 * 1000, 40.5 * 1000  # uplift and thrust of 9 m that fall to 0 over 8 m
+    found = read(tmp_path / "out", "fos")
+    assert_brackets(found, "fos", (weight - uplift) * np.tan(np.radians(30)) / thrust, 0.005)
+    assert found["jump_of_displacement"] > 100 and "warning" not in result.stdout
+
+
 def test_yield_coefficient_and_displacements_of_a_stiff_slab(hybrid, slab, tmp_path):
     result = hybrid("fos", slab[0], "--newmark", "--output", tmp_path / "out")
     assert result.returncode == 0, result.stderr

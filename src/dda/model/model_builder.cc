@@ -267,7 +267,8 @@ namespace hybrid::dda
                      around.water_level,
                      around.water_density * around.gravity,
                      shared(around.water_tables.line),
-                     shared(around.water_tables.level)};
+                     shared(around.water_tables.level),
+                     around.static_water == scene::WaterPlace::drawn};
     }
 
 

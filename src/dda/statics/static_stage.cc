@@ -52,7 +52,7 @@ namespace hybrid::dda
                      StaticResult                  &result)
     {
       constexpr double turn    = 10. * M_PI / 180.;
-      const double     elastic = elastic_settlement(model);
+      const double     elastic = result.elastic_settlement = elastic_settlement(model);
       for (int b = 0; b < model.n_mass(); ++b)
         {
           const double moved          = (state.blocks[b].centroid - start[b].centroid).norm();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/geometry/polygon.h>
 #include <hybrid/dda/statics/great_static_steps.h>
 #include <hybrid/dda/statics/static_step_methods.h>
 #include <hybrid/dda/statics/static_step_parts.h>
@@ -75,6 +76,26 @@ namespace hybrid::dda
       int    good     = 0;                                       ///< steps since one has failed
       bool   keeps    = false;
     };
+
+
+
+    /// The water's loads on the blocks of the mass where they were drawn.
+    std::vector<Vec6> water_as_drawn(const Model &model)
+    {
+      std::vector<Vec6> loads;
+      const Geometry   &g = model.initial;
+      for (int b = 0; b < model.n_mass(); ++b)
+        {
+          const Vec2 *first = &g.vertices[g.offset[b]];
+          const int   n     = g.offset[b + 1] - g.offset[b];
+          loads.push_back(water_load(model.water,
+                                     model.blocks[b].area,
+                                     BlockMotion(polygon_moments(first, n).centroid, Vec6::Zero()),
+                                     {first, nullptr, n})
+                            .force);
+        }
+      return loads;
+    }
   } // namespace
 
 
@@ -88,6 +109,11 @@ namespace hybrid::dda
     copy.maxwell              = {};
     copy.edge_loads.edges.clear();
     copy.water.history = nullptr; // the level of the start
+    if (model.water.action != Water::Action::none && model.water.static_as_drawn)
+      {
+        copy.dead_loads   = water_as_drawn(model);
+        copy.water.action = Water::Action::none;
+      }
     for (BlockProperties &block : copy.blocks)
       block.damping_time = block.loose_damping_time = 0.;
     copy.newmark             = Newmark::preset("shi");

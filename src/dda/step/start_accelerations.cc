@@ -18,6 +18,8 @@ namespace hybrid::dda
         force[0] += p.pushed_mass * model.horizontal;
         force[1] -= p.weight * model.gravity;
         force.tail<3>() -= p.area * block.stress;
+        if (!model.dead_loads.empty() && !model.is_bedrock(b))
+          force += model.dead_loads[b];
         if (model.is_bedrock(b) && state.bedrock_static_force.size() > 0)
           force -= state.bedrock_static_force.segment<6>(6 * model.bedrock_number(b));
         if (water.action != Water::Action::none && !model.is_bedrock(b))

@@ -183,6 +183,8 @@ namespace hybrid::dda
         r += weight * contact_force.segment<6>(6 * b) - inertial_force;
         r[0] += p.pushed_mass * model->horizontal;
         r[1] -= p.weight * model->gravity;
+        if (!model->dead_loads.empty() && !model->is_bedrock(b))
+          r += model->dead_loads[b];
         r.tail<3>() -= p.area * stress;
         // The last term is the round-off of a body that only flies: there no force is left to
         // compare with.

@@ -124,6 +124,13 @@ namespace hybrid::scene
       "weight as given; submerged: Density is total, the submerged part of each block has its "
       "buoyancy; pressures: Density is total, hydrostatic pressure acts on all faces, in joints, "
       "cracks and contacts and on the bedrock. The last two give the same effective forces.");
+    water.choice<WaterPlace>(
+      "Static place",
+      environment.static_water,
+      {{"moved", WaterPlace::moved}, {"drawn", WaterPlace::drawn}},
+      "Where blocks have the water's load in the static stage (submerged and pressures): moved: "
+      "where they have settled; drawn: where they were drawn, so that a mass that cannot stand does "
+      "not slide out of the water's thrust and rest. hybrid fos asks with drawn.");
     water.number("Density",
                  environment.water_density,
                  "kg/m3",

@@ -30,7 +30,8 @@ namespace hybrid::dda
 
     std::shared_ptr<const scene::LinearTable> line = {}; ///< phreatic line [m]; nullptr: none
     std::shared_ptr<const scene::LinearTable> history =
-      {}; ///< level in time [s, m]; nullptr: stays
+      {};                         ///< level in time [s, m]; nullptr: stays
+    bool static_as_drawn = false; ///< the static stage has the loads of the drawn places
 
     bool changes() const
     {

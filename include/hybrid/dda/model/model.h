@@ -142,6 +142,7 @@ namespace hybrid::dda
     bool                          blocks_yield        = false; ///< blocks have a limited strength
     MaxwellBlocks                 maxwell;
     Water                         water;
+    std::vector<Vec6>             dead_loads; ///< per block of the mass [N/m, N]; or empty
     EdgeLoads                     edge_loads;
     std::vector<MovingBlocks>     moving_blocks; ///< at t = 0; the others are at rest
     IterationParameters           iteration;

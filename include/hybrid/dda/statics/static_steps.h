@@ -19,6 +19,7 @@ namespace hybrid::dda
     int    cuts                 = 0;
     double residual             = 0.; ///< relative to the sum of absolute forces [-]
     double largest_displacement = 0.; ///< of a centroid [m]
+    double elastic_settlement   = 0.; ///< a bound on what the mass settles elastically [m]
     int    moving_block = -1; ///< that moved most in the last step, if there is no equilibrium
 
     int    fallen_block = -1; ///< came to rest farther than elasticity explains, most of all; or -1
@@ -26,6 +27,13 @@ namespace hybrid::dda
     double turned_by    = 0.; ///< its rotation [rad]
 
     PartTimes times; ///< of the steps
+
+    /// Blocks at rest have moved farther than elasticity explains, but not so far as to be fallen.
+    bool has_slid() const
+    {
+      constexpr double clearly = 2.;
+      return equilibrium && fallen_block < 0 && largest_displacement > clearly * elastic_settlement;
+    }
   };
 
 

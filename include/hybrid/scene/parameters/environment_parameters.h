@@ -30,6 +30,7 @@ namespace hybrid::scene
     double      water_level = -1e300; ///< of the reservoir at the start [m]; none: below -1e299
     WaterTables water_tables;
     WaterMethod water_method  = WaterMethod::paper;
+    WaterPlace  static_water  = WaterPlace::moved;
     double      water_density = 1000.; ///< [kg/m3], > 0
 
     bool has_level() const

@@ -16,6 +16,15 @@ namespace hybrid::scene
   };
 
 
+  /// Where blocks have the water's load in the static stage: section "Water", parameter "Static
+  /// place".
+  enum class WaterPlace
+  {
+    moved, ///< where they have settled
+    drawn  ///< where they were drawn: what slides does not leave the water's thrust
+  };
+
+
   /// The tables of section "Water".
   struct WaterTables
   {

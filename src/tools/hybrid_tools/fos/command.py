@@ -130,9 +130,7 @@ def warn_of_no_jump(bracket, trials, results):
     results["jump_of_displacement"] = jump = bracket.fails.displacement / max(stands, 1e-300)
     if jump < JUMP and bracket.fails.planes_hold:
         print("warning: displacement does not jump at failure (%.3g times as large): a joint slipped by a tenth of its length,\n"
-              "  which may be elastic (stiffer blocks, longer edges) or on a bent surface that locks (shorter edges): vary both;\n"
-              "  with a phreatic line (Water/Line file) a mass that fails may slide out of the water's thrust and rest: the factor is\n"
-              "  then that at which what it moved, in the list above, jumps" % jump)
+              "  which may be elastic (stiffer blocks, longer edges) or on a bent surface that locks (shorter edges): vary both" % jump)
 
 
 def main(words):

@@ -77,7 +77,7 @@ def holes(run):
 def monitors(run, identifier):
     unit, rows = facts.monitor_rows(run)
     against = " relative to " + run.base if run.base else ""
-    head = ["monitor", "peak displacement%s [%s]" % (against, unit), "left [%s]" % unit, "peak acceleration [m/s²]", "× outcrop",
+    head = ["monitor", "peak displacement%s [%s]" % (against, unit), "left [%s]" % unit, "peak acceleration [m/s²]", "× outcrop in its direction",
             "peak velocity [m/s]", "x [m]", "y [m]"]
     return Chapter("monitors", "Monitors", drawn(run, identifier, (panels.displacements, panels.ratios)), head if rows else None, rows)
 

@@ -61,15 +61,22 @@ def farthest(run):
 
 
 def strongest(run):
-    """(monitor, peak acceleration [m/s2]): the larger component, below the low-pass; the base counts if it is alone."""
-    peaks = {name: monitor.peak().max() for name, monitor in run.monitors.items() if run.n >= 2}
+    """(monitor, peak acceleration [m/s2] of both components): the largest, below the low-pass; the base counts if it is alone."""
+    peaks = {name: monitor.peak() for name, monitor in run.monitors.items() if run.n >= 2}
     if len(peaks) > 1:
         peaks.pop(run.base, None)
-    return max(peaks.items(), key=lambda item: item[1]) if peaks else None
+    return max(peaks.items(), key=lambda item: item[1].max()) if peaks else None
 
 
-def outcrop_peak(run):
-    return np.abs(run.history("input/acceleration")).max() if run.has("input/acceleration") and run.n >= 2 else 0.0
+def outcrop_peaks(run):
+    """Of both components of the outcrop motion [m/s2]."""
+    return np.abs(run.history("input/acceleration")).max(axis=0) if run.has("input/acceleration") and run.n >= 2 else np.zeros(2)
+
+
+def times_outcrop(run, peaks):
+    """Peaks of both components over those of the outcrop motion, the component in which it is largest; None if nothing shakes."""
+    outcrop = outcrop_peaks(run)
+    return peaks[outcrop.argmax()] / outcrop.max() if outcrop.max() > 0 else None
 
 
 def slip(run):
@@ -95,7 +102,7 @@ def failed_joints(run):
 
 def headline(run):
     """One or two sentences: what the earthquake did."""
-    peak, words = outcrop_peak(run), []
+    peak, words = outcrop_peaks(run).max(), []
     subject = "Nothing shook the ground"
     if peak > 0:
         subject = "The ground shook with up to %.3g m/s² (%.2g g) of outcrop motion" % (peak, peak / GRAVITY)
@@ -131,11 +138,12 @@ def facts(run):
     elif run.has("section/blocks_peak_displacement"):
         most = run.blocks.peak_displacement[run.blocks.mass].max(initial=0)
         found.append(Fact("Peak displacement", *length(most), "of the block that moves most, at any time"))
-    hardest, outcrop = strongest(run), outcrop_peak(run)
+    hardest = strongest(run)
     if hardest:
-        times = ", %.2f × outcrop" % (hardest[1] / outcrop) if outcrop > 0 else ""
-        more = "%.2g g, at monitor %s%s" % (hardest[1] / GRAVITY, hardest[0], times)
-        found.append(Fact("Peak acceleration", "%.3g" % hardest[1], "m/s²", more))
+        name, peaks = hardest
+        ratio = times_outcrop(run, peaks)
+        times = ", %.2f × outcrop in its direction" % ratio if ratio is not None else ""
+        found.append(Fact("Peak acceleration", "%.3g" % peaks.max(), "m/s²", "%.2g g, at monitor %s%s" % (peaks.max() / GRAVITY, name, times)))
     slipped = slip(run)
     if slipped:
         mean = "" if run.is_level else "; mean over all of it %s %s" % length(slipped[0])
@@ -190,18 +198,20 @@ def resolved_frequency(run):
 
 
 def monitor_rows(run):
-    """(unit of displacements, [[name, peak displacement, left, peak acceleration, ratio to the outcrop, peak velocity, x, y]] as text)."""
-    rows, outcrop = [], outcrop_peak(run)
+    """(unit of displacements, [[name, peak displacement, left, peak acceleration of the larger component, that of the
+    outcrop's component over its peak, peak velocity, x, y]] as text)."""
+    rows = []
     largest = max([np.abs(m.displacement).max() for m in run.monitors.values()] or [0]) if run.n >= 2 else 0
     factor, unit = (1.0, "m") if largest >= 2 else (1e3, "mm")
     for name, monitor in run.monitors.items():
         if run.n < 2:
             continue
         moved = np.hypot(*monitor.displacement.T)
-        acceleration = monitor.peak().max()
+        peaks = monitor.peak()
+        ratio = times_outcrop(run, peaks)
         position = monitor.position if monitor.position is not None else (np.nan, np.nan)
         rows.append([name + (" (absolute)" if name == run.base else ""), "%.3g" % (factor * moved.max()), "%.3g" % (factor * moved[-1]),
-                     "%.3g" % acceleration, "%.2f" % (acceleration / outcrop) if outcrop > 0 else "–",
+                     "%.3g" % peaks.max(), "–" if ratio is None else "%.2f" % ratio,
                      "%.3g" % monitor.peak("velocity").max(), "%.1f" % position[0], "%.1f" % position[1]])
     return unit, rows
 

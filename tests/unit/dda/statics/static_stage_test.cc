@@ -131,6 +131,51 @@ TEST(StaticStage, loose_column_on_a_slope_below_its_friction_angle_stands)
 
 
 
+TEST(StaticStage, a_block_slides_out_of_the_thrust_of_water_that_stays_in_place)
+{
+  // The line falls by 0.8 m over the block, which pushes it by 0.32 rho_w g; friction bears 0.26.
+  Model model =
+    build_model(square_blocks(1, 1), block_parameters(8.), straight_foundation(0., 5., 5.));
+  model.water = {Water::Action::buoyancy, -1e300, 9810.};
+  model.water.line =
+    std::make_shared<const scene::LinearTable>(scene::LinearTable{{{0., 0.8}, {1., 0.}}});
+  for (const bool as_drawn : {false, true})
+    {
+      model.water.static_as_drawn = as_drawn;
+      DdaState           state    = initial_state(model);
+      const StaticResult r        = settle(model, state);
+      EXPECT_EQ(r.equilibrium && r.fallen_block < 0, !as_drawn);
+      EXPECT_EQ(r.has_slid(), !as_drawn);
+      EXPECT_GT(r.largest_displacement, 0.05);
+    }
+}
+
+
+
+TEST(StaticStage, water_at_the_drawn_place_bears_as_much_as_limit_equilibrium_says)
+{
+  const double pushed = 0.32 * 9810., pressed = weight - 0.4 * 9810.;
+  for (const double part : {0.998, 1.002})
+    {
+      const double angle = std::atan(part * pushed / pressed) * 180. / M_PI;
+      Model        model =
+        build_model(square_blocks(1, 1), block_parameters(angle), straight_foundation(0., 5., 5.));
+      for (const Water::Action action : {Water::Action::buoyancy, Water::Action::pressures})
+        {
+          model.water = {action, -1e300, 9810.};
+          model.water.line =
+            std::make_shared<const scene::LinearTable>(scene::LinearTable{{{0., 0.8}, {1., 0.}}});
+          model.water.static_as_drawn = true;
+          DdaState           state    = initial_state(model);
+          const StaticResult r        = settle(model, state);
+          EXPECT_EQ(r.equilibrium && r.fallen_block<0, part> 1.) << part;
+          EXPECT_FALSE(r.has_slid());
+        }
+    }
+}
+
+
+
 TEST(StaticStage, block_that_cannot_stand_is_reported_unless_it_is_held)
 {
   const double       angle = 30. * M_PI / 180.;
