@@ -240,3 +240,17 @@ def test_ratios_are_shown_where_the_motion_has_energy(column):
     amplitude = np.abs(np.fft.rfft(acceleration[:, 0]))
     quiet = frequency > 3 * np.fft.rfftfreq(len(time), time[1] - time[0])[amplitude > 1e-3 * amplitude.max()].max()
     assert not there[quiet].any()
+
+
+def test_peaks_are_compared_with_the_outcrop_motion_in_its_direction(synthetic_run):
+    directory = synthetic_run("complete")
+    with h5py.File(directory / "run.h5", "a") as file:
+        name = next(name for name in file["monitors"] if name != Run(directory).base)
+        file["filtered/monitors/%s/acceleration" % name][:, 1] *= 1e4
+    run = Run(directory)
+    outcrop = np.abs(run.history("input/acceleration")).max(axis=0)
+    k = outcrop.argmax()
+    row = next(row for row in facts.monitor_rows(run)[1] if row[0] == name)
+    peaks = run.monitors[name].peak()
+    assert k == 0 and peaks[1] > 10 * peaks[0]
+    assert row[3] == "%.3g" % peaks[1] and row[4] == "%.2f" % (peaks[0] / outcrop[0])

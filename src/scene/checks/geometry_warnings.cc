@@ -286,6 +286,32 @@ namespace hybrid::scene
            << ": everything is under water";
       warnings.push_back(text.str());
     }
+
+
+
+    /// Round-off of places grows with the distance from the origin, and motion that is chaotic
+    /// with it.
+    void look_at_origin(const SectionMesh &mesh, std::vector<std::string> &warnings)
+    {
+      constexpr double far = 100.; ///< sizes of the section
+      if (mesh.nodes.empty())
+        return;
+      Vec2 low = mesh.nodes.front(), high = low;
+      for (const Vec2 &node : mesh.nodes)
+        {
+          low  = low.cwiseMin(node);
+          high = high.cwiseMax(node);
+        }
+      const double away = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff();
+      if (!(away > far * (high - low).norm()))
+        return;
+      std::ostringstream text;
+      text.precision(7);
+      text << "the section lies " << away << " m from the origin and is " << (high - low).norm()
+           << " m across: digits of small motions are lost, and blocks that rattle end elsewhere; "
+              "draw it near the origin";
+      warnings.push_back(text.str());
+    }
   } // namespace
 
 
@@ -302,6 +328,7 @@ namespace hybrid::scene
     if (scene.blocks.bonded)
       look_at_near_corners(mesh, warnings);
     look_at_water(mesh, scene, warnings);
+    look_at_origin(mesh, warnings);
     return warnings;
   }
 } // namespace hybrid::scene

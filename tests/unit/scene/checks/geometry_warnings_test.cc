@@ -92,6 +92,17 @@ namespace hybrid::scene
   }
 
 
+  TEST_F(GeometryWarnings, ASectionFarFromTheOriginIsNamed)
+  {
+    for (Vec2 &node : mesh.nodes)
+      node.x() += 900.;
+    expect({});
+    for (Vec2 &node : mesh.nodes)
+      node.x() += 99100.;
+    expect({"100010 m from the origin and is 10.19804 m across"});
+  }
+
+
   TEST_F(GeometryWarnings, WaterOfAnotherDatumIsNamed)
   {
     scene.environment.water_level = 3.; // half of the section's height above it
