@@ -37,7 +37,7 @@ namespace hybrid::dda
 
   bool InteriorContacts::may_begin(const Springs::Spring &spring, const Springs::Response &response)
   {
-    if (spring.settled || spring.length <= 0.)
+    if (spring.length <= 0.)
       return false;
     const double mu = spring.law->friction(spring.old.history);
     return spring.coulomb || (spring.joint >= 0 && response.now.state != ContactState::open &&
@@ -90,16 +90,6 @@ namespace hybrid::dda
           }
         points.push_back(p);
       }
-  }
-
-
-
-  void InteriorContacts::leave_settled(const Springs &springs)
-  {
-    points.erase(std::remove_if(points.begin(),
-                                points.end(),
-                                [&](const Point &p) { return springs.springs[p.spring].settled; }),
-                 points.end());
   }
 
 

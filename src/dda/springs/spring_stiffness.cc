@@ -126,8 +126,6 @@ namespace hybrid::dda
   {
     const Springs::Spring   &spring   = springs.springs[s];
     const Springs::Response &response = springs.responses[s];
-    if (spring.settled && same_bodies(old, spring))
-      return true;
     return !choice.all && same(old, spring, response) &&
            old.stiffness == coefficients(spring, response, choice);
   }

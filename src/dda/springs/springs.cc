@@ -49,7 +49,7 @@ namespace hybrid::dda
       {
         const std::size_t s = at_work(k);
         if (conditions[s] == Condition::law || conditions[s] == condition(s) ||
-            springs[s].settled || (!springs[s].coulomb && conditions[s] != Condition::sticks))
+            (!springs[s].coulomb && conditions[s] != Condition::sticks))
           continue;
         any = true;
         if (springs[s].joint >= 0)
@@ -107,8 +107,6 @@ namespace hybrid::dda
     for (std::size_t k = 0; k < n_at_work(); ++k)
       {
         const std::size_t s = at_work(k);
-        if (springs[s].settled)
-          continue;
         if (springs[s].joint >= 0)
           evaluate_joint(model, state, trial, s);
         else

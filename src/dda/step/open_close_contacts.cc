@@ -112,7 +112,6 @@ namespace hybrid::dda
           accuracy.saw(k, converged ? 0. : result.residual / norm);
         if (converged)
           return Attempt::converged;
-        settle_islands();
         slow += result.residual > 0.5 * least ? 1 : 0;
         if (!(result.residual <= leads_away * std::max(first, 1.))) // or NaN
           return Attempt::failed;
@@ -132,15 +131,6 @@ namespace hybrid::dda
           return Attempt::converged;
       }
     return Attempt::failed;
-  }
-
-
-
-  void OpenCloseIteration::settle_islands()
-  {
-    constexpr double part = 0.05; ///< of the tolerance: what flies keeps what it is left with
-    if (problem.settle_islands(part * problem.model->iteration.tolerance))
-      interior.leave_settled(problem.springs);
   }
 
 

@@ -17,7 +17,7 @@ namespace hybrid::dda
       for (std::size_t k = 0; k < problem.springs.n_at_work(); ++k)
         {
           const Springs::Spring &spring = problem.springs.springs[problem.springs.at_work(k)];
-          if (spring.settled || spring.length <= 0. || (contacts == 1 && !spring.coulomb))
+          if (spring.length <= 0. || (contacts == 1 && !spring.coulomb))
             continue;
           const double pressed = spring.length * std::max(0., spring.old.normal);
           stiffness_sum += spring.length * spring.law->normal_stiffness();
@@ -112,7 +112,6 @@ namespace hybrid::dda
           return Attempt::failed;
         if (is_balanced(result))
           return Attempt::converged;
-        settle_islands();
         const int changed = interior.conditions(path_now);
         if (changed <= few_changes * interior.size() && result.residual <= near_balance &&
             path_now != path_tried)

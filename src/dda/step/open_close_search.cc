@@ -68,7 +68,6 @@ namespace hybrid::dda
     const Model     &model            = *problem.model;
     const int        first            = result.iterations;
     tangent_conditions.clear(); // it is one of the laws from now on
-    problem.wake_islands();
     double window_start = std::numeric_limits<double>::infinity();
     // The first linear system is solved to the end where that may be all.
     double previous = expects_many ? result.residual : std::numeric_limits<double>::infinity();

@@ -66,7 +66,7 @@ namespace hybrid::dda
 
   void StepProblem::narrow(const LocalSystem &bodies)
   {
-    islands.narrow(bodies.changing_blocks());
+    blocks_at_work.narrow(bodies.changing_blocks());
     springs.narrow(bodies.blocks(), bodies.nodes());
     few = &bodies;
   }
@@ -75,18 +75,9 @@ namespace hybrid::dda
 
   void StepProblem::widen()
   {
-    islands.widen();
+    blocks_at_work.widen();
     springs.widen();
     few = nullptr;
-  }
-
-
-
-  bool StepProblem::settle_islands(const double tolerance)
-  {
-    if (!foundation->prescribed || model->n_bedrock > 0 || is_narrow())
-      return false;
-    return islands.settle({residual, scale, absolute}, tolerance, springs);
   }
 
 
@@ -151,7 +142,7 @@ namespace hybrid::dda
     residual.resize(6 * n + 2 * m);
     contact_force.resize(6 * n + 2 * m);
     absolute.resize(n);
-    // What is settled keeps its part of the forces and of the residual.
+    // What is held keeps its part of the forces and of the residual.
     for (const int b : at_work())
       {
         residual.segment<6>(6 * b).setZero();
@@ -224,7 +215,7 @@ namespace hybrid::dda
     const double factor = model->edge_loads.factor(before->time + trial.dt);
     for (const EdgeLoads::Edge &edge : model->edge_loads.edges)
       {
-        if (islands.is_settled(edge.block))
+        if (blocks_at_work.is_held(edge.block))
           continue;
         const Vec6 force =
           factor *

@@ -27,7 +27,7 @@ namespace hybrid::dda
       springs.collect(*model, state);
     }
     stresses.begin(*model, state, dt);
-    islands.begin(model->n_blocks());
+    blocks_at_work.begin(model->n_blocks());
     predict(dt);
   }
 

@@ -48,9 +48,6 @@ namespace hybrid::dda
       points.clear();
     }
 
-    /// Springs that are settled leave the path.
-    void leave_settled(const Springs &springs);
-
     /// Number of contacts on the path.
     std::size_t size() const
     {

@@ -29,7 +29,7 @@ namespace hybrid::dda
       double contact_weight = 1.;
       /// Of the shear stiffness of contacts that slide, see SlidingRegularisation [-].
       double sliding_regularisation = 0.;
-      /// Every spring is rebuilt, whether it has changed or not, but those that are settled.
+      /// Every spring is rebuilt, whether it has changed or not.
       bool all = true;
       /// Blocks whose rows are rebuilt with all springs, if not all blocks.
       const std::vector<int> *blocks = nullptr;

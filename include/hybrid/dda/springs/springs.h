@@ -74,7 +74,6 @@ namespace hybrid::dda
       double          cohesion_length_ratio = 1.; ///< see JointKinematics [-]
       bool            coulomb = false; ///< acts as a contact alone, see JointLaw::is_coulomb()
       Vec2            along   = Vec2::Zero(); ///< unit vector of a contact's edge at the start
-      bool            settled = false;        ///< its blocks are, in this step: the response stays
       int             part    = -1;           ///< of a joint that acts as both: in contact_parts
       SpringState     old;                    ///< when the step began
 

@@ -157,9 +157,6 @@ namespace hybrid::dda
     /// Solve for the update with the tangent there is.
     void solve_linear(StepResult &result, double tolerance);
 
-    /// Leave islands that are balanced where they are.
-    void settle_islands();
-
     bool is_balanced(const StepResult &result) const; ///< to the tolerance, the bodies that move
 
     /// True if iterations are left and nobody stops the step.

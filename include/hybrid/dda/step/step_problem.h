@@ -6,9 +6,9 @@
 #include <hybrid/dda/springs/bedrock_forces.h>
 #include <hybrid/dda/springs/springs.h>
 #include <hybrid/dda/step/block_stresses.h>
+#include <hybrid/dda/step/blocks_at_work.h>
 #include <hybrid/dda/step/foundation_response.h>
 #include <hybrid/dda/step/part_times.h>
-#include <hybrid/dda/step/settled_islands.h>
 #include <hybrid/dda/step/step_kinematics.h>
 #include <hybrid/dda/step/step_result.h>
 
@@ -39,9 +39,8 @@ namespace hybrid::dda
    * beta_K: block_damping_times().
    *
    * The residual depends on the trial alone, and on what springs were told to bear
-   * (Springs::prescribe). Some bodies may be held for a while: islands that have settled, and all
-   * but few (narrow()). The state is changed only by accept(); it, the model and the foundation
-   * must outlive the step.
+   * (Springs::prescribe). All bodies but few may be held for a while (narrow()). The state is
+   * changed only by accept(); it, the model and the foundation must outlive the step.
    */
   class StepProblem
   {
@@ -86,15 +85,6 @@ namespace hybrid::dda
       return few != nullptr;
     }
 
-    /// Leave islands whose balance is met to @p tolerance where they are. @return whether any is
-    bool settle_islands(double tolerance);
-
-    /// No island is settled.
-    void wake_islands()
-    {
-      islands.wake(springs);
-    }
-
     /// A block that nothing is near flies farther than a step may move it: nothing to solve.
     bool flies_too_far(StepResult &result) const;
 
@@ -116,7 +106,7 @@ namespace hybrid::dda
     /// Blocks that are not held, ascending.
     const std::vector<int> &at_work() const
     {
-      return islands.at_work();
+      return blocks_at_work.at_work();
     }
 
     /// What the balance lacks, and the scale of its norm.
@@ -170,7 +160,7 @@ namespace hybrid::dda
     static constexpr double nearly_at_rest = 1e-6; ///< out of balance, of forces or weights [-]
 
     const LocalSystem     *few = nullptr; ///< bodies that move, if not all
-    SettledIslands         islands;
+    BlocksAtWork           blocks_at_work;
     BlockStresses          stresses;
     StepKinematics         kinematics;
     std::vector<BlockMass> mass;

@@ -24,7 +24,40 @@ namespace
     p.environment.gravity                = 0.;
     return FixedBaseRun(square_blocks(2, 1), p, {});
   }
+
+
+
+  /// The way of the lower square of a falling column in 60 ms; a third one flies far from both.
+  Vec2 fall(const bool beside_another, int &iterations)
+  {
+    scene::SectionMesh mesh = square_blocks(1, 2);
+    if (beside_another)
+      {
+        for (const Vec2 &corner : {Vec2(10., 50.), Vec2(11., 50.), Vec2(11., 51.), Vec2(10., 51.)})
+          mesh.nodes.push_back(corner);
+        mesh.blocks.push_back({6, 7, 8, 9});
+        mesh.block_region.push_back(0);
+      }
+    FixedBaseRun run(mesh, block_parameters(30.), straight_foundation(0.05, 5., 20.));
+    for (auto &block : run.state.blocks)
+      block.velocity[1] = -1.;
+    const Vec2 start = run.state.blocks[0].centroid;
+    EXPECT_TRUE(run.run(0.06, 1e-3));
+    iterations = run.iterations;
+    return run.state.blocks[0].centroid - start;
+  }
 } // namespace
+
+
+
+TEST(OpenCloseIteration, block_that_flies_does_not_change_what_hits)
+{
+  int        alone_iterations = 0, iterations = 0;
+  const Vec2 alone = fall(false, alone_iterations), beside = fall(true, iterations);
+  EXPECT_GT(alone.norm(), 5e-4);
+  EXPECT_GT(alone_iterations, 100); // the column hits the base
+  EXPECT_NEAR((alone - beside).norm(), 0., 1e-9);
+}
 
 
 
