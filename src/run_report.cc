@@ -180,8 +180,7 @@ namespace hybrid
 
   void RunReport::slid_blocks(const dda::StaticResult &settled) const
   {
-    // Slip of joints is told in any case; a bonded mass bends, which that bound does not know.
-    if (!settled.has_slid() || model.scene.blocks.bonded || model.blocks->blocks_yield)
+    if (!settled.slid || settled.fallen_block >= 0)
       return;
     char text[300];
     std::snprintf(

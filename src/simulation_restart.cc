@@ -62,11 +62,9 @@ namespace hybrid
     archive(summary.steps, summary.iterations, summary.few_iterations);
     archive(summary.timings, summary.stages);
     archive(cuts, retries, moved_too_far, unconverged);
-    auto
-      &[settled_blocks, equilibrium, planes_hold, residual, iterations, displacement, lifts_moved] =
-        summary.static_stage;
-    archive(
-      settled_blocks, equilibrium, planes_hold, residual, iterations, displacement, lifts_moved);
+    output::Summary::StaticStage &stage = summary.static_stage;
+    archive(stage.settled, stage.equilibrium, stage.planes_hold, stage.slid);
+    archive(stage.residual, stage.iterations, stage.displacement, stage.lifts_moved);
     if (run.recorder)
       archive(*run.recorder, run.energy, run.rest);
     if (!archive.is_reading())

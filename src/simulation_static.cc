@@ -97,6 +97,7 @@ namespace hybrid
     return {settled.steps + settled.cuts > 0,
             settled.equilibrium && settled.fallen_block < 0,
             planes_at_rest.equilibrium,
+            settled.slid,
             settled.residual,
             settled.iterations,
             settled.largest_displacement,

@@ -51,6 +51,7 @@ namespace hybrid::output
         return nullptr;
       Json result = {{"equilibrium", stage.equilibrium},
                      {"planes_hold", stage.planes_hold},
+                     {"slid", stage.slid},
                      {"residual", stage.residual},
                      {"iterations", stage.iterations},
                      {"largest_displacement_m", stage.displacement}};

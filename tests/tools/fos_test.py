@@ -171,6 +171,21 @@ end
 """
 
 
+@pytest.mark.parametrize("gap", [0.3, 0.8])
+def test_a_block_that_slides_against_a_stop_has_failed(hybrid, tmp_path, gap):
+    """2 m wide, on a plane of 30 degrees that ends in a wall below it."""
+    angle = np.radians(30)
+    along, across = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+    corners = [gap * along, (gap + 2) * along, (gap + 2) * along + 2 * across, gap * along + 2 * across]
+    stop = (DAM % "paper").replace("  set Line file = line.csv\n", "").replace("dam.csv", "block.csv").replace("= 30", "= 20")
+    (tmp_path / "stop.prm").write_text(stop)
+    (tmp_path / "block.csv").write_text("block,x,y\n" + "".join("1,%.9g,%.9g\n" % tuple(corner) for corner in corners))
+    (tmp_path / "ground.csv").write_text("x,y\n-6,10\n-5.99,3\n%.9g,%.9g\n0,0\n%.9g,%.9g\n" % (*(3 * across), *(40 * along)))
+    result = hybrid("fos", tmp_path / "stop.prm", "--output", tmp_path / "out")
+    assert result.returncode == 0, result.stderr
+    assert_brackets(read(tmp_path / "out", "fos"), "fos", np.tan(np.radians(20)) / np.tan(angle), 0.005)
+
+
 @pytest.mark.parametrize("method", ["submerged", "pressures"])
 def test_a_dam_does_not_slide_out_of_the_thrust_of_its_water(hybrid, tmp_path, method):
     (tmp_path / "dam.prm").write_text(DAM % method)

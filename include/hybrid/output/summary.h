@@ -70,6 +70,7 @@ namespace hybrid::output
       bool   settled      = false; ///< there was one: the blocks have weight
       bool   equilibrium  = false; ///< of the blocks, where they were drawn
       bool   planes_hold  = true;  ///< the bedding planes of the bedrock carry their load
+      bool   slid         = false; ///< loose blocks came to rest farther than elasticity explains
       double residual     = 0.;    ///< [-]
       int    iterations   = 0;
       double displacement = 0.; ///< largest, of a block [m]

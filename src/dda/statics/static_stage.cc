@@ -45,19 +45,27 @@ namespace hybrid::dda
 
 
     /// Find the block that has come to rest farther from where it was drawn than half its size
-    /// beyond what elasticity explains, or turned by ten degrees.
+    /// beyond what elasticity explains, or turned by ten degrees; and whether loose ones have slid
+    /// by a five-hundredth of their size beyond it. (A bonded mass bends, which the bound does not
+    /// know, and its joints tell their slip.)
     void find_fallen(const Model                   &model,
                      const std::vector<BlockState> &start,
                      const DdaState                &state,
                      StaticResult                  &result)
     {
-      constexpr double turn    = 10. * M_PI / 180.;
-      const double     elastic = result.elastic_settlement = elastic_settlement(model);
+      constexpr double turn = 10. * M_PI / 180., slip = 2e-3, clearly = 2.;
+      const bool       is_loose =
+        !model.blocks_yield && std::none_of(model.bonded.begin(),
+                                            model.bonded.begin() + model.n_mass(),
+                                            [](const bool bonded) { return bonded; });
+      const double elastic = result.elastic_settlement = elastic_settlement(model);
       for (int b = 0; b < model.n_mass(); ++b)
         {
           const double moved          = (state.blocks[b].centroid - start[b].centroid).norm();
           const double turned         = std::abs(state.blocks[b].rotation - start[b].rotation);
           result.largest_displacement = std::max(result.largest_displacement, moved);
+          result.slid                 = result.slid || (is_loose && result.equilibrium &&
+                                        moved > clearly * elastic + slip * model.blocks[b].size);
           if ((moved <= 0.5 * model.blocks[b].size + elastic && turned <= turn) ||
               (result.fallen_block >= 0 && moved <= result.fallen_by))
             continue;

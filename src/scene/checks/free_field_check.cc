@@ -132,6 +132,28 @@ namespace hybrid::scene
            << strip * column.height() << " m, or set Continuum/Sides = viscous";
       return text.str();
     }
+
+
+
+    /// Sides that only absorb take the motion of level ground away, too.
+    std::string warning_of_dashpots(const SectionMesh &mesh)
+    {
+      constexpr double far  = 10.; ///< from the middle to the sides, in heights of the sides
+      const Column     left = column_of(mesh, "left"), right = column_of(mesh, "right");
+      const double     height = std::max(left.height(), right.height());
+      const double     width  = right.x - left.x;
+      if (width >= 2. * far * height)
+        return "";
+      std::ostringstream text;
+      text.precision(4);
+      text
+        << "Continuum/Sides = viscous: dashpots alone do not bring the motion in and take that of "
+           "the ground away, here "
+        << width << " m wide and " << height
+        << " m high, so that it is shaken too little; set it to free field, or let the sides be "
+        << far * height << " m from the middle";
+      return text.str();
+    }
   } // namespace
 
 
@@ -139,8 +161,19 @@ namespace hybrid::scene
                                                const SceneParameters &scene)
   {
     std::vector<std::string> warnings;
-    if (!scene.bedrock.carries_waves || !scene.continuum.sides.has_free_field)
+    if (!scene.bedrock.carries_waves)
       return warnings;
+    if (!scene.continuum.sides.has_free_field)
+      {
+        const std::string warning = scene.continuum.sides.has_dashpots() &&
+                                        scene.motion.type != "none" &&
+                                        scene.continuum.base.takes_motion
+                                      ? warning_of_dashpots(mesh)
+                                      : "";
+        if (!warning.empty())
+          warnings.push_back(warning);
+        return warnings;
+      }
     for (const char *const side : {"left", "right"})
       {
         const std::string warning = warning_of(mesh, scene, side);

@@ -31,7 +31,7 @@ namespace hybrid::output
       summary.static_joints      = {1, 2};
       summary.slip               = {0.25, -0.5, {{3., 4.}}, 0.125, 0.375, 0.75, 1e-3};
       summary.base_shear         = {1e6, 5e5, 2e6, 0.5, 1., MonitorSummary::unknown};
-      summary.static_stage       = {true, true, false, 1e-10, 12, 0.25};
+      summary.static_stage       = {true, true, false, true, 1e-10, 12, 0.25};
       summary.wasted             = {3, 2, 1, 80};
       summary.iterations         = 36000;
       summary.few_iterations     = 1200;
@@ -61,7 +61,7 @@ assert s['slip_m'] == {'mean': 0.25, 'largest': -0.5, 'largest_at': [3, 4], 'mea
                        'part_slipped': 0.75, 'threshold': 0.001}
 assert s['base_shear'] == {'shear_N_per_m': 1e6, 'shear_left_N_per_m': 5e5, 'normal_left_N_per_m': 2e6, 'mobilised_at_rest': 0.5,
                            'mobilised': 1, 'mobilised_left': None}
-assert s['static_stage'] == {'equilibrium': True, 'planes_hold': False, 'residual': 1e-10, 'iterations': 12,
+assert s['static_stage'] == {'equilibrium': True, 'planes_hold': False, 'slid': True, 'residual': 1e-10, 'iterations': 12,
                              'largest_displacement_m': 0.25}
 assert s['joints']['tensile'] == 7 and s['joints']['shear'] == 9
 assert s['joints']['static'] == {'tensile': 1, 'shear': 2} and s['joints']['first_failure_time_s'] is None

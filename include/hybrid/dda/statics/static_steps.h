@@ -26,14 +26,9 @@ namespace hybrid::dda
     double fallen_by    = 0.; ///< its displacement [m]
     double turned_by    = 0.; ///< its rotation [rad]
 
-    PartTimes times; ///< of the steps
+    bool slid = false; ///< loose blocks have come to rest farther than elasticity explains
 
-    /// Blocks at rest have moved farther than elasticity explains, but not so far as to be fallen.
-    bool has_slid() const
-    {
-      constexpr double clearly = 2.;
-      return equilibrium && fallen_block < 0 && largest_displacement > clearly * elastic_settlement;
-    }
+    PartTimes times; ///< of the steps
   };
 
 

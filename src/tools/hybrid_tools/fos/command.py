@@ -110,18 +110,23 @@ def tell_bracket(label, bracket):
     print("%s %.4f  (stands at %.4f, fails at %.4f)" % (label, bracket.value, bracket.stands.value, bracket.fails.value))
 
 
+def is_bonded(bracket):
+    return bracket.fails.run().parameters.get("Model/Blocks") == "bonded"
+
+
 def warn_of_edges(bracket, results):
-    """A mass that shears through itself does so along the edges that its mesh happens to have."""
+    """A bonded mass that shears through itself does so along the edges that its mesh happens to have; loose blocks have joints there."""
     results["parting_within_mass"] = part = figure.parting(bracket)
     results["blocks_yield"] = figure.plastic_strain(bracket) is not None
-    if part > APART and not results["blocks_yield"]:
+    if part > APART and not results["blocks_yield"] and is_bonded(bracket):
         print("warning: the mass fails through itself, along the edges of its blocks (they part by %.0f %% of the largest motion):\n"
               "  this is too strong, for a homogeneous slope by a fifth to a third; give it a sliding surface, or let its blocks yield\n"
               "  (Blocks/Yielding=true)" % (100 * part))
 
 
 def warn_of_no_jump(bracket, trials, results):
-    """The static stage gives up where a joint has slipped by a tenth of its length, also if it would come to rest farther on.
+    """The static stage gives up where a joint has slipped by a tenth of its length, also if it would come to rest farther on; and a kink
+    of the sliding surface may hold what would slide on it.
 
     A mass of blocks that yield settles more and more before it fails: what it moved where it stood most firmly is compared."""
     stands = bracket.stands.displacement
@@ -129,8 +134,12 @@ def warn_of_no_jump(bracket, trials, results):
         stands = min(trial.displacement for trial in trials if trial.stands)
     results["jump_of_displacement"] = jump = bracket.fails.displacement / max(stands, 1e-300)
     if jump < JUMP and bracket.fails.planes_hold:
-        print("warning: displacement does not jump at failure (%.3g times as large): a joint slipped by a tenth of its length,\n"
-              "  which may be elastic (stiffer blocks, longer edges) or on a bent surface that locks (shorter edges): vary both" % jump)
+        reason = ("a joint slipped by a tenth of its length,\n"
+                  "  which may be elastic (stiffer blocks, longer edges) or on a bent surface that locks (shorter edges): vary both")
+        if not is_bonded(bracket):
+            reason = ("blocks may be locked by a kink of\n"
+                      "  the surface that they slide on: cut their corner there, or give the surface shorter edges")
+        print("warning: displacement does not jump at failure (%.3g times as large): %s" % (jump, reason))
 
 
 def main(words):

@@ -15,7 +15,8 @@ class Trial:
     def __init__(self, value, directory, stage):
         self.value = value  # strength reduction factor or coefficient [-]
         self.directory = directory
-        self.stands = bool(stage["equilibrium"] and stage["planes_hold"])
+        # loose blocks that slide and come to rest elsewhere have not stood as they were drawn
+        self.stands = bool(stage["equilibrium"] and stage["planes_hold"] and not stage["slid"])
         self.planes_hold = bool(stage["planes_hold"])
         self.displacement = stage["largest_displacement_m"]  # of a block, where it stands or where the stage gave up [m]
         self.residual = stage["residual"]
@@ -37,6 +38,15 @@ class Trials:
                   "Water/Static place=drawn"]
         return self.overrides + static + ["%s=%.12g" % change for change in changes.items()]
 
+    def repeat_warnings(self, directory):
+        """What the program has warned of before its static stage: it holds for all trials."""
+        with open(os.path.join(directory, "log.txt"), encoding="utf-8") as log:
+            for line in log:
+                if line.startswith("Static stage"):
+                    break
+                if line.startswith("warning: "):
+                    self.progress(line.rstrip())
+
     def run(self, name, settings):
         """Exit code 0 or 1 of the program; @raises UserError for what it refuses."""
         directory = os.path.join(self.directory, name)
@@ -57,6 +67,8 @@ class Trials:
         if stage is None:
             raise UserError("%s: nothing settles (no blocks, or no gravity): there is no slope to judge" % self.scene)
         trial = Trial(value, directory, stage)
+        if not self.done:
+            self.repeat_warnings(directory)
         self.done.append(trial)
         self.progress("%-8s %9.4f   %-6s   moved %9.3g mm   %4d iterations" % (
             name.split("_")[0], value, "stands" if trial.stands else "FAILS", 1e3 * trial.displacement, trial.iterations))

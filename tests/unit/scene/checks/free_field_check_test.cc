@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_warning.h"
 
+#include <hybrid/scene/boundary/fixed_base.h>
 #include <hybrid/scene/boundary/free_field_side.h>
 #include <hybrid/scene/checks/free_field_check.h>
 
@@ -43,6 +44,19 @@ namespace hybrid::scene
       expect_warning(free_field_warnings(section(100.), free_field()), {});
       expect_warning(free_field_warnings(section(110.), free_field()), {}); // 2.5 m within 25 m
       expect_warning(free_field_warnings(section(160.), SceneParameters()), {}); // viscous
+    }
+
+
+    TEST(FreeFieldCheck, DashpotsAloneAreNamedWhereAMotionComesIn)
+    {
+      SceneParameters scene;
+      scene.motion.type = "ricker";
+      expect_warning(free_field_warnings(section(100.), scene),
+                     {"Continuum/Sides = viscous",
+                      "1000 m wide and 100 m high",
+                      "1000 m from the middle"});
+      scene.continuum.base = fixed_base();
+      expect_warning(free_field_warnings(section(100.), scene), {});
     }
 
 
