@@ -87,7 +87,7 @@ def draw_mechanism(bracket, axes):
 
 def draw_curve(bracket, trials, axes, label):
     trials = sorted(trials, key=lambda trial: trial.value)
-    for stands, marker, words in ((True, "o", "stands"), (False, "x", "fails (where the stage gave up)")):
+    for stands, marker, words in ((True, "o", "stands"), (False, "x", "fails (where the stage ended)")):
         chosen = [t for t in trials if t.stands == stands and t.displacement > 0]
         axes.semilogy([t.value for t in chosen], [1e3 * t.displacement for t in chosen], marker, ms=5, mfc="none",
                       color=style.HORIZONTAL if stands else style.TENSILE, label=words, zorder=3)

@@ -18,7 +18,7 @@ class Trial:
         # loose blocks that slide and come to rest elsewhere have not stood as they were drawn
         self.stands = bool(stage["equilibrium"] and stage["planes_hold"] and not stage["slid"])
         self.planes_hold = bool(stage["planes_hold"])
-        self.displacement = stage["largest_displacement_m"]  # of a block, where it stands or where the stage gave up [m]
+        self.displacement = stage["largest_displacement_m"]  # of a block, where it stands or where the stage ended [m]
         self.residual = stage["residual"]
         self.iterations = stage["iterations"]
 
