@@ -164,7 +164,8 @@ namespace hybrid::continuum
               throw InputError("Continuum/Sides = " + kind.name +
                                " needs vertical sides in one piece; the side near (" +
                                std::to_string(rock.nodes[rock_face.a].x()) + ", " +
-                               std::to_string(bottom) + ") is not.");
+                               std::to_string(bottom) +
+                               ") is not; viscous sides may have any shape");
             face.column      = static_cast<int>(columns.size());
             face.column_node = static_cast<int>(column.elements.size()) * line.degree();
             face.lambda      = material.lame_lambda();

@@ -172,7 +172,8 @@ namespace hybrid::output
     error.until = record.until;
     if (error.until <= record.time[least_rows - 1])
       {
-        error.reason = "a joint failed at once";
+        error.reason =
+          "a joint failed in one of the first " + std::to_string(least_rows) + " steps";
         return;
       }
     const ProbableError estimate(record);

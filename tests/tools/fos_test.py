@@ -9,6 +9,7 @@ from conftest import ROOT
 
 from hybrid_run import Run
 from hybrid_run.newmark import rate_on_slope, rigid_block
+from hybrid_tools.fos.sliding import lost_strength
 
 SLAB = ROOT / "parameters/verification/bonded_slab.prm"  # belt of 25 degrees on a slope of 20
 SLAB_FACTOR = np.tan(np.radians(25)) / np.tan(np.radians(20))
@@ -111,6 +112,8 @@ def test_results_of_another_scene_are_not_replaced(hybrid, tmp_path):
     result = hybrid("fos", SLAB, "--output", tmp_path)
     assert result.returncode == 2 and "holds results of '/elsewhere/scene.prm'" in result.stderr
     assert not (tmp_path / "fos.csv").exists()
+    result = hybrid("fos", SLAB, "--output", tmp_path, "--force", "--range", "1.5", "2")
+    assert "fails at its lower end" in result.stderr
 
 
 @pytest.mark.parametrize("bedrock", ["continuum", "triangles"])
@@ -210,6 +213,20 @@ def test_yield_coefficient_and_displacements_of_a_stiff_slab(hybrid, slab, tmp_p
     for name in ("rigid_block_m", "decoupled_m"):
         assert found[name] == pytest.approx(found["coupled_mean_m"], rel=0.02)
     assert (tmp_path / "out/newmark.png").read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("changes, words", [
+    ({}, ""), ({"Residual friction angle": "12"}, "friction angle 12 of 25 degrees"), ({"Residual cohesion": "5e3"}, "cohesion 5000 of 20000 Pa"),
+    ({"Residual cohesion": "20e3", "Residual friction angle": "25"}, ""), ({"Friction rate coefficient": "-0.01"}, "friction that falls with the rate"),
+    ({"Friction angle": "automatic", "Residual friction angle": "20"}, "friction angle 20 of 30 degrees")])
+def test_newmark_says_what_the_surface_loses_as_it_slips(changes, words):
+    class Settings:
+        parameters = {"Blocks/Material": "soil", "Blocks/Belt material": "clay", "Materials/soil/Residual friction angle": "1"}
+
+    clay = {"Friction angle": "25", "Cohesion": "20e3", "Residual friction angle": "same", "Residual cohesion": "automatic",
+            "Friction rate coefficient": "0"}
+    Settings.parameters.update({"Materials/clay/" + name: value for name, value in {**clay, **changes}.items()})
+    assert lost_strength(Settings) == words
 
 
 def test_rectangular_pulse_and_sine_are_those_of_newmark():

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/boundary/free_field_side.h>
+#include <hybrid/scene/boundary/viscous_side.h>
 #include <hybrid/scene/parameters/parameter_declarations.h>
 
 namespace hybrid::scene
@@ -16,7 +18,35 @@ namespace hybrid::scene
           materials.insert(pair);
       return materials;
     }
+
+    const char *const automatic_sides = "automatic";
+
+    std::vector<std::string> words_of_sides()
+    {
+      std::vector<std::string> words{automatic_sides};
+      for (const SideBoundary &sides : side_boundaries())
+        words.push_back(sides.name);
+      return words;
+    }
+
+    void pick_sides(ContinuumParameters &continuum, const std::string &word)
+    {
+      continuum.chooses_sides = word == automatic_sides;
+      for (const SideBoundary &sides : side_boundaries())
+        if (sides.name == word)
+          continuum.sides = sides;
+    }
   } // namespace
+
+  void resolve_sides(SceneParameters &scene)
+  {
+    if (!scene.continuum.chooses_sides)
+      return;
+    const bool         comes_in = scene.motion.type != "none" && scene.continuum.base.takes_motion;
+    const SideBoundary free_field = free_field_side();
+    scene.continuum.sides =
+      comes_in && scene.bedrock.can_have(free_field) ? free_field : viscous_side();
+  }
 
   void declare(ParameterTable &table, ContinuumParameters &continuum)
   {
@@ -57,11 +87,14 @@ namespace hybrid::scene
                    base_boundaries(),
                    "Base of the bedrock: compliant absorbs what leaves and lets the motion in, "
                    "rigid moves as the outcrop, fixed does not move.");
-    section.option("Sides",
-                   continuum.sides,
-                   side_boundaries(),
-                   "Left and right side: viscous dashpots; dashpots relative to the free field of "
-                   "a column beside the model; rollers; or fixed.");
+    section.choice(
+      "Sides",
+      words_of_sides(),
+      automatic_sides,
+      [&continuum](const std::string &word) { pick_sides(continuum, word); },
+      "Left and right side: viscous dashpots; dashpots relative to the free field of a column beside "
+      "the model; rollers; or fixed. automatic: free field where a motion comes in through the base "
+      "of a bedrock that carries waves, else viscous.");
     section.text("Half space material",
                  continuum.half_space_material,
                  "a material's name, or empty",

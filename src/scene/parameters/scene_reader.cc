@@ -75,6 +75,7 @@ namespace hybrid::scene
       for (auto &[name, material] : scene.materials)
         if (material.friction_is_given())
           material.friction_angle = material.given_friction_angle;
+      resolve_sides(scene);
       resolve_scheme(scene, table);
       resolve_time_integrator(scene, table);
       check_linear_solver(scene, table);

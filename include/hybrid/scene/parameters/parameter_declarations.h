@@ -57,6 +57,9 @@ namespace hybrid::scene
   /// does not fit the scene.
   void resolve_scheme(SceneParameters &scene, const ParameterTable &table);
 
+  /// Continuum/Sides = automatic decided: free field where a motion comes in, else viscous.
+  void resolve_sides(SceneParameters &scene);
+
   /// Sets Material::initial_ratio of all materials from Gravity/Initial stress, with friction
   /// angles that no factor has divided yet. @throws InputError for nonsense.
   void resolve_initial_stress(SceneParameters &scene, const ParameterTable &table);

@@ -81,8 +81,9 @@ namespace hybrid::scene
     int            degree        = 2;                   ///< polynomial degree of FE_Q, 1..8
     std::map<std::string, std::string> region_material; ///< region name ("bedrock") -> material
                                                         ///< name; "*": every region without its own
-    BaseBoundary base  = compliant_base();
-    SideBoundary sides = viscous_side();
+    BaseBoundary base          = compliant_base();
+    SideBoundary sides         = viscous_side();
+    bool         chooses_sides = true; ///< Sides = automatic, decided by resolve_sides()
     std::string
            half_space_material; ///< rock below the base; empty: that of the cells along the base
     double rayleigh_mass      = 0.;    ///< alpha_M [1/s], C = alpha_M M + beta_K K

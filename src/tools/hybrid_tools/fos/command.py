@@ -39,6 +39,7 @@ def read_words(words):
                            help="width of the bracket over the factor; a tenth of it for the coefficient (default 0.005)")
     arguments.add_argument("--range", nargs=2, type=float, metavar=("LOW", "HIGH"), help="factors between which to look")
     arguments.add_argument("--output", metavar="DIR", help="where results go (default: SCENE without .prm, with _fos)")
+    arguments.add_argument("--force", action="store_true", help="replace results of another scene in that directory")
     found = arguments.read(words)
     if not 1e-6 <= found.tolerance < 0.5:
         raise UserError("--tolerance is %g: between 1e-6 and 0.5 is allowed" % found.tolerance)
@@ -69,7 +70,7 @@ def refuse_other_scene(directory, name, scene):
     except (OSError, ValueError, KeyError):
         return
     if os.path.realpath(earlier) != os.path.realpath(scene):
-        raise UserError("'%s' holds results of '%s'; name another directory with --output" % (directory, earlier))
+        raise UserError("'%s' holds results of '%s'; name another directory with --output, or --force to replace them" % (directory, earlier))
 
 
 def find_factor(trials, words):
@@ -146,7 +147,8 @@ def main(words):
     found = read_words(words)
     scene, directory = scene_of(found)
     name = "yield" if found.coefficient or found.newmark else "fos"
-    refuse_other_scene(directory, name, scene)
+    if not found.force:
+        refuse_other_scene(directory, name, scene)
     os.makedirs(directory, exist_ok=True)
     trials = Trials(scene, found.overrides, directory, lambda line: print(line, flush=True))
     style.apply()

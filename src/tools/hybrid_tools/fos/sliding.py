@@ -32,12 +32,38 @@ def sole_slope(run):
     return -run.downhill * shear / normal
 
 
+def surface_material(run):
+    """{parameter: value} of the sliding surface's material."""
+    values = run.parameters
+    path = "Materials/%s/" % (values.get("Blocks/Belt material", "") or values["Blocks/Material"])
+    return {name[len(path):]: value for name, value in values.items() if name.startswith(path)}
+
+
+def first_number(value, word_means):
+    """The number of a parameter such as "20e3 [Pa]", or what its word stands for."""
+    try:
+        return float(value.split()[0])
+    except (ValueError, IndexError):
+        return word_means
+
+
 def surface_friction(run):
     """Friction angle of the sliding surface [rad]."""
-    values = run.parameters
-    name = values.get("Blocks/Belt material", "") or values["Blocks/Material"]
-    angle = values["Materials/%s/Friction angle" % name]
-    return np.radians(30.0 if angle == "automatic" else float(angle))
+    return np.radians(first_number(surface_material(run)["Friction angle"], 30.0))
+
+
+def lost_strength(run):
+    """What the sliding surface has less of once it has slipped, in words: Newmark's block keeps the yield coefficient of its peak."""
+    material = surface_material(run)
+    words = []
+    for name, unit, default in (("Friction angle", "degrees", 30.0), ("Cohesion", "Pa", 0.0)):
+        peak = first_number(material[name], default)
+        residual = first_number(material["Residual " + name.lower()], peak)
+        if residual < peak:
+            words.append("%s %g of %g %s" % (name.lower(), residual, peak, unit))
+    if first_number(material["Friction rate coefficient"], 0.0) < 0:
+        words.append("friction that falls with the rate")
+    return ", ".join(words)
 
 
 def gravity(run):
@@ -71,6 +97,7 @@ def compare(words, trials, bracket, directory):
         "rigid_block_m": float(found["rigid block"][1][-1]), "decoupled_m": float(found["decoupled"][1][-1]),
         "coupled_mean_m": float(slip[-1]), "coupled_largest_m": float(run.history("slip/largest")[-1]),
         "slip_with_sliding_prevented_m": float(np.abs(prevented.history("slip/largest")).max()),
+        "surface_keeps_after_slip": lost_strength(run),
     }
     with open(os.path.join(directory, "newmark.json"), "w", encoding="utf-8") as file:
         json.dump(numbers, file, indent=2)
@@ -87,6 +114,10 @@ def tell(numbers):
     if numbers["slip_with_sliding_prevented_m"] > max(NEAR * abs(numbers["coupled_largest_m"]), 1e-6):
         print("warning: the run with sliding prevented moved by %.3g mm on its surface: its mass rocks or opens" % (
             1e3 * numbers["slip_with_sliding_prevented_m"]))
+    if numbers["surface_keeps_after_slip"]:
+        print("warning: the sliding surface loses strength as it slips (it keeps %s): the yield coefficient is that of its peak, so that\n"
+              "  the simpler methods tell too little; with -s and the residual values as peaks they tell a bound from above" % (
+                  numbers["surface_keeps_after_slip"]))
 
 
 def draw(run, prevented, found, numbers, directory):

@@ -414,6 +414,23 @@ TEST_F(SceneReader, BedrockOfEveryKind)
   EXPECT_EQ(read_scene(path("used.prm")).bedrock.name, "triangles");
 }
 
+TEST_F(SceneReader, SidesHaveAFreeFieldWhereAMotionComesIn)
+{
+  const std::string file  = write_scene("subsection Bedding planes\n  set Names = plane\nend\n");
+  const auto        sides = [&](const std::vector<std::string> &overrides) {
+    return read_scene(file, overrides).continuum.sides.name;
+  };
+  const std::string shaken = "Motion/Type=sine";
+  EXPECT_EQ(sides({shaken}), "free field");
+  EXPECT_EQ(sides({shaken, "Continuum/Base=rigid"}), "free field");
+  EXPECT_EQ(sides({shaken, "Model/Bedrock=triangles"}), "free field");
+  EXPECT_EQ(sides({shaken, "Model/Bedrock=layers"}), "viscous");
+  EXPECT_EQ(sides({shaken, "Continuum/Base=fixed"}), "viscous");
+  EXPECT_EQ(sides({"Motion/Type=none"}), "viscous");
+  EXPECT_EQ(sides({"Motion/Type=none", "Continuum/Sides=free field"}), "free field");
+  EXPECT_EQ(sides({shaken, "Continuum/Sides=viscous"}), "viscous");
+}
+
 TEST_F(SceneReader, AutomaticSchemeDampsWhereSomethingSlides)
 {
   const std::string file  = write_scene("subsection Bedding planes\n  set Names = plane\nend\n");
