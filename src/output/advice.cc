@@ -201,8 +201,8 @@ namespace hybrid::output
         }))
       return "";
     return "Blocks/Belt material = " + scene.blocks.belt_material +
-           " bonds nothing, as no block shares an edge with the sliding surface: its cohesion and tensile "
-           "strength do not act, and blocks touch the ground by friction alone. Blocks of Mesh/Polygons "
+           " bonds nothing, as no block shares an edge with the sliding surface: its cohesion, tensile "
+           "strength and friction rate do not act, and blocks touch the ground by friction alone. Blocks of Mesh/Polygons "
            "file have nodes of their own; to bond them, mesh blocks and surface together in Mesh/File";
   }
 
