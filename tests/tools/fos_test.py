@@ -9,6 +9,7 @@ from conftest import ROOT
 
 from hybrid_run import Run
 from hybrid_run.newmark import rate_on_slope, rigid_block
+from hybrid_tools.fos.kinks import holding_kink
 from hybrid_tools.fos.sliding import lost_strength
 
 SLAB = ROOT / "parameters/verification/bonded_slab.prm"  # belt of 25 degrees on a slope of 20
@@ -213,6 +214,21 @@ def test_yield_coefficient_and_displacements_of_a_stiff_slab(hybrid, slab, tmp_p
     for name in ("rigid_block_m", "decoupled_m"):
         assert found[name] == pytest.approx(found["coupled_mean_m"], rel=0.02)
     assert (tmp_path / "out/newmark.png").read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("mirror", [1, -1])
+def test_a_kink_that_holds_a_corner_is_found(mirror):
+    flip = np.array([mirror, 1])
+    surface = np.array([[-30, -3], [0, 0], [20, 15], [40, 40]])[::mirror] * flip  # flattens at (20, 15) by 14, at 0 by 31 degrees
+    upper, lower = np.array([[0, 0], [8, 6], [0, 9]]) * flip, np.array([[-10, -1], [0, 0], [0, 9], [-10, 4]]) * flip
+    point, bend = holding_kink(surface, [lower, upper], -mirror)
+    assert point == pytest.approx([0, 0]) and bend == pytest.approx(np.degrees(np.arctan(0.75) - np.arctan(0.1)))
+    assert holding_kink(surface, [lower], -mirror) is None  # no block of the steep side has a corner there
+    cut = np.array([[0.4, 0.3], [8, 6], [0, 9], [0, 0.6]]) * flip
+    assert holding_kink(surface, [lower, cut], -mirror) is None
+    across = np.array([[15, 11.25], [20, 15], [24, 20], [15, 25]]) * flip
+    assert holding_kink(surface, [lower, across], -mirror)[0] == pytest.approx([20 * mirror, 15])
+    assert holding_kink(surface[:2], [lower], -mirror) is None
 
 
 @pytest.mark.parametrize("changes, words", [

@@ -7,10 +7,13 @@ Each trial is a static stage with the scene's own program, model and strengths, 
 import json
 import os
 
+import numpy as np
+
 from hybrid_run import UserError
 from hybrid_tools import style
 from hybrid_tools.arguments import Arguments
 from hybrid_tools.fos import figure, sliding
+from hybrid_tools.fos.kinks import holding_kink
 from hybrid_tools.fos.search import factor_of_safety, yield_coefficient
 from hybrid_tools.fos.trial import Trials
 
@@ -125,6 +128,21 @@ def warn_of_edges(bracket, results):
               "  (Blocks/Yielding=true)" % (100 * part))
 
 
+def warn_of_kink(bracket, results):
+    """Loose blocks are rigid where they meet a kink; a bonded mass that fails through itself is warned of by its edges."""
+    run = bracket.stands.run()
+    if is_bonded(bracket) or not run.has("section/surface"):
+        return
+    points, _, offsets = figure.moved(bracket.stands)
+    found = holding_kink(run.get("section/surface"), np.split(points, offsets[1:-1])[run.blocks.mass], run.downhill)
+    if found:
+        (x, y), bend = found
+        results["kink"] = {"point_m": [x, y], "bend_degrees": bend}
+        print("warning: the sliding surface flattens by %.0f degrees at (%.6g, %.6g) m, where the corner of a loose block holds it whatever\n"
+              "  its strength: this may be far too strong (for two wedges twice and more); cut that corner off by a few percent of the block" % (
+                  bend, x, y))
+
+
 def warn_of_no_jump(bracket, trials, results):
     """The static stage gives up where a joint has slipped by a tenth of its length, also if it would come to rest farther on; and a kink
     of the sliding surface may hold what would slide on it.
@@ -157,6 +175,7 @@ def main(words):
                name: bracket.value, "stands": bracket.stands.value, "fails": bracket.fails.value}
     tell_bracket("yield coefficient" if name == "yield" else "factor of safety", bracket)
     warn_of_edges(bracket, results)
+    warn_of_kink(bracket, results)
     warn_of_no_jump(bracket, trials.done, results)
     write_results(directory, name, results, trials)
     figure.draw(bracket, trials.done, directory, name)

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Kinks of the sliding surface that hold loose blocks whatever their strength: rock would crush there, blocks do not."""
+
+import numpy as np
+
+BEND = 10.0  # by which a kink that is told flattens the surface [degrees]
+NEAR = 1e-3  # of a block's size: its corner lies in the kink
+
+
+def holding_kink(surface, polygons, downhill):
+    """(point [m], bend [degrees]) of the sharpest kink in which a block that rests on the steeper side has a corner; None if there is none.
+
+    surface: points along x, [n, 2]; polygons: corners of each block of the mass; downhill: sign of x.
+    """
+    line = np.asarray(surface)[:: int(downhill)]  # downhill
+    along = np.diff(line, axis=0)
+    fall = np.degrees(np.arctan2(-along[:, 1], np.abs(along[:, 0])))
+    for k in np.argsort(fall[1:] - fall[:-1]) + 1:
+        bend = fall[k - 1] - fall[k]
+        if bend < BEND:
+            return None
+        direction = -along[k - 1] / np.linalg.norm(along[k - 1])
+        if any(rests_beyond(np.asarray(polygon), line[k], direction) for polygon in polygons):
+            return line[k], float(bend)
+    return None
+
+
+def rests_beyond(polygon, corner, direction):
+    """The polygon has this corner, and an edge that leaves it in this direction."""
+    near = NEAR * np.sqrt(np.ptp(polygon[:, 0]) * np.ptp(polygon[:, 1]))
+    for k in np.flatnonzero(np.linalg.norm(polygon - corner, axis=1) < near):
+        for other in (polygon[k - 1], polygon[(k + 1) % len(polygon)]):
+            edge = other - polygon[k]
+            if abs(edge[0] * direction[1] - edge[1] * direction[0]) < near and edge @ direction > near:
+                return True
+    return False
