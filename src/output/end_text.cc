@@ -182,6 +182,18 @@ namespace hybrid::output
 
 
 
+    /// The error of a step that one run does not tell.
+    std::string who_finds_it(const Summary &summary)
+    {
+      if (!summary.probable_error.runs_would_do)
+        return "";
+      return summary.blocks == 0 ? "; Time/Error target finds it by runs in shorter steps"
+                                 : "; hybrid accuracy tells it from a run with twice the step, "
+                                   "Time/Error target from runs with shorter ones";
+    }
+
+
+
     /// What finer steps would change; nothing without monitors.
     std::string error_text(const Summary &summary)
     {
@@ -190,7 +202,7 @@ namespace hybrid::output
         return "";
       if (!error.reason.empty())
         return "\nError     of the time step: not estimated, " + error.reason +
-               (error.runs_would_do ? "; Time/Error target finds it by runs in shorter steps" : "");
+               who_finds_it(summary);
       const std::string until =
         std::isnan(error.until) ? "" : format(", until a joint failed at %.3g s", error.until);
       const std::array<double, 3> &half   = error.half_step.part;

@@ -67,7 +67,7 @@ def check_slip(binary, scene, work, run_hybrid, require):
     """Friction: one run does not tell its error, two do."""
     base = ["Time/Time step=0.004", "Output/Picture interval=0"]
     _, output, _, _ = run_hybrid(binary, scene, work / "slip_alone", base)
-    require("Time/Error target finds it" in output, "a run that slips tells how its error is found", output)
+    require("hybrid accuracy tells it from a run with twice the step" in output, "a run that slips tells how its error is found", output)
     target = [*base, "Time/Error target=1"]
     code, output, errors, _ = run_hybrid(binary, scene, work / "slip", target)
     step = step_of(work / "slip")
