@@ -40,6 +40,10 @@ def check(case):
                           max(errors) > 0.1)
             case.below("%s, %s: energy residual" % (wave, sides), run.summary["energy_residual"], 1e-3)
             shown["time"], shown[wave] = run.time, expected
+    automatic = case.run("S_automatic", "Continuum/Sides=automatic", "Motion/Angle=0")
+    same = all((automatic.history("monitors/%s/velocity" % point)[:, 0] == of_point).all()
+               for point, of_point in zip(POINTS, shown["S", "free field"]))
+    case.true("automatic sides are free field, to the bit", same)
 
 
 def draw(case, figure):
