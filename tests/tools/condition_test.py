@@ -60,6 +60,13 @@ def test_a_block_slides_the_same_in_every_event_as_newmark_says(hybrid, tmp_path
     assert Events(run, found["period_s"]).event(2).failures == 0
 
 
+def test_results_of_another_scene_are_not_replaced(hybrid, tmp_path):
+    (tmp_path / "condition.json").write_text(json.dumps({"scene": "/elsewhere/scene.prm"}))
+    result = hybrid("condition", SLAB, "--output", tmp_path)
+    assert result.returncode == 2 and "holds results of '/elsewhere/scene.prm'" in result.stderr
+    assert not (tmp_path / "run").exists()
+
+
 @pytest.mark.parametrize("words, part", [
     (["nowhere.prm"], "'nowhere.prm' is no parameter file"), ([SLAB, "--events", "1"], "--events is 1"), ([SLAB, "--part", "1"], "--part is 1"),
     ([SLAB, "--quiet", "-1"], "--quiet is -1"), ([BLOCK], "has no motion"), ([SLAB, "-s", "Motion/Repetitions=2"], "is set by hybrid condition: see its option --events"),

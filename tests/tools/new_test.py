@@ -320,3 +320,23 @@ def test_mistakes_are_one_line(hybrid, tmp_path, words, part):
     result = hybrid("new", *words, cwd=tmp_path)
     assert result.returncode == 2 and part in result.stderr and result.stderr.count("\n") == 1, result.stderr
     assert not (tmp_path / "d").exists()
+
+
+@pytest.mark.parametrize("flip", [False, True])
+@pytest.mark.parametrize("h", [None, 7.3, 6.0, 3.0])
+def test_a_slip_line_that_ends_on_a_corner_of_the_ground_bounds_the_mass(h, flip):
+    """A straight last piece passes the corner by round-off."""
+    ground = np.array([(0, 60), (80, 60), (110, 45), (125, 45), (165, 20), (230, 20)], float)
+    slip = np.array([(72, 60), (95, 42), (130, 24), (165, 20)], float)
+    found, _ = section(*(map(mirrored, (ground, slip)) if flip else (ground, slip)), [], 3.0, h)
+    assert area(found, found.body_faces) == pytest.approx(found.mass.polygon.area, rel=0.02)
+
+
+def test_records_are_read_as_the_program_reads_them(tmp_path):
+    rows = ["%g %s" % (0.01 * k, ("%.3e" % np.sin(k)).replace("e", "D")) for k in range(40)]
+    (tmp_path / "a.txt").write_text("\n".join(["Station KJMA", "time acc", *rows]))
+    found = read_record(str(tmp_path / "a.txt"))
+    assert found.dt == pytest.approx(0.01) and len(found.values) == 40 and np.ptp(found.values) == pytest.approx(2, rel=0.01)
+    (tmp_path / "ms.txt").write_text("\n".join("%g %g" % (10 * k, np.sin(k)) for k in range(40)))
+    with pytest.raises(UserError, match="10 s apart.*in ms, divide them by 1000"):
+        read_record(str(tmp_path / "ms.txt"))

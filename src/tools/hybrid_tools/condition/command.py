@@ -15,6 +15,7 @@ from hybrid_tools.arguments import Arguments
 from hybrid_tools.condition import figure
 from hybrid_tools.condition.events import Events, is_conditioned, leaves_nothing
 from hybrid_tools.condition.repetition import Repetition
+from hybrid_tools.results_place import default_directory, refuse_other_scene
 from hybrid_tools.table import Column, Table, percent
 
 EXAMPLES = """  hybrid condition my.prm                        # at most 6 events, until one adds less than a tenth of the first
@@ -31,11 +32,12 @@ def read_words(words):
     arguments.add_argument("scene", metavar="SCENE", help="parameter file")
     arguments.add_argument("-s", dest="overrides", metavar='"Section/Name=value"', action="append", default=[],
                            help="override one parameter")
-    arguments.add_argument("--events", type=int, default=6, help="at most so many (default 6)")
+    arguments.add_argument("--events", type=int, default=6, help="at most so many, 2 or more (default 6)")
     arguments.add_argument("--part", type=float, default=0.1,
                            help="conditioned: an event adds at most this part of the first one's displacement and slip (default 0.1)")
     arguments.add_argument("--quiet", type=float, default=5.0, help="time after Time/End time before the next event [s] (default 5)")
     arguments.add_argument("--output", metavar="DIR", help="where results go (default: output/SCENE_condition)")
+    arguments.add_argument("--force", action="store_true", help="replace results of another scene in that directory")
     found = arguments.read(words)
     if not 2 <= found.events <= 1000:
         raise UserError("--events is %d: 2 to 1000 are allowed" % found.events)
@@ -45,7 +47,9 @@ def read_words(words):
         raise UserError("--quiet is %g: 0 to 1e5 s are allowed" % found.quiet)
     if not os.path.isfile(found.scene):
         raise UserError("'%s' is no parameter file" % found.scene)
-    found.output = found.output or os.path.join("output", os.path.splitext(os.path.basename(found.scene))[0] + "_condition")
+    found.output = found.output or default_directory(found.scene, "_condition")
+    if not found.force:
+        refuse_other_scene(found.output, "condition", found.scene)
     return found
 
 
@@ -91,9 +95,11 @@ def verdict(done, part):
         return True, "The first event leaves nothing: there is nothing to condition."
     added, where = last.added
     text = "adds %.3g mm at %s, %s of the first" % (1e3 * added, where, part_of(added, first.sizes()[0]))
+    if last.slip is not None:
+        text += ", and %.3g mm of mean slip, %s" % (1e3 * last.slip, part_of(abs(last.slip), abs(first.slip)))
     if is_conditioned(first, last, part):
         return True, "Conditioned: event %d %s." % (last.number, text)
-    return False, "Not conditioned: event %d %s; the motion leaves something every time, or wants more --events." % (last.number, text)
+    return False, "Not conditioned: event %d %s, and at most %.0f %% are asked for; the motion leaves something every time, or wants more --events." % (last.number, text, 100 * part)
 
 
 def keep_in_summary(run, content):
@@ -127,6 +133,6 @@ def main(words):
     overview.write(found.output, "condition", more, "# Virgin and conditioned\n\n" + sentence + "\n", "\n" + states.markdown())
     keep_in_summary(events.run, dict(more, events=overview.records()))
     figure.draw(events, done, found.part, found.output)
-    print("\n" + states.text() + "\n\n" + sentence)
+    print("\n" + states.text() + "\nDisplacements are sizes of vectors, where a run tells the horizontal part.\n\n" + sentence)
     print("files    %s: condition.json, condition.csv, condition.md, condition.png; run (all events)" % found.output)
     return 0

@@ -16,6 +16,7 @@ from hybrid_tools.fos import figure, sliding
 from hybrid_tools.fos.kinks import holding_kink
 from hybrid_tools.fos.search import factor_of_safety, yield_coefficient
 from hybrid_tools.fos.trial import Trials
+from hybrid_tools.results_place import default_directory, refuse_other_scene
 
 FACTOR = "Materials/Strength reduction factor"
 JUMP = 3.0  # of the largest displacement between the trial that stands and the one that fails, at least
@@ -41,7 +42,7 @@ def read_words(words):
     arguments.add_argument("--tolerance", type=float, default=0.005,
                            help="width of the bracket over the factor; a tenth of it for the coefficient (default 0.005)")
     arguments.add_argument("--range", nargs=2, type=float, metavar=("LOW", "HIGH"), help="factors between which to look")
-    arguments.add_argument("--output", metavar="DIR", help="where results go (default: SCENE without .prm, with _fos)")
+    arguments.add_argument("--output", metavar="DIR", help="where results go (default: output/SCENE_fos)")
     arguments.add_argument("--force", action="store_true", help="replace results of another scene in that directory")
     found = arguments.read(words)
     if not 1e-6 <= found.tolerance < 0.5:
@@ -62,18 +63,7 @@ def scene_of(words):
         raise UserError("--newmark needs the output directory of a run, not '%s': its motion and its slip are compared" % words.scene)
     if not os.path.exists(words.scene):
         raise UserError("'%s' is no parameter file and no output directory of a run" % words.scene)
-    return words.scene, words.output or os.path.join("output", os.path.splitext(os.path.basename(words.scene))[0] + "_fos")
-
-
-def refuse_other_scene(directory, name, scene):
-    """@raises UserError if the directory holds results of another scene: many scenes are called scene.prm."""
-    try:
-        with open(os.path.join(directory, name + ".json"), encoding="utf-8") as file:
-            earlier = json.load(file)["scene"]
-    except (OSError, ValueError, KeyError):
-        return
-    if os.path.realpath(earlier) != os.path.realpath(scene):
-        raise UserError("'%s' holds results of '%s'; name another directory with --output, or --force to replace them" % (directory, earlier))
+    return words.scene, words.output or default_directory(words.scene, "_fos")
 
 
 def find_factor(trials, words):

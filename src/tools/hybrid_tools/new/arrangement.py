@@ -23,6 +23,8 @@ class Arrangement:
             for ring in [polygon.exterior] + list(polygon.interiors):
                 nodes = [self.node(c) for c in ring.coords]
                 for a, b in zip(nodes, nodes[1:]):
+                    if a == b:
+                        continue
                     self.edges.setdefault((min(a, b), max(a, b)), None)
         for a, b in self.edges:
             self.edges[a, b] = sources.label_at(0.5 * (self.points[a] + self.points[b]))

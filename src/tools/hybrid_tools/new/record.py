@@ -10,6 +10,7 @@ from hybrid_run import UserError
 
 from .polylines import split, to_number
 
+LONGEST = 1.0  # spacing of a record [s]
 SHARE = 0.95  # of the energy of a motion lies below its highest frequency, as on the scene card
 
 
@@ -79,12 +80,20 @@ def read_at2(path, header, lines):
     return checked(path, "at2", dt, values)
 
 
+def numbers_of(line):
+    """Fields of a line, exponents as Fortran writes them included."""
+    return [re.sub(r"(?<=[\d.])[dD](?=[+-]?\d)", "e", field) for field in split(line.lstrip("\ufeff"))]
+
+
 def read_columns(path, lines):
-    rows = [(number, row) for number, line in enumerate(lines, 1) if (row := split(line.lstrip("\ufeff")))]
+    """Lines of words at the top are left out, as the program does."""
+    rows = [(number, row) for number, line in enumerate(lines, 1) if (row := numbers_of(line))]
+    first = next((k for k, (_, row) in enumerate(rows) if to_number(row[0]) is not None), 0)
+    rows = rows[first:]
     bad = next(((number, row) for number, row in rows if len(row) != 2 or None in map(to_number, row)), None)
     if bad or len(rows) < 2:
         where = "line %d is '%s'; " % (bad[0], lines[bad[0] - 1].strip()) if bad else ""
-        raise UserError("%s: %sexpected are two columns, time [s] and acceleration (# before lines of words), or a PEER record (.at2)" % (
+        raise UserError("%s: %sexpected are two columns, time [s] and acceleration, or a PEER record (.at2)" % (
             path, where))
     table = np.array([row for _, row in rows], float)
     return checked(path, "text", float((table[-1, 0] - table[0, 0]) / (len(table) - 1)), table[:, 1])
@@ -93,4 +102,6 @@ def read_columns(path, lines):
 def checked(path, kind, dt, values):
     if len(values) < 10 or not dt > 0 or not np.ptp(values) > 0:
         raise UserError("%s: %d values with a spacing of %g s are no motion" % (path, len(values), dt))
+    if dt > LONGEST:
+        raise UserError("%s: the samples are %g s apart, which resolves no earthquake; if the times were meant in ms, divide them by 1000" % (path, dt))
     return Record(path, kind, dt, values)

@@ -181,10 +181,10 @@ def level_length(profile, allowed):
 
 
 def stuck_out(points, reach, at_start, at_end):
-    """A line whose ends lie on others: a little longer there, so that it meets them for sure."""
+    """A line whose ends lie on others: with a piece more beyond them, so that it meets them for sure.
+
+    The ends stay points of the line: one on a corner of another line would pass it by round-off."""
     points = [np.array(p, float) for p in points]
-    if at_start:
-        points[0] = points[0] + reach * (points[0] - points[1]) / np.hypot(*(points[0] - points[1]))
-    if at_end:
-        points[-1] = points[-1] + reach * (points[-1] - points[-2]) / np.hypot(*(points[-1] - points[-2]))
-    return [tuple(p) for p in points]
+    before = [points[0] + reach * (points[0] - points[1]) / np.hypot(*(points[0] - points[1]))] if at_start else []
+    beyond = [points[-1] + reach * (points[-1] - points[-2]) / np.hypot(*(points[-1] - points[-2]))] if at_end else []
+    return [tuple(p) for p in before + points + beyond]

@@ -7,6 +7,7 @@ import sys
 from hybrid_run import UserError
 from hybrid_run.parameters import parse_parameters
 from hybrid_tools.arguments import Arguments
+from hybrid_tools.results_place import default_directory
 from hybrid_tools.study import axes, page, plan, program, runner, stated, study_file, workflow
 from hybrid_tools.study.run_directory import RunDirectory, read_json, write_json
 
@@ -104,8 +105,7 @@ def make_study(words):
         raise UserError("-s Output/Directory: each run of a study has a directory of its own; --directory names that of the study")
     if not words.pictures and not any(text.startswith("Output/Picture interval") for text in common):
         common.append(plan.PICTURES_OFF)
-    name = os.path.splitext(os.path.basename(words.what))[0] + "-study"
-    directory = os.path.abspath(words.directory or content.get("directory") or os.path.join("output", name))
+    directory = os.path.abspath(words.directory or content.get("directory") or default_directory(words.what, "-study"))
     given = dict(content.get("closed_form", {}), **own["closed_form"])
     study = plan.Study(scene, directory, common, varied, effects, dict(stated_closed_forms(scene, varied, common), **given), seeds=content.get("seeds"),
                        quantities=content.get("quantities", []),
