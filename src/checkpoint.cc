@@ -109,7 +109,7 @@ namespace hybrid
 
 
 
-  std::uint64_t fingerprint(const scene::SectionMesh &mesh, const scene::Motion &motion)
+  std::uint64_t fingerprint(const scene::SectionMesh &mesh, const scene::GroundMotion &motion)
   {
     restart::Archive archive = restart::Archive::writer();
     archive.put(mesh.nodes);
@@ -121,8 +121,13 @@ namespace hybrid
     archive.put(mesh.block_region);
     archive.put(mesh.block_region_names);
     archive.put(mesh.lines);
-    archive.put(motion.time_step());
-    archive.put(motion.samples());
+    archive.put(motion.outcrop().time_step());
+    archive.put(motion.outcrop().samples());
+    if (const scene::Motion &vertical = motion.vertical_outcrop(); !vertical.empty())
+      {
+        archive.put(vertical.time_step());
+        archive.put(vertical.samples());
+      }
     return restart::checksum(archive.content());
   }
 

@@ -67,7 +67,7 @@ namespace hybrid
     , scene(scene::with_linear_solver(scene::with_time_integrator(parameters, mesh),
                                       size_of(communicator)))
     , input(scene::make_input_motion(parameters.motion, parameters.time))
-    , motion(input.motion, parameters.motion)
+    , motion(input.motion, parameters.motion, input.vertical)
     , processes(communicator)
   {
     const auto heartbeat = output::tell_of_preparation(mesh, log);

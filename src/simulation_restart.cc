@@ -96,7 +96,7 @@ namespace hybrid
       return;
     run.schedule.begins();
     run.recorder->flush(); // run.h5 is never behind the checkpoint
-    const std::uint64_t number = fingerprint(model.mesh, model.motion.outcrop());
+    const std::uint64_t number = fingerprint(model.mesh, model.motion);
     const auto          write  = [&](restart::Archive &archive) {
       archive.put(model.scene.used_prm);
       archive.put(number);
@@ -135,7 +135,7 @@ namespace hybrid
     std::uint64_t    number = 0;
     archive(parameters, number);
     check_same_scene(parameters, model.scene.used_prm);
-    if (number != fingerprint(model.mesh, model.motion.outcrop()))
+    if (number != fingerprint(model.mesh, model.motion))
       throw InputError("the mesh or the motion is not that of the run in '" +
                        model.scene.output.directory + "': a file of the scene has changed since");
 

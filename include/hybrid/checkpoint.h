@@ -2,7 +2,7 @@
 #pragma once
 
 #include <hybrid/scene/mesh/section_mesh.h>
-#include <hybrid/scene/motion/motion.h>
+#include <hybrid/scene/motion/ground_motion.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <cstdint>
@@ -43,7 +43,7 @@ namespace hybrid
 
 
   /// Number that tells scenes with the same parameters apart whose files have other content.
-  std::uint64_t fingerprint(const scene::SectionMesh &mesh, const scene::Motion &motion);
+  std::uint64_t fingerprint(const scene::SectionMesh &mesh, const scene::GroundMotion &motion);
 
 
   /**

@@ -16,6 +16,9 @@ namespace hybrid::output
     constexpr double      at_rest         = 1e-9; ///< round-off moves by as much [m/s]
     constexpr double      highest_turn    = 1.5;  ///< w dt that a step is asked about [-]
     constexpr double      fades_from      = 0.5;  ///< of the highest frequency [-]
+    /// Of the sum of what scheme and late damping make: that they cancel at some step says nothing
+    /// of all that is left out [-].
+    constexpr double least_of_both = 0.5;
     /// Of (w dt)^2, with a corrected inertia: dashpots and incoming waves [-].
     constexpr double of_displacement = 1. / 8., of_velocity = 1. / 12.;
 
@@ -273,9 +276,25 @@ namespace hybrid::output
 
   Summary::ErrorPart ProbableError::of_steps(const StepScheme &scheme) const
   {
-    return evaluate([&](const std::complex<double> s) { return frequency_error(scheme, s); },
-                    highest_turn / scheme.dt,
-                    scheme.newmark.corrected_step > 0. ? scheme.dt : 0.,
-                    false);
+    StepScheme undamped    = scheme;
+    undamped.late_damping  = 0.;
+    const double amplitude = scheme.newmark.corrected_step > 0. ? scheme.dt : 0.;
+    const auto   of_scheme = [&](const std::complex<double> s) {
+      return frequency_error(undamped, s);
+    };
+    const auto of_all = [&](const std::complex<double> s) { return frequency_error(scheme, s); };
+    const auto of_damping = [&](const std::complex<double> s) { return of_all(s) - of_scheme(s); };
+    const auto part       = [&](const FrequencyError &error, const double amplitude_step) {
+      return evaluate(error, highest_turn / scheme.dt, amplitude_step, false);
+    };
+    Summary::ErrorPart result = part(of_all, amplitude);
+    if (scheme.late_damping > 0.)
+      {
+        const Summary::ErrorPart parts[] = {part(of_scheme, amplitude), part(of_damping, 0.)};
+        for (int q = 0; q < 3; ++q)
+          result.part[q] =
+            std::max(result.part[q], least_of_both * (parts[0].part[q] + parts[1].part[q]));
+      }
+    return result;
   }
 } // namespace hybrid::output

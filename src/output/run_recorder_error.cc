@@ -135,6 +135,8 @@ namespace hybrid::output
       return "the level of the water sets the pace";
     if (parts.blocks != nullptr && !parts.blocks->moving_blocks.empty())
       return "blocks fly";
+    if (!scene.motion.vertical_file.empty())
+      return "the motion has two components";
     if (lost(ledger, "bedding_loss") > 0.)
       return "bedding planes slip or open";
     if (part_of_friction(ledger) > largest_friction)

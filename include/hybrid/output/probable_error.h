@@ -58,7 +58,8 @@ namespace hybrid::output
     /// @param highest angular frequency that is asked about [1/s]; errors fade above half of it.
     Summary::ErrorPart in_rock(const FrequencyError &error, double highest) const;
 
-    /// The same of the steps, of all monitors.
+    /// The same of the steps, of all monitors. Scheme and late damping have different signs: at
+    /// least half of the sum of both counts.
     Summary::ErrorPart of_steps(const StepScheme &scheme) const;
 
   private:

@@ -12,8 +12,11 @@ namespace hybrid::scene
   } // namespace
 
 
-  GroundMotion::GroundMotion(const Motion &given, const MotionParameters &parameters)
+  GroundMotion::GroundMotion(const Motion           &given,
+                             const MotionParameters &parameters,
+                             const Motion           &given_vertical)
     : record(parameters.outcrop ? given : given.scaled(free_surface))
+    , vertical(parameters.outcrop ? given_vertical : given_vertical.scaled(free_surface))
     , direction(std::cos(parameters.angle * M_PI / 180.), std::sin(parameters.angle * M_PI / 180.))
     , start(parameters.start)
     , repetitions(parameters.repetitions)
@@ -21,31 +24,34 @@ namespace hybrid::scene
   {}
 
 
-  template <typename Value>
-  Vec2 GroundMotion::sum(const double time, const Value &value) const
+  Vec2 GroundMotion::sum(const double time, double (Motion::*const value)(double) const) const
   {
-    double total = value(time - start);
-    for (int event = 1; event < repetitions && time >= start + event * interval; ++event)
-      total += value(time - start - event * interval);
-    return total * direction;
+    const auto of_events = [&](const Motion &component) {
+      double total = (component.*value)(time - start);
+      for (int event = 1; event < repetitions && time >= start + event * interval; ++event)
+        total += (component.*value)(time - start - event * interval);
+      return total;
+    };
+    const Vec2 along = of_events(record) * direction;
+    return vertical.empty() ? along : Vec2(along + of_events(vertical) * Vec2::UnitY());
   }
 
 
   Vec2 GroundMotion::outcrop_acceleration(const double time) const
   {
-    return sum(time, [this](const double t) { return record.acceleration(t); });
+    return sum(time, &Motion::acceleration);
   }
 
 
   Vec2 GroundMotion::outcrop_velocity(const double time) const
   {
-    return sum(time, [this](const double t) { return record.velocity(t); });
+    return sum(time, &Motion::velocity);
   }
 
 
   Vec2 GroundMotion::outcrop_displacement(const double time) const
   {
-    return sum(time, [this](const double t) { return record.displacement(t); });
+    return sum(time, &Motion::displacement);
   }
 
 

@@ -43,6 +43,31 @@ namespace hybrid::scene
     }
 
 
+    /// The vertical component, and what is to be said of it. @param factor of the other one [-].
+    void add_vertical(const MotionSource     &source,
+                      const MotionParameters &parameters,
+                      const double            factor,
+                      const double            time_step,
+                      InputMotion            &input)
+    {
+      MotionParameters of_vertical = parameters;
+      of_vertical.file             = parameters.vertical_file;
+      InputMotion read;
+      source.make(of_vertical, time_step, read);
+      const double found = read.motion.peak_acceleration();
+      input.vertical     = parameters.vertical_peak > 0.
+                             ? scaled_to_peak(read.motion, parameters.vertical_peak, of_vertical.file)
+                             : read.motion.scaled(parameters.vertical_peak == 0. ? 0. : factor);
+      const double peak  = input.vertical.peak_acceleration();
+      input.notes.push_back("vertical component: peak " + in_both_units(peak) + ", scale factor " +
+                            in_words(found > 0. ? peak / found : factor) + " on " +
+                            in_both_units(found) + " as recorded, " +
+                            in_words(input.vertical.duration()) + " s");
+      input.notes.insert(input.notes.end(), read.notes.begin(), read.notes.end());
+      input.warnings.insert(input.warnings.end(), read.warnings.begin(), read.warnings.end());
+    }
+
+
     InputMotion make(const MotionParameters          &parameters,
                      const double                     time_step,
                      const std::vector<MotionSource> &sources)
@@ -58,6 +83,12 @@ namespace hybrid::scene
 
       const double found = input.motion.peak_acceleration();
       input.scaling      = scaling_of(*source, parameters, found);
+      if (!parameters.vertical_file.empty())
+        add_vertical(*source,
+                     parameters,
+                     parameters.peak >= 0. && found > 0. ? parameters.peak / found : 1.,
+                     time_step,
+                     input);
       if (parameters.peak == 0.)
         input.motion = input.motion.scaled(0.);
       else if (parameters.peak > 0.)
@@ -76,10 +107,10 @@ namespace hybrid::scene
     void look_at_end(const MotionParameters &parameters, const double end_time, InputMotion &input)
     {
       const Motion &motion = input.motion;
-      const double  T      = motion.duration();
+      const double  T      = std::max(motion.duration(), input.vertical.duration());
       const double  end =
         parameters.start + (parameters.repetitions - 1) * parameters.repetition_interval + T;
-      if (motion.peak_acceleration() == 0.)
+      if (motion.peak_acceleration() == 0. && input.vertical.peak_acceleration() == 0.)
         {
           if (!motion.empty())
             input.notes.push_back("Motion/Peak = 0: nothing shakes");
@@ -90,11 +121,13 @@ namespace hybrid::scene
                                  in_words(parameters.repetition_interval) +
                                  " s (Motion/Repetition interval): events overlap and add up, and "
                                  "what is said of its peaks is that of one");
-      const double drift = motion.velocity(T);
-      if (std::abs(drift) > 1e-3 * largest_velocity(motion) && input.warnings.empty())
-        input.warnings.push_back("the motion ends with a velocity of " + in_words(drift) +
-                                 " m/s, with which the base goes on; set Motion/Baseline "
-                                 "correction = true to bring it to rest");
+      const Motion *const components[] = {&motion, &input.vertical};
+      for (const Motion *component : components)
+        if (const double drift = component->velocity(T);
+            std::abs(drift) > 1e-3 * largest_velocity(*component) && input.warnings.empty())
+          input.warnings.push_back("the motion ends with a velocity of " + in_words(drift) +
+                                   " m/s, with which the base goes on; set Motion/Baseline "
+                                   "correction = true to bring it to rest");
       if (end < end_time * (1. - 1e-9))
         input.notes.push_back("the motion ends at t = " + in_words(end) + " s, the run at " +
                               in_words(end_time) + " s: no acceleration comes in between");

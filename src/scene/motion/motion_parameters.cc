@@ -2,6 +2,8 @@
 #include <hybrid/scene/motion/motion_source.h>
 #include <hybrid/scene/parameters/parameter_declarations.h>
 
+#include <cmath>
+
 namespace hybrid::scene
 {
   namespace
@@ -40,6 +42,18 @@ namespace hybrid::scene
         ParameterRange::closed(0., 1e4),
         "Scale the motion to this peak acceleration; as recorded: leave a record as it is "
         "and a spectrum or an earthquake as given; ricker, sine and synthetic have 1 m/s2.");
+      section.file("Vertical file",
+                   motion.vertical_file,
+                   "a text or .at2 file",
+                   "Record of the vertical component (along +y), which shakes beside that of File: "
+                   "of the same Type, Unit and Meaning. Empty: none.");
+      section.quantity_or(
+        "Vertical peak",
+        {"as File", motion.vertical_peak},
+        motion.vertical_peak_has_unit,
+        {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}, {"gal", 0.01}},
+        ParameterRange::closed(0., 1e4),
+        "Scale the vertical component to this peak acceleration; as File: by the factor of File.");
     }
 
     void declare_synthesis(ParameterSection &section, MotionParameters &motion)
@@ -188,8 +202,27 @@ namespace hybrid::scene
                    "Make velocity and displacement end at zero (all types; a ricker does anyway).");
   }
 
+  void check_vertical(const MotionParameters &motion, const ParameterTable &table)
+  {
+    if (motion.vertical_file.empty())
+      {
+        if (motion.vertical_peak >= 0.)
+          throw table.error("Motion/Vertical peak", "is not used without Motion/Vertical file");
+        return;
+      }
+    const MotionSource *source = find_motion_source(motion.type, motion_sources());
+    if (source == nullptr || !source->reads_record)
+      throw table.error("Motion/Vertical file",
+                        "is not used unless Motion/Type is set to text or at2");
+    if (std::abs(std::cos(motion.angle * M_PI / 180.)) < 1e-6)
+      throw table.error("Motion/Vertical file",
+                        "is a second component, but with Motion/Angle = " +
+                          number_text(motion.angle) + " that of Motion/File is vertical, too");
+  }
+
   void check(const MotionParameters &motion, const ParameterTable &table)
   {
+    check_vertical(motion, table);
     if (!motion.file.empty() && !table.is_set("Motion/Type"))
       throw table.error("Motion/File", "is not used unless Motion/Type is set to text or at2");
     if (!motion.spectrum_file.empty() && motion.type != "spectrum")

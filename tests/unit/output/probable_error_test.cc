@@ -58,6 +58,22 @@ namespace hybrid::output
     }
 
 
+    TEST(ProbableError, LateDampingThatCancelsTheSchemeLeavesWhatIsLeftOut)
+    {
+      const Section section(0.8);
+      const auto    error = [&](const double beta) {
+        return ProbableError(section.record)
+          .of_steps({Newmark::preset("trapezoidal"), dt, beta, 0.})
+          .part[1];
+      };
+      const double alone = error(0.); // (w dt)^2/12; the damping has -beta w^2 dt/4
+      EXPECT_NEAR(error(dt / 3.), alone, 0.05 * alone);
+      EXPECT_NEAR(error(dt / 30.), 0.9 * alone, 0.05 * alone);
+      EXPECT_NEAR(error(3. * dt), 8. * alone, 0.8 * alone);
+    }
+
+
+
     TEST(ProbableError, DisplacementsAreRelativeToTheBase)
     {
       Section section(0.);

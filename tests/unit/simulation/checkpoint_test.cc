@@ -103,10 +103,13 @@ TEST(Checkpoint, fingerprint_tells_meshes_and_motions_apart)
   mesh.nodes         = {{0., 0.}, {1., 0.}, {0., 1.}};
   mesh.blocks        = {{0, 1, 2}};
   mesh.lines["base"] = {{{0, 1}}};
-  const scene::Motion motion(0.01, {0., 1., 0.});
-  const auto          number = fingerprint(mesh, motion);
+  const scene::Motion           record(0.01, {0., 1., 0.});
+  const scene::MotionParameters parameters;
+  const scene::GroundMotion     motion(record, parameters);
+  const auto                    number = fingerprint(mesh, motion);
   EXPECT_EQ(fingerprint(mesh, motion), number);
-  EXPECT_NE(fingerprint(mesh, motion.scaled(1. + 1e-15)), number);
+  EXPECT_NE(fingerprint(mesh, {record.scaled(1. + 1e-15), parameters}), number);
+  EXPECT_NE(fingerprint(mesh, {record, parameters, record}), number);
   auto other         = mesh;
   other.nodes[2].x() = 1e-12;
   EXPECT_NE(fingerprint(other, motion), number);

@@ -5,6 +5,8 @@
 #include <hybrid/scene/parameters/scene_parameters.h>
 #include <hybrid/scene/types.h>
 
+#include <algorithm>
+
 namespace hybrid::scene
 {
   /**
@@ -16,8 +18,9 @@ namespace hybrid::scene
    *   compliant base    the upgoing wave (incoming traction 2 Z v_up),
    *   prescribed base   the motion of the outcrop.
    *
-   * Vectors in the direction of shaking; all are zero before the start and without a motion. The
-   * motion may come several times (Motion/Repetitions).
+   * Vectors in the direction of shaking, with the vertical component of a record if there is one
+   * (Motion/Vertical file); all are zero before the start and without a motion. The motion may
+   * come several times (Motion/Repetitions).
    */
   class GroundMotion
   {
@@ -26,7 +29,10 @@ namespace hybrid::scene
     GroundMotion() = default;
 
     /// @param given first sample at the start.  @param parameters meaning, angle and start.
-    GroundMotion(const Motion &given, const MotionParameters &parameters);
+    /// @param vertical component along +y beside it, likewise; empty: none
+    GroundMotion(const Motion           &given,
+                 const MotionParameters &parameters,
+                 const Motion           &vertical = {});
 
     bool empty() const
     {
@@ -39,10 +45,17 @@ namespace hybrid::scene
       return record;
     }
 
+    /// Of an outcrop along +y beside that; may be empty.
+    const Motion &vertical_outcrop() const
+    {
+      return vertical;
+    }
+
     /// From the start of the run to the end of the last event [s].
     double end() const
     {
-      return start + (repetitions - 1) * interval + record.duration();
+      return start + (repetitions - 1) * interval +
+             std::max(record.duration(), vertical.duration());
     }
 
     /// [m/s2] at @p time [s] of the run.
@@ -61,15 +74,15 @@ namespace hybrid::scene
     Vec2 upgoing_displacement(double time) const;
 
   private:
-    Motion record; ///< at an outcrop
+    Motion record;   ///< at an outcrop
+    Motion vertical; ///< likewise, along +y
     Vec2   direction   = Vec2::UnitX();
     double start       = 0.; ///< of the record [s]
     int    repetitions = 1;
     double interval    = 0.; ///< from one start to the next [s]
 
     /// Sum over all events of what one has done at a time since its start [s]: after its record
-    /// displacement goes on with the velocity that is left.
-    template <typename Value>
-    Vec2 sum(double time, const Value &value) const;
+    /// displacement goes on with the velocity that is left. @param value of a Motion at a time
+    Vec2 sum(double time, double (Motion::*value)(double) const) const;
   };
 } // namespace hybrid::scene

@@ -17,6 +17,7 @@ namespace hybrid::scene
   struct InputMotion
   {
     Motion                   motion;
+    Motion                   vertical; ///< along +y, beside the motion; empty: none
     SpectrumFit              fit;      ///< of a spectrum-compatible motion; else empty
     std::string              scaling;  ///< of a record or spectrum: its peak and factor, in words
     std::vector<std::string> notes;    ///< one sentence each
@@ -28,6 +29,9 @@ namespace hybrid::scene
    * The motion that a scene asks for, its first sample at t = 0 (the start time is the caller's).
    *
    * Its source is that of parameters.type (motion_source.h); none is an empty motion.
+   *
+   * A record of the vertical component (parameters.vertical_file) is scaled by the factor of the
+   * other one, unless it has a peak of its own.
    *
    * A peak >= 0 scales the motion to exactly this largest |a| [m/s2]; without one, records and
    * spectrum-compatible motions stay as they are, and the others have 1 m/s2.

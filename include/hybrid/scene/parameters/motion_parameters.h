@@ -28,6 +28,10 @@ namespace hybrid::scene
     bool   file_unit_is_set = false; ///< by the user
     double peak = -1.; ///< scale to this outcrop/incident peak acceleration [m/s2]; < 0: as it is
     bool   peak_has_unit = false; ///< the user wrote the unit
+    std::string
+           vertical_file; ///< for text and at2: record along +y beside that of file; resolved path
+    double vertical_peak = -1.; ///< scale it to this peak [m/s2]; < 0: by the factor of file
+    bool   vertical_peak_has_unit = false; ///< the user wrote the unit
     bool   outcrop =
       true; ///< the motion is the outcrop motion (twice the upgoing wave); false: the upgoing wave
     double angle =

@@ -47,6 +47,35 @@ TEST(GroundMotion, an_outcrop_moves_twice_as_much_as_the_upgoing_wave)
 
 
 
+TEST(GroundMotion, the_vertical_component_of_a_record_comes_beside_the_other)
+{
+  MotionParameters parameters;
+  parameters.start               = 0.25;
+  parameters.repetitions         = 2;
+  parameters.repetition_interval = 10.;
+  const Motion along(0.5, {2., 2., 2.}), upwards(0.25, {0., -4., 0., 0., 0., 4., 0.});
+  for (const bool outcrop : {true, false})
+    {
+      parameters.outcrop = outcrop;
+      const GroundMotion both(along, parameters, upwards), alone(along, parameters);
+      const double       to_rock = outcrop ? 1. : 2.;
+      EXPECT_EQ(both.end(), 0.25 + 10. + 1.5);
+      for (const double t : {0., 0.5, 1.1, 1.7, 5., 10.5, 11.6})
+        {
+          const auto once = [&](const double since) { return to_rock * upwards.velocity(since); };
+          EXPECT_EQ(both.outcrop_velocity(t).x(), alone.outcrop_velocity(t).x());
+          EXPECT_EQ(alone.outcrop_velocity(t).y(), 0.);
+          EXPECT_NEAR(both.outcrop_velocity(t).y(), once(t - 0.25) + once(t - 10.25), 1e-14);
+          EXPECT_NEAR(both.upgoing_velocity(t).y(), 0.5 * both.outcrop_velocity(t).y(), 1e-14);
+        }
+      EXPECT_NEAR(both.outcrop_acceleration(0.5).y(), -4. * to_rock, 1e-14);
+      EXPECT_NEAR(both.outcrop_displacement(0.5).y(), to_rock * upwards.displacement(0.25), 1e-14);
+      EXPECT_EQ(both.vertical_outcrop().peak_acceleration(), 4. * to_rock);
+    }
+}
+
+
+
 TEST(GroundMotion, nothing_moves_before_the_start_or_without_a_motion)
 {
   expect_near(given(true).outcrop_acceleration(0.2), 0.);

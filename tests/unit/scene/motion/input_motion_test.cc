@@ -64,6 +64,31 @@ namespace hybrid::scene::test
   }
 
 
+  TEST_F(InputMotionTest, the_vertical_component_is_scaled_like_the_other_or_by_itself)
+  {
+    MotionParameters p    = record(0.);
+    p.vertical_file       = write("up.txt", "0 0\n0.5 0.4\n1 -0.5\n1.5 0.1\n2 0\n");
+    p.baseline_correction = false;
+    EXPECT_EQ(make(p, 10.).vertical.peak_acceleration(), 0.5);
+    expect_part(make(p, 10.).notes.at(0),
+                "vertical component: peak 0.5 m/s2 (0.05099 g), scale factor 1 on 0.5 m/s2");
+    p.peak                  = 3.;
+    const InputMotion input = make(p, 10.);
+    EXPECT_NEAR(input.vertical.peak_acceleration(), 3. * 0.5, 1e-12);
+    EXPECT_NEAR(input.vertical.duration(), 2., 1e-12);
+    p.vertical_peak = 0.7;
+    EXPECT_EQ(make(p, 10.).vertical.peak_acceleration(), 0.7);
+    p.vertical_peak = 0.;
+    EXPECT_EQ(make(p, 10.).vertical.peak_acceleration(), 0.);
+    p.vertical_file = write("zero.txt", "0 0\n0.5 0\n1 0\n");
+    EXPECT_EQ(make(p, 10.).vertical.peak_acceleration(), 0.);
+    p.vertical_peak = 1.;
+    EXPECT_THROW(make(p, 10.), InputError);
+    p.vertical_file = write("up.txt", "0 0\n0.5\n");
+    expect_part(message_of([&]() { make(p, 10.); }), "up.txt");
+  }
+
+
   TEST_F(InputMotionTest, a_record_shorter_than_the_run_is_zero_afterwards)
   {
     const InputMotion input = make(record(0.), 25.);
