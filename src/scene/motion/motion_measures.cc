@@ -36,17 +36,20 @@ namespace hybrid::scene
       return result;
     result.peak_velocity        = largest_velocity(motion);
     result.significant_duration = husid_duration(motion);
-    const int periods           = 60;
+    const auto look_at          = [&](const double period) {
+      const double acceleration = spectral_acceleration(motion, 1. / period, 0.05);
+      if (acceleration > result.spectral_peak)
+        {
+          result.spectral_peak   = acceleration;
+          result.spectral_period = period;
+        }
+    };
+    constexpr int periods = 60, finer = 10; // a tenth apart, then a hundredth about the largest
     for (int k = 0; k <= periods; ++k)
-      {
-        const double period       = 0.02 * std::pow(500., double(k) / periods);
-        const double acceleration = spectral_acceleration(motion, 1. / period, 0.05);
-        if (acceleration > result.spectral_peak)
-          {
-            result.spectral_peak   = acceleration;
-            result.spectral_period = period;
-          }
-      }
+      look_at(0.02 * std::pow(500., double(k) / periods));
+    const double middle = result.spectral_period;
+    for (int k = -finer; k <= finer; ++k)
+      look_at(middle * std::pow(500., double(k) / (periods * finer)));
     return result;
   }
 } // namespace hybrid::scene

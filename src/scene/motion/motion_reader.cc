@@ -165,13 +165,14 @@ namespace hybrid::scene
                            rows[i].line,
                            "the spacing of " + in_words(spacing[i - 1]) +
                              " s differs from the others of " + in_words(typical) +
-                             " s; samples must be equally spaced.");
+                             " s; samples must be equally spaced: interpolate them.");
       for (std::size_t i = 1; i < t.size(); ++i)
         if (std::abs(t[i] - t[0] - i * dt) > 0.1 * dt)
           throw InputError(file,
                            rows[i].line,
                            "the time " + in_words(t[i]) + " s should be " +
-                             in_words(t[0] + i * dt) + " s; samples must be equally spaced.");
+                             in_words(t[0] + i * dt) +
+                             " s; samples must be equally spaced: interpolate them.");
     }
 
 

@@ -391,35 +391,6 @@ TEST_F(SceneReader, PeaksMayHaveTheirUnit)
   EXPECT_NE(read_scene(file, {"Motion/Peak=0.3 g"}).used_prm.find("0.3 g"), std::string::npos);
 }
 
-TEST_F(SceneReader, ARecordMayHaveAVerticalComponent)
-{
-  write("up.txt", "0 0\n1 1\n2 0\n");
-  write("along.txt", "0 0\n1 1\n2 0\n");
-  const std::string file =
-    write_scene("subsection Motion\n  set Type = text\n  set File = along.txt\n"
-                "  set Vertical file = up.txt\nend\n");
-  const MotionParameters motion = read_scene(file).motion;
-  EXPECT_EQ(motion.vertical_file, path("up.txt"));
-  EXPECT_LT(motion.vertical_peak, 0.);
-  EXPECT_DOUBLE_EQ(read_scene(file, {"Motion/Vertical peak=0.1 g"}).motion.vertical_peak, 0.980665);
-  const auto complaint = [&](const std::vector<std::string> &overrides) {
-    try
-      {
-        read_scene(file, overrides);
-        return std::string("accepted");
-      }
-    catch (const InputError &error)
-      {
-        return std::string(error.what());
-      }
-  };
-  EXPECT_NE(complaint({"Motion/Angle=-90"}).find("a second component"), std::string::npos);
-  EXPECT_NE(complaint({"Motion/Type=sine"}).find("is not used unless Motion/Type"),
-            std::string::npos);
-  EXPECT_NE(complaint({"Motion/Vertical file=", "Motion/Vertical peak=1"}).find("not used without"),
-            std::string::npos);
-}
-
 TEST_F(SceneReader, BedrockOfEveryKind)
 {
   write("slope.geo", "");
