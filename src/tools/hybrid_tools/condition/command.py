@@ -133,6 +133,6 @@ def main(words):
     overview.write(found.output, "condition", more, "# Virgin and conditioned\n\n" + sentence + "\n", "\n" + states.markdown())
     keep_in_summary(events.run, dict(more, events=overview.records()))
     figure.draw(events, done, found.part, found.output)
-    print("\n" + states.text() + "\nDisplacements are sizes of vectors, where a run tells the horizontal part.\n\n" + sentence)
+    print("\n" + states.text() + "\nDisplacements are sizes of vectors; the lines of a run tell the larger component.\n\n" + sentence)
     print("files    %s: condition.json, condition.csv, condition.md, condition.png; run (all events)" % found.output)
     return 0
