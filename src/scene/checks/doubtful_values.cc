@@ -214,29 +214,45 @@ namespace hybrid::scene
     }
 
 
-    /// A peak below 1 m/s2 whose unit the user has not written: g is what most records are in.
-    void look_at_unit_of_peak(const MotionParameters   &motion,
-                              const double              found,
-                              std::vector<std::string> &warnings)
+    /// As g a weak shaking and a very strong one [m/s2].
+    bool may_be_in_g(const double acceleration)
     {
-      constexpr double smallest = 0.01, largest = 1.; // as g a weak shaking and a very strong one
-      const bool       is_given = motion.peak >= 0.;
-      const bool       is_file  = motion.type == "text" || motion.type == "spectrum";
-      if (motion.type == "none" || !(found >= smallest && found < largest) ||
-          (is_given ? motion.peak_has_unit : !is_file || motion.file_unit_is_set))
-        return;
-      const std::string value = number(found);
-      const std::string read  = value + " m/s2 (" + number(found / 9.80665) + " g)";
-      if (is_given)
-        warnings.push_back("Motion/Peak = " + value + " is read as " + read +
-                           ", a weak shaking: if it was meant in g, set Peak = " + value +
-                           " g, else Peak = " + value + " m/s2");
-      else
-        warnings.push_back(
-          (motion.type == "text" ? motion.file : motion.spectrum_file) + ": its peak is read as " +
-          read +
-          ", a weak shaking, as Motion/Unit is not set: if the file is in g, set Unit = g, "
-          "else Unit = m/s2");
+      return acceleration >= 0.01 && acceleration < 1.;
+    }
+
+
+    std::string read_as(const double acceleration)
+    {
+      return "is read as " + number(acceleration) + " m/s2 (" + number(acceleration / 9.80665) +
+             " g), a weak shaking";
+    }
+
+
+    /// A given peak below 1 m/s2 without unit: g is what most records are in.
+    void look_at_unit(const std::string        &name,
+                      const double              given,
+                      const bool                has_unit,
+                      std::vector<std::string> &warnings)
+    {
+      const std::string value = number(given);
+      if (!has_unit && may_be_in_g(given))
+        warnings.push_back("Motion/" + name + " = " + value + " " + read_as(given) +
+                           ": if it was meant in g, set " + name + " = " + value + " g, else " +
+                           name + " = " + value + " m/s2");
+    }
+
+
+    /// The same of a record's peak as it is.
+    void look_at_unit_of_record(const MotionParameters   &motion,
+                                const double              found,
+                                std::vector<std::string> &warnings)
+    {
+      const bool is_file = motion.type == "text" || motion.type == "spectrum";
+      if (is_file && !motion.file_unit_is_set && may_be_in_g(found))
+        warnings.push_back((motion.type == "text" ? motion.file : motion.spectrum_file) +
+                           ": its peak " + read_as(found) +
+                           ", as Motion/Unit is not set: if the file is in g, set Unit = g, "
+                           "else Unit = m/s2");
     }
 
 
@@ -248,7 +264,16 @@ namespace hybrid::scene
       Quantity allowed = peak;
       allowed.highest *= std::max(1., scene.environment.gravity / standard_gravity);
       const double found = motion.peak_acceleration();
-      look_at_unit_of_peak(scene.motion, found, warnings);
+      if (scene.motion.type == "none")
+        return;
+      if (scene.motion.peak >= 0.)
+        look_at_unit("Peak", scene.motion.peak, scene.motion.peak_has_unit, warnings);
+      else
+        look_at_unit_of_record(scene.motion, found, warnings);
+      look_at_unit("Vertical peak",
+                   scene.motion.vertical_peak,
+                   scene.motion.vertical_peak_has_unit,
+                   warnings);
       if (scene.motion.peak >= 0. || scene.motion.file.empty())
         look_at("Motion", allowed, found, warnings);
       else if (!is_within(allowed, found))

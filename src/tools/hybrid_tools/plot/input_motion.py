@@ -61,9 +61,11 @@ def response(run, time, values):
 
 def draw_response(run, axes, time, values):
     frequency, damping, factor = response(run, time, values)
-    for c in moving_components(values):
+    moving = moving_components(values)
+    for c in moving:
         amplitude = pseudo_acceleration(factor * values[:, c], time[1] - time[0], frequency, damping)
-        axes.loglog(1 / frequency, amplitude, color=COMPONENTS[c][1], lw=1.0, label="motion" if factor == 1 else "incident motion")
+        label = COMPONENTS[c][0] if len(moving) > 1 else "motion"
+        axes.loglog(1 / frequency, amplitude, color=COMPONENTS[c][1], lw=1.0, label=label if factor == 1 else "incident " + label)
     if run.has("spectrum/target"):
         axes.loglog(1 / frequency, run.get("spectrum/target"), "--", color=style.TEXT, lw=1.0, label="target")
     axes.legend(loc="lower left")

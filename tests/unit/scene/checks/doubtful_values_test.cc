@@ -188,6 +188,11 @@ namespace hybrid::scene
       scene.motion.peak_has_unit = false;
       scene.motion.peak          = 3.;
       EXPECT_TRUE(doubtful_values(scene, motion.scaled(10.)).empty());
+      scene.motion.vertical_peak = 0.2;
+      EXPECT_NE(doubtful_values(scene, motion.scaled(10.)).at(0).find("Motion/Vertical peak = 0.2"),
+                std::string::npos);
+      scene.motion.vertical_peak_has_unit = true;
+      EXPECT_TRUE(doubtful_values(scene, motion.scaled(10.)).empty());
     }
 
 
