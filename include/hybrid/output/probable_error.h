@@ -59,7 +59,7 @@ namespace hybrid::output
     Summary::ErrorPart in_rock(const FrequencyError &error, double highest) const;
 
     /// The same of the steps, of all monitors. Scheme and late damping have different signs: at
-    /// least half of the sum of both counts.
+    /// least three tenths of the sum of both count.
     Summary::ErrorPart of_steps(const StepScheme &scheme) const;
 
   private:
