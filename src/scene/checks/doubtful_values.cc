@@ -256,6 +256,19 @@ namespace hybrid::scene
     }
 
 
+    /// @param found peak of the motion [m/s2]
+    void look_at_units(const MotionParameters   &motion,
+                       const double              found,
+                       std::vector<std::string> &warnings)
+    {
+      if (motion.peak >= 0.)
+        look_at_unit("Peak", motion.peak, motion.peak_has_unit, warnings);
+      else
+        look_at_unit_of_record(motion, found, warnings);
+      look_at_unit("Vertical peak", motion.vertical_peak, motion.vertical_peak_has_unit, warnings);
+    }
+
+
     /// The peak as given or as recorded. Centrifuges shake as much harder as they pull.
     void look_at_peak(const SceneParameters    &scene,
                       const Motion             &motion,
@@ -264,16 +277,8 @@ namespace hybrid::scene
       Quantity allowed = peak;
       allowed.highest *= std::max(1., scene.environment.gravity / standard_gravity);
       const double found = motion.peak_acceleration();
-      if (scene.motion.type == "none")
-        return;
-      if (scene.motion.peak >= 0.)
-        look_at_unit("Peak", scene.motion.peak, scene.motion.peak_has_unit, warnings);
-      else
-        look_at_unit_of_record(scene.motion, found, warnings);
-      look_at_unit("Vertical peak",
-                   scene.motion.vertical_peak,
-                   scene.motion.vertical_peak_has_unit,
-                   warnings);
+      if (scene.motion.type != "none")
+        look_at_units(scene.motion, found, warnings);
       if (scene.motion.peak >= 0. || scene.motion.file.empty())
         look_at("Motion", allowed, found, warnings);
       else if (!is_within(allowed, found))
