@@ -154,6 +154,48 @@ namespace hybrid::scene
         << far * height << " m from the middle";
       return text.str();
     }
+    /// Sides that hold the ground along the motion that comes in.
+    std::string warning_of_held_sides(const SceneParameters &scene)
+    {
+      const SideBoundary &sides = scene.continuum.sides;
+      const double        angle = scene.motion.angle * M_PI / 180.;
+      const bool          x     = std::abs(std::cos(angle)) > 1e-6,
+                 y = std::abs(std::sin(angle)) > 1e-6 || !scene.motion.vertical_file.empty();
+      if (!(sides.holds_x && x) && !(sides.holds_y && y))
+        return "";
+      return "Continuum/Sides = " + sides.name + " holds the sides, along which the motion comes " +
+             "in: they stay where they are, and the ground between them hardly moves; set it to "
+             "free field";
+    }
+
+
+    /// Planes that may slip or give way where they meet a side: column and dashpots do not.
+    std::string warning_of_planes(const SectionMesh &mesh, const SceneParameters &scene)
+    {
+      std::string names;
+      for (const std::string &name : scene.bedding.names)
+        {
+          const auto plane = mesh.lines.find(name);
+          bool       meets = false;
+          for (const char *const side : {"left", "right"})
+            if (plane != mesh.lines.end())
+              for (const auto &edge : plane->second)
+                for (const int node : edge)
+                  meets = meets || std::abs(mesh.nodes[node].x() - column_of(mesh, side).x) <=
+                                     1e-9 * column_of(mesh, side).height();
+          if (meets)
+            names += (names.empty() ? "" : ", ") + name;
+        }
+      if (names.empty())
+        return "";
+      return names +
+             ": a plane that reaches a side is held back there, as neither the column nor the "
+             "dashpots of Continuum/Sides = " +
+             scene.continuum.sides.name +
+             (scene.bedding.slips ? " slip: it slips too little, the more the narrower the section"
+                                  : " have its joint: a little wrong in a narrow section") +
+             "; let it end inside, or the sides be far away";
+    }
   } // namespace
 
 
@@ -163,23 +205,21 @@ namespace hybrid::scene
     std::vector<std::string> warnings;
     if (!scene.bedrock.carries_waves)
       return warnings;
-    if (!scene.continuum.sides.has_free_field)
-      {
-        const std::string warning = scene.continuum.sides.has_dashpots() &&
-                                        scene.motion.type != "none" &&
-                                        scene.continuum.base.takes_motion
-                                      ? warning_of_dashpots(mesh)
-                                      : "";
-        if (!warning.empty())
-          warnings.push_back(warning);
-        return warnings;
-      }
-    for (const char *const side : {"left", "right"})
-      {
-        const std::string warning = warning_of(mesh, scene, side);
-        if (!warning.empty())
-          warnings.push_back(warning);
-      }
+    const SideBoundary &sides    = scene.continuum.sides;
+    const bool          comes_in = scene.motion.type != "none" && scene.continuum.base.takes_motion;
+    const auto          tell     = [&](const std::string &warning) {
+      if (!warning.empty())
+        warnings.push_back(warning);
+    };
+    if (sides.has_free_field)
+      for (const char *const side : {"left", "right"})
+        tell(warning_of(mesh, scene, side));
+    if (comes_in && sides.has_dashpots() && !sides.has_free_field)
+      tell(warning_of_dashpots(mesh));
+    if (comes_in && sides.is_held())
+      tell(warning_of_held_sides(scene));
+    if (comes_in && sides.has_dashpots())
+      tell(warning_of_planes(mesh, scene));
     return warnings;
   }
 } // namespace hybrid::scene

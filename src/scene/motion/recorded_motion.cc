@@ -5,21 +5,61 @@
 #include <hybrid/scene/motion/motion_words.h>
 #include <hybrid/scene/motion/recorded_motion.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hybrid::scene
 {
   namespace
   {
+    double largest_displacement(const Motion &motion)
+    {
+      double largest = 0.;
+      for (std::size_t i = 0; i < motion.samples().size(); ++i)
+        largest = std::max(largest, std::abs(motion.displacement(i * motion.time_step())));
+      return largest;
+    }
+
+
+    /// Somebody has corrected it, or it is a pulse: the cubic of the correction would bend it.
+    bool ends_at_rest(const Motion &motion)
+    {
+      const double T = motion.duration();
+      return std::abs(motion.velocity(T)) <= 1e-3 * largest_velocity(motion) &&
+             std::abs(motion.displacement(T)) <= 1e-2 * largest_displacement(motion);
+    }
+
+
+    /// "" if the correction hardly changes the peaks.
+    std::string changed_peaks(const Motion &raw, const Motion &corrected)
+    {
+      constexpr double acceleration = 0.01, velocity = 0.05; // that count
+      const double     a = raw.peak_acceleration(), b = corrected.peak_acceleration();
+      const double     v = largest_velocity(raw), w = largest_velocity(corrected);
+      if (std::abs(b - a) <= acceleration * a && std::abs(w - v) <= velocity * v)
+        return "";
+      return "the baseline correction changes the peak acceleration from " + in_words(a) + " to " +
+             in_words(b) + " m/s2 and the peak velocity from " + in_words(v) + " to " +
+             in_words(w) +
+             " m/s; a longer record, with rest at its end, changes less, and Motion/Baseline "
+             "correction = false leaves it as it is";
+    }
+
+
     /// Take a record, without its offset if asked for, and tell of one.
     void take_record(const Motion &raw, const MotionParameters &parameters, InputMotion &input)
     {
-      const Motion corrected = baseline_corrected(raw);
+      const Motion corrected = ends_at_rest(raw) ? raw : baseline_corrected(raw);
       input.motion           = parameters.baseline_correction ? corrected : raw;
 
       const double T = raw.duration(), drift = raw.velocity(T);
       if (std::abs(drift) <= 0.1 * largest_velocity(corrected))
-        return;
+        {
+          const std::string changed = changed_peaks(raw, corrected);
+          if (parameters.baseline_correction && !changed.empty())
+            input.warnings.push_back(parameters.file + ": " + changed);
+          return;
+        }
       const std::string offset = parameters.file + " has an offset: its mean acceleration is " +
                                  in_words(drift / T) + " m/s2 (" +
                                  in_words(100. * std::abs(drift / T) / raw.peak_acceleration()) +

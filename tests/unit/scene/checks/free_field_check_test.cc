@@ -2,7 +2,9 @@
 #include "expect_warning.h"
 
 #include <hybrid/scene/boundary/fixed_base.h>
+#include <hybrid/scene/boundary/fixed_side.h>
 #include <hybrid/scene/boundary/free_field_side.h>
+#include <hybrid/scene/boundary/roller_side.h>
 #include <hybrid/scene/checks/free_field_check.h>
 
 namespace hybrid::scene
@@ -57,6 +59,40 @@ namespace hybrid::scene
                       "1000 m from the middle"});
       scene.continuum.base = fixed_base();
       expect_warning(free_field_warnings(section(100.), scene), {});
+    }
+
+
+    TEST(FreeFieldCheck, HeldSidesAreNamedWhereTheyHoldTheMotion)
+    {
+      SceneParameters scene;
+      scene.motion.type     = "ricker";
+      scene.continuum.sides = roller_side();
+      expect_warning(free_field_warnings(section(100.), scene),
+                     {"Continuum/Sides = roller holds the sides", "set it to free field"});
+      scene.motion.angle = 90.;
+      expect_warning(free_field_warnings(section(100.), scene), {});
+      scene.continuum.sides = fixed_side();
+      expect_warning(free_field_warnings(section(100.), scene), {"Continuum/Sides = fixed"});
+      scene.motion.type = "none";
+      expect_warning(free_field_warnings(section(100.), scene), {});
+    }
+
+
+    TEST(FreeFieldCheck, PlanesThatReachASideAreNamed)
+    {
+      SectionMesh mesh        = section(100.);
+      mesh.lines["bedding_1"] = {mesh.lines.at("left").front()};
+      SceneParameters scene   = free_field();
+      scene.motion.type       = "ricker";
+      scene.bedding.slips     = true;
+      expect_warning(free_field_warnings(mesh, scene), {}); // welded
+      scene.bedding.names = {"bedding_1"};
+      expect_warning(free_field_warnings(mesh, scene),
+                     {"bedding_1: a plane that reaches a side", "slips too little"});
+      scene.bedding.slips = false;
+      expect_warning(free_field_warnings(mesh, scene), {"bedding_1", "a little wrong"});
+      scene.motion.type = "none";
+      expect_warning(free_field_warnings(mesh, scene), {});
     }
 
 

@@ -53,6 +53,43 @@ namespace hybrid::scene::test
   }
 
 
+  TEST_F(InputMotionTest, a_record_that_ends_at_rest_stays_as_it_is)
+  {
+    std::ostringstream text;
+    text.precision(15);
+    const auto ricker = [](const double t) {
+      const double x = std::pow(M_PI * (t - 1.5), 2);
+      return 6. * (1. - 2. * x) * std::exp(-x);
+    };
+    for (int i = 0; i <= 300; ++i)
+      text << 0.01 * i << ' ' << ricker(0.01 * i) << '\n';
+    MotionParameters p;
+    p.type                 = "text";
+    p.file                 = write("pulse.txt", text.str());
+    const InputMotion rest = make(p, 3.);
+    EXPECT_TRUE(rest.warnings.empty());
+    EXPECT_EQ(rest.motion.samples()[150], 6.);
+    EXPECT_NEAR(rest.motion.samples()[0], ricker(0.), 1e-15);
+  }
+
+
+  TEST_F(InputMotionTest, a_correction_that_changes_peaks_is_warned_of)
+  {
+    std::ostringstream text; // a cycle of a sine: at rest at its end, but far from where it began
+    for (int i = 0; i <= 100; ++i)
+      text << 0.01 * i << ' ' << 2. * std::sin(2. * M_PI * 0.01 * i) << '\n';
+    MotionParameters p      = record(0.);
+    p.file                  = write("cycle.txt", text.str());
+    const InputMotion input = make(p, 1.);
+    ASSERT_EQ(input.warnings.size(), 1u);
+    expect_part(input.warnings[0],
+                "the baseline correction changes the peak acceleration from 2 to ");
+    p.baseline_correction = false;
+    for (const std::string &warning : make(p, 0.6).warnings)
+      EXPECT_EQ(warning.find("changes the peak"), std::string::npos);
+  }
+
+
   TEST_F(InputMotionTest, an_offset_that_stays_is_warned_of)
   {
     MotionParameters p      = record(0.05);
