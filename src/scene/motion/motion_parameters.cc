@@ -17,6 +17,13 @@ namespace hybrid::scene
     }
 
 
+    /// In m/s2.
+    const std::vector<std::pair<std::string, double>> acceleration_units = {{"m/s2", 1.},
+                                                                            {"g", 9.80665},
+                                                                            {"cm/s2", 0.01},
+                                                                            {"gal", 0.01}};
+
+
     void declare_source(ParameterSection &section, MotionParameters &motion)
     {
       section.choice<std::string>(
@@ -31,14 +38,14 @@ namespace hybrid::scene
       section.choice<double>(
         "Unit",
         motion.file_unit,
-        {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}, {"gal", 0.01}},
+        acceleration_units,
         "Unit of the accelerations in a text or spectrum file (.at2 files are in "
         "g, unless their header says otherwise).");
       section.quantity_or(
         "Peak",
         {"as recorded", motion.peak},
         motion.peak_has_unit,
-        {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}, {"gal", 0.01}},
+        acceleration_units,
         ParameterRange::closed(0., 1e4),
         "Scale the motion to this peak acceleration; as recorded: leave a record as it is "
         "and a spectrum or an earthquake as given; ricker, sine and synthetic have 1 m/s2.");
@@ -51,7 +58,7 @@ namespace hybrid::scene
         "Vertical peak",
         {"as File", motion.vertical_peak},
         motion.vertical_peak_has_unit,
-        {{"m/s2", 1.}, {"g", 9.80665}, {"cm/s2", 0.01}, {"gal", 0.01}},
+        acceleration_units,
         ParameterRange::closed(0., 1e4),
         "Scale the vertical component to this peak acceleration; as File: by the factor of File.");
     }
