@@ -16,6 +16,7 @@ namespace hybrid::output
     constexpr double tapered_end   = 0.05; ///< of a record without a source [-]
     constexpr double least_window  = 0.25; ///< of the record [-]
     constexpr double duration_tail = 0.05; ///< of the energy at both ends of the duration [-]
+    constexpr double shared_lags   = 0.1;  ///< of L, to both sides: one mean square of h [-]
 
 
 
@@ -35,6 +36,16 @@ namespace hybrid::output
             last = i + 1;
         }
       return last - first;
+    }
+
+
+
+    /// To nothing at the end of a record.
+    void fade_out(std::vector<double> &x, const std::size_t rows)
+    {
+      const std::size_t taper = std::max<std::size_t>(1, tapered_end * rows);
+      for (std::size_t i = 0; i < std::min(taper, rows); ++i)
+        x[rows - 1 - i] *= std::pow(std::sin(0.5 * M_PI * (i + 0.5) / taper), 2);
     }
   } // namespace
 
@@ -63,18 +74,20 @@ namespace hybrid::output
   void ResponseDelay::make_window(const std::vector<double> &source)
   {
     const double duration = rows * spacing;
-    const double reach =
-      std::max(duration - strong_rows(source) * spacing, least_window * duration);
+    reach = std::max(duration - strong_rows(source) * spacing, least_window * duration);
     for (const double t : lag)
       window.push_back(std::exp(-2. * t * t / (reach * reach)));
     source_spectrum = forward(source);
     Spectrum power(s.size());
-    double   largest = 0.;
+    double   largest = 0., sum = 0., moment = 0.;
     for (std::size_t k = 0; k < s.size(); ++k)
       {
         power[k] = std::norm(source_spectrum[k]);
         largest  = std::max(largest, power[k].real());
+        sum += power[k].real();
+        moment += power[k].real() * s[k].imag();
       }
+    period = 2. * M_PI * sum / moment;
     for (const std::complex<double> &p : windowed(power))
       denominator.push_back(std::max(p.real(), 0.) + water_level * largest);
   }
@@ -115,34 +128,89 @@ namespace hybrid::output
 
 
 
+  std::vector<double> ResponseDelay::answer(const std::vector<double> &velocity) const
+  {
+    std::vector<double> pulse = velocity;
+    if (is_set_off)
+      {
+        fade_out(pulse, rows);
+        pulse.resize(length, 0.);
+        return pulse;
+      }
+    Spectrum correlation = forward(velocity);
+    for (std::size_t k = 0; k < s.size(); ++k)
+      correlation[k] *= std::conj(source_spectrum[k]);
+    correlation = windowed(correlation);
+    for (std::size_t k = 0; k < s.size(); ++k)
+      correlation[k] /= denominator[k];
+    pulse = backward(correlation);
+    for (std::size_t i = 0; i < length; ++i)
+      pulse[i] *= std::min(1. / window[i], given_back);
+    return pulse;
+  }
+
+
+
+  std::vector<double> ResponseDelay::without_noise(const std::vector<double> &pulse) const
+  {
+    std::vector<double> after{0.}, before{0.}; // sums of squares, from lag 0 to both sides
+    for (std::size_t i = 0; i < length / 2; ++i)
+      {
+        const double late = pulse[i], early = i == 0 ? 0. : pulse[length - i];
+        after.push_back(after.back() + late * late);
+        before.push_back(before.back() + early * early);
+      }
+    const auto shared =
+      std::max<std::size_t>(1, static_cast<std::size_t>(shared_lags * reach / spacing));
+    std::vector<double> result(length, 0.);
+    for (std::size_t i = 0; i < length / 2; ++i)
+      {
+        const std::size_t first = i - std::min(i, shared), last = std::min(i + shared, length / 2);
+        const double      noise = before[last] - before[first], all = after[last] - after[first];
+        if (all > noise)
+          result[i] = (1. - noise / all) * pulse[i];
+      }
+    return result;
+  }
+
+
+
+  ResponseDelay::Spectrum ResponseDelay::no_answer(const std::vector<double> &velocity,
+                                                   const std::vector<double> &pulse,
+                                                   std::vector<double>        clear) const
+  {
+    for (std::size_t i = 0; i < length; ++i)
+      if (std::abs(lag[i]) < period)
+        clear[i] = pulse[i];
+    Spectrum answered = forward(clear);
+    for (std::size_t k = 0; k < s.size(); ++k)
+      answered[k] *= source_spectrum[k];
+    std::vector<double> rest = backward(answered);
+    rest.resize(rows);
+    for (std::size_t i = 0; i < rows; ++i)
+      rest[i] = velocity[i] - rest[i];
+    fade_out(rest, rows);
+    return forward(rest);
+  }
+
+
+
   ResponseDelay::Spectrum ResponseDelay::delay(const std::vector<double> &velocity) const
   {
     assert(velocity.size() == rows);
-    std::vector<double> pulse = velocity; // the answer to a pulse
-    if (is_set_off)
+    std::vector<double> pulse = answer(velocity);
+    Spectrum            rest(s.size(), 0.);
+    if (!is_set_off)
       {
-        const std::size_t taper = std::max<std::size_t>(1, tapered_end * rows);
-        for (std::size_t i = 0; i < std::min(taper, rows); ++i)
-          pulse[rows - 1 - i] *= std::pow(std::sin(0.5 * M_PI * (i + 0.5) / taper), 2);
-        pulse.resize(length, 0.);
-      }
-    else
-      {
-        Spectrum correlation = forward(velocity);
-        for (std::size_t k = 0; k < s.size(); ++k)
-          correlation[k] *= std::conj(source_spectrum[k]);
-        correlation = windowed(correlation);
-        for (std::size_t k = 0; k < s.size(); ++k)
-          correlation[k] /= denominator[k];
-        pulse = backward(correlation);
-        for (std::size_t i = 0; i < length; ++i)
-          pulse[i] *= std::min(1. / window[i], given_back);
+        std::vector<double> clear = without_noise(pulse);
+        rest                      = no_answer(velocity, pulse, clear);
+        pulse.swap(clear);
       }
     for (std::size_t i = 0; i < length; ++i)
       pulse[i] *= -lag[i];
     Spectrum result = forward(pulse);
     for (std::size_t k = 0; k < s.size(); ++k)
-      result[k] *= source_spectrum[k];
+      result[k] = result[k] * source_spectrum[k] + (k > 0 ? rest[k] / s[k] : 0.);
     return result;
   }
 

@@ -12,6 +12,7 @@ namespace hybrid::output
   {
     constexpr std::size_t least_rows       = 20;
     constexpr double      largest_friction = 0.05; ///< of all that was lost [-]
+    constexpr double      largest_fracture = 0.05; ///< of all that the blocks lost [-]
 
 
 
@@ -26,14 +27,20 @@ namespace hybrid::output
 
 
 
-    /// Of all that went to friction, damping and boundaries, what went to friction [-].
-    double part_of_friction(const EnergyLedger &ledger)
+    /// What went the first of these ways, of what went all of them [-].
+    double part_of_first(const EnergyLedger &ledger, const std::vector<std::string> &ways)
     {
-      const double friction = lost(ledger, "friction_loss");
-      double       total    = friction;
-      for (const char *name : {"blocks_damping_loss", "bedrock_damping_loss", "boundary_loss"})
-        total += lost(ledger, name);
-      return total > 0. ? friction / total : 0.;
+      double total = 0.;
+      for (const std::string &way : ways)
+        total += lost(ledger, way);
+      return total > 0. ? lost(ledger, ways.front()) / total : 0.;
+    }
+
+
+
+    std::string in_percent(const double part)
+    {
+      return std::to_string(std::lround(100. * part)) + " %";
     }
 
 
@@ -139,9 +146,15 @@ namespace hybrid::output
       return "the motion has two components";
     if (lost(ledger, "bedding_loss") > 0.)
       return "bedding planes slip or open";
-    if (part_of_friction(ledger) > largest_friction)
-      return "friction takes " + std::to_string(std::lround(100. * part_of_friction(ledger))) +
-             " % of the energy that is lost";
+    const double friction = part_of_first(
+      ledger, {"friction_loss", "blocks_damping_loss", "bedrock_damping_loss", "boundary_loss"});
+    if (friction > largest_friction)
+      return "friction takes " + in_percent(friction) + " of the energy that is lost";
+    const double fracture =
+      part_of_first(ledger, {"fracture_loss", "friction_loss", "blocks_damping_loss"});
+    if (fracture > largest_fracture)
+      return "joints that crack take " + in_percent(fracture) +
+             " of the energy that the blocks lose";
     return "";
   }
 

@@ -33,8 +33,9 @@ LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_
         "time_order": ((4, 1), []), "time_order dissipative": ((4, 1), SCHEME["dissipative"]), "lasting_load": ((4, 1), []),
         "free_field": ((4, 1), []), "rayleigh_decrement": ((4, 1), []), "elastic_joints": ((4, 1), []), "joint_bands": ((4, 1), []),
         "canyon": ((4, 1), []), "step": ((4, 1), []), "lamb": ((4, 1), []), "wave_packet": ((4, 1), []),
-        "oblique_joints": ((4, 1), []), "soft_layer": ((16, 4), []), "badong": ((4, 2, 1), BADONG),
-        "badong_long_periods": ((4, 2, 1), BADONG),
+        "oblique_joints": ((4, 1), []), "soft_layer": ((16, 4), []), "soft_layer_blocks": ((4, 1), []), "bonded_mass": ((4, 1), []),
+        "constant_q": ((4, 1), []), "constant_q_layer": ((4, 1), []), "constant_q_blocks": ((4, 1), []), "spectrum_motion": ((4, 1), []),
+        "badong": ((4, 2, 1), BADONG), "badong_long_periods": ((4, 2, 1), BADONG), "strong-175": ((4, 2, 1), BADONG + ["Time/End time=2.85"]),
         "shaken_base": ((4,), []), "incline": ((4,), []), "rocking": ((4,), []), "free_flight": ((4,), []),
         "brittle_release": ((4,), []), "direct_shear": ((4,), []), "infinite_slope": ((4,), []), "coulomb_joint": ((4,), []),
         "opening_plane": ((4,), []), "opening_blocks": ((4,), []), "bedding_slip_layers": ((4,), []), "restart_coupled": ((4,), []),
@@ -51,11 +52,12 @@ MESH = {"wave_packet": ("Width = 12.5; Height = 1000;", (12.5, 6.25), 3.125),
         "free_field": ("Width = 100; Height = 100; Layer height = 40;", (20, 10), 5),
         "rayleigh_decrement": ("Width = 10; Height = 50;", (25, 10), 2.5)}
 
-LABELS = {"badong": "Badong, h = 8 m", "badong_long_periods": "Badong, long periods, h = 8 m"}
+LABELS = {"badong": "Badong, h = 8 m", "badong_long_periods": "Badong, long periods, h = 8 m",
+          "strong-175": "Majiagou, 1 g, h = 8 m, until joints fail"}
 
 
 def scene_file(source, name):
-    place = "majiagou" if name.startswith("badong") else "verification"
+    place = "majiagou" if name.startswith(("badong", "strong")) else "verification"
     return source / "parameters" / place / (name.split()[0] + ".prm")
 
 

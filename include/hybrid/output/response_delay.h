@@ -19,6 +19,12 @@ namespace hybrid::output
    * exp(-2 (t/L)^2): what is no answer to F (slip, cracks) averages out over the record. L is the
    * record less the 5 to 95 % duration of F, at least a quarter of the record. Up to twice of what
    * the window takes from a lag is given back.
+   *
+   * What has not averaged out is as large before a pulse, where nothing can answer it, as after it.
+   * So h is multiplied by 1 - N/A, A its mean square about the lag t and N that about -t (Wiener
+   * 1949), and h(t < 0) is left out. The rest of the motion, R = U - H F, is taken for waves that
+   * were set off within the model one radian ago: R/s is added to H' F. What moves with F, within
+   * its mean period, is no part of R.
    */
   class ResponseDelay
   {
@@ -45,6 +51,8 @@ namespace hybrid::output
     double              spacing;
     std::size_t         rows, length; ///< of a record; of its transform, a power of two
     bool                is_set_off;   ///< at t = 0
+    double              reach  = 0.;  ///< L [s]
+    double              period = 0.;  ///< mean one of the source [s]
     Spectrum            s;
     Spectrum            source_spectrum;
     std::vector<double> denominator; ///< |F|^2 windowed, never below 1e-4 of its largest
@@ -54,6 +62,18 @@ namespace hybrid::output
     Spectrum            forward(const std::vector<double> &history) const;
     std::vector<double> backward(const Spectrum &spectrum) const;
     Spectrum            windowed(const Spectrum &correlation) const;
-    void                make_window(const std::vector<double> &source);
+
+    /// h of a velocity, one per lag.
+    std::vector<double> answer(const std::vector<double> &velocity) const;
+
+    /// What is larger after the pulse than before it.
+    std::vector<double> without_noise(const std::vector<double> &pulse) const;
+
+    /// R, with the answer @p pulse, without noise @p clear.
+    Spectrum no_answer(const std::vector<double> &velocity,
+                       const std::vector<double> &pulse,
+                       std::vector<double>        clear) const;
+
+    void make_window(const std::vector<double> &source);
   };
 } // namespace hybrid::output

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace hybrid::output
 {
@@ -78,6 +79,65 @@ namespace hybrid::output
       EXPECT_LT(largest_difference(stretched(response, sampled(wavelet)),
                                    std::vector<double>(1000, 0.)),
                 0.01 * one_second);
+    }
+
+
+    /// Noise about zero with a deviation of one; nothing above a quarter of the rows' frequency.
+    std::vector<double> noise(const unsigned seed, const std::size_t rows = 4000)
+    {
+      std::mt19937        random(seed);
+      std::vector<double> white(rows + 7), result(rows, 0.);
+      for (double &x : white)
+        x = (random() / 4294967296. - 0.5) * std::sqrt(12.);
+      for (std::size_t i = 0; i < rows; ++i)
+        for (int k = 0; k < 8; ++k)
+          result[i] += white[i + k] / std::sqrt(8.);
+      return result;
+    }
+
+
+    std::vector<double> delayed(const std::vector<double> &x, const std::size_t by)
+    {
+      std::vector<double> result(x.size(), 0.);
+      for (std::size_t i = by; i < x.size(); ++i)
+        result[i] = x[i - by];
+      return result;
+    }
+
+
+    double rms(const std::vector<double> &x)
+    {
+      double sum = 0.;
+      for (const double value : x)
+        sum += value * value;
+      return std::sqrt(sum / x.size());
+    }
+
+
+    TEST(ResponseDelay, WhatIsNoAnswerHardlyCountsAsOne)
+    {
+      const std::vector<double> source = noise(1), other = noise(2);
+      const ResponseDelay       response(spacing, source);
+      std::vector<double>       motion = delayed(source, 20), error(source.size(), 0.);
+      for (std::size_t i = 1; i + 1 < source.size(); ++i) // -tau d/dt of the echo
+        error[i] = -stretch * 20. * 0.5 * (motion[i + 1] - motion[i - 1]);
+      for (std::size_t i = 0; i < source.size(); ++i)
+        motion[i] += other[i];
+      EXPECT_GT(rms(stretched(response, motion)), rms(error));
+      EXPECT_LT(rms(stretched(response, motion)), 3. * rms(error)); // 17 with the noise
+    }
+
+
+    TEST(ResponseDelay, WhatIsSetOffWithinIsOffByARadian)
+    {
+      const std::vector<double> source = noise(1);
+      const ResponseDelay       response(spacing, source);
+      const std::vector<double> motion =
+        sampled([](const double t) { return wavelet(t - 9.); }, source.size());
+      const double error = largest_difference(stretched(response, motion),
+                                              sampled([](double) { return 0.; }, source.size()));
+      EXPECT_GT(error, stretch);
+      EXPECT_LT(error, 3. * stretch); // 4.6 with the noise
     }
 
 
