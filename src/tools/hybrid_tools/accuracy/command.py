@@ -2,6 +2,7 @@
 """hybrid accuracy RUN: how far a run is off, by coarser ones, and what halving its step or its mesh would cost."""
 
 import fnmatch
+import math
 import os
 import signal
 
@@ -121,8 +122,9 @@ def table_of(run, errors):
                   + [Column("order in the mesh", "", "%.2g")] * ("mesh" in kinds))
     for name in estimate.judged(run):
         found = [errors[kind].get(name) for kind in kinds]
-        order = [None if errors["mesh"].get(name) is None else errors["mesh"][name].order] if "mesh" in kinds else []
-        table.add(name, quantities.root_mean_square(run[name]), quantities.unit(name), *map(shown, found), *order)
+        by_mesh = errors.get("mesh", {}).get(name)
+        order = None if by_mesh is None or not math.isfinite(by_mesh.order) else by_mesh.order
+        table.add(name, quantities.root_mean_square(run[name]), quantities.unit(name), *map(shown, found), *[order] * ("mesh" in kinds))
     return table
 
 
