@@ -82,7 +82,7 @@ namespace hybrid::output
     }
 
 
-    /// Noise about zero with a deviation of one; nothing above a quarter of the rows' frequency.
+    /// Noise about zero with a deviation of one, smoothed over eight rows.
     std::vector<double> noise(const unsigned seed, const std::size_t rows = 4000)
     {
       std::mt19937        random(seed);
