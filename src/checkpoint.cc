@@ -62,7 +62,8 @@ namespace hybrid
       for (const char *section : {"Output/", "Checkpoint/", "Parallel/"})
         if (path.rfind(section, 0) == 0)
           return true;
-      return path == "Time/End time" || path == "Time/Error target";
+      return path == "Time/End time" || path == "Time/Error target" ||
+             path == "Time/Error estimate";
     }
   } // namespace
 

@@ -3,6 +3,7 @@
 #include <hybrid/checkpoint.h>
 #include <hybrid/command_line.h>
 #include <hybrid/directory_lock.h>
+#include <hybrid/error_runs.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/version.h>
 #include <hybrid/processes.h>
@@ -16,6 +17,7 @@
 #include <hybrid/scene/parameters/time_integrator.h>
 #include <hybrid/simulation.h>
 #include <hybrid/tool.h>
+#include <hybrid/voice.h>
 #include <hybrid/waiting_threads.h>
 
 #include <csignal>
@@ -32,20 +34,6 @@ openblas_set_num_threads(int threads);
 namespace
 {
   using namespace hybrid;
-
-  /// What a process says: nothing, unless it is the first.
-  struct Voice
-  {
-    explicit Voice(const Processes &processes)
-      : stream(processes.is_first() ? std::cout.rdbuf() : nullptr)
-      , log(stream, processes.is_first() && output::standard_output_is_terminal())
-    {}
-
-    std::ostream stream;
-    output::Log  log;
-  };
-
-
 
   /// Of all processes, if the scene may be shared out among them.
   MPI_Comm communicator_of(const scene::SceneParameters &scene, const Processes &processes)
@@ -191,41 +179,25 @@ namespace
 
 
 
-  /// Repeat a run that has finished, with shorter steps, until Time/Error target is met. Each
-  /// repetition is a run of its own: it can be resumed, and looks at the target at its end.
-  RunStatus meet_error_target(std::unique_ptr<Simulation> simulation,
-                              const Processes            &processes,
-                              DirectoryLock              &lock,
-                              const Interruption         &interruption)
+  /// What a run that has finished calls for besides.
+  RunStatus finish_run(std::unique_ptr<Simulation> simulation,
+                       const RunStatus             status,
+                       const Processes            &processes,
+                       output::Log                &log,
+                       DirectoryLock              &lock,
+                       const Interruption         &interruption)
   {
-    const std::string directory = simulation->directory();
-    StepChoice        choice    = simulation->next_step_size();
-    for (double step = processes.from_first(choice.step.value_or(0.)); step > 0.;
-         step        = processes.from_first(choice.step.value_or(0.)))
-      {
-               const std::string            size = scene::number_text(step);
-               const scene::SceneParameters scene =
-                 read_scene_of_run(directory, {"Time/Time step=" + size});
-               Voice voice(processes);
-               processes.on_first([&] {
-          if (simulation->record_for_repetition())
-            output::write_step_record(step_record_file(directory),
-                                      *simulation->record_for_repetition());
-        });
-               simulation.reset(); // its memory
-               simulation = make_simulation(directory, scene, processes, voice.log);
-               processes.on_first([&] { prepare_directory(scene, true, voice.log, lock); });
-               voice.log.info("Repeated in steps of " + size + " s: " + choice.why);
-               simulation->report().card();
-               const RunStatus status = simulation->run(interruption);
-               if (status != RunStatus::finished)
-          return status;
-        choice = simulation->next_step_size();
-      }
-    if (!choice.unmet.empty() && processes.is_first())
-      std::cerr << "warning: Time/Error target is not known to be met: " << choice.unmet
-                << std::endl;
-    return RunStatus::finished;
+    if (status != RunStatus::finished)
+      return status;
+    const SimulationMaker make = [&processes](const std::string            &file,
+                                              const scene::SceneParameters &scene,
+                                              output::Log                  &scene_log) {
+      return make_simulation(file, scene, processes, scene_log);
+    };
+    if (simulation->has_error_target())
+      return meet_error_target(std::move(simulation), make, processes, lock, interruption);
+    tell_error_by_second_run(std::move(simulation), make, processes, log, interruption);
+    return status;
   }
 
 
@@ -273,9 +245,7 @@ namespace
       }
     return run_guarded(scene.output.directory, processes, [&] {
       const RunStatus status = simulation->run(interruption);
-      return status == RunStatus::finished
-               ? meet_error_target(std::move(simulation), processes, lock, interruption)
-               : status;
+      return finish_run(std::move(simulation), status, processes, voice.log, lock, interruption);
     });
   }
 
@@ -304,9 +274,7 @@ namespace
     const Interruption interruption;
     return run_guarded(command.target, processes, [&] {
       const RunStatus status = simulation->resume(checkpoint, interruption);
-      return status == RunStatus::finished
-               ? meet_error_target(std::move(simulation), processes, lock, interruption)
-               : status;
+      return finish_run(std::move(simulation), status, processes, voice.log, lock, interruption);
     });
   }
 

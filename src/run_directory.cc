@@ -38,13 +38,6 @@ namespace hybrid
 
 
 
-    std::string parameters_file(const std::string &directory)
-    {
-      return directory + "/params.used.prm";
-    }
-
-
-
     bool holds_run(const std::string &directory)
     {
       for (const char *file : files)
@@ -96,6 +89,7 @@ namespace hybrid
         remove_versions(directory + "/" + file);
       for (const char *file : other_files)
         remove_versions(directory + "/" + file);
+      forget_second_run(directory);
       std::error_code error;
       for (const auto &entry : fs::directory_iterator(directory + "/vtu", error))
         if (is_picture(entry.path()))
@@ -113,6 +107,28 @@ namespace hybrid
                          "': " + error.message());
     }
   } // namespace
+
+
+
+  std::string parameters_file(const std::string &directory)
+  {
+    return directory + "/params.used.prm";
+  }
+
+
+
+  std::string second_run_directory(const std::string &directory)
+  {
+    return directory + "/checkpoint/twice_the_step";
+  }
+
+
+
+  void forget_second_run(const std::string &directory)
+  {
+    std::error_code ignored; // all of it is the program's own
+    fs::remove_all(second_run_directory(directory), ignored);
+  }
 
 
 

@@ -319,16 +319,32 @@ namespace hybrid
     const scene::TimeParameters &time    = model.scene.time;
     if (time.error_target == 0.)
       return {};
-    return choose_step(step_error, time.time_step, percent * time.error_target);
+    return choose_step(found.probable_error, time.time_step, percent * time.error_target);
+  }
+
+
+
+  std::optional<double> Simulation::end_of_second_run() const
+  {
+    constexpr double             least_steps = 20.; // of the second run
+    const scene::TimeParameters &time        = model.scene.time;
+    if (!record || !found.finished || !found.probable_error.runs_would_do || !time.second_run ||
+        time.error_target != 0. ||
+        model.scene.continuum.is_explicit) // whose parts may stay as they are
+      return {};
+    const double end = std::fmin(record->until, found.simulated_time);
+    return end >= 2. * least_steps * time_step() ? std::optional(end) : std::nullopt;
   }
 
 
 
   void Simulation::measure_step_error(const Run &run, output::Summary &summary)
   {
-    if (model.scene.time.error_target == 0. || !summary.probable_error.runs_would_do)
+    const scene::TimeParameters &time = model.scene.time;
+    if (time.second_run || time.error_target != 0.)
+      record = run.recorder->step_record(summary.first_failure_time);
+    if (time.error_target == 0. || !summary.probable_error.runs_would_do)
       return;
-    record = run.recorder->step_record(summary.first_failure_time);
     if (const auto longer = output::read_step_record(step_record_file(directory())))
       output::measure_error(*longer, *record, summary.probable_error);
   }
@@ -367,7 +383,8 @@ namespace hybrid
     summary.peak_memory    = peak_memory();
     summary.probable_error.cost =
       summary.stages["steps"]; // twice as many, which need not be harder
-    step_error = summary.probable_error;
+    found                             = summary;
+    summary.probable_error.second_run = end_of_second_run().has_value();
     output::write_summary(summary, model.scene.output.directory + "/summary.json");
 
     run_report.end(summary, status);

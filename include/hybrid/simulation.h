@@ -44,10 +44,31 @@ namespace hybrid
     /// What Time/Error target calls for after a run that has finished.
     StepChoice next_step_size() const;
 
-    /// What a repetition in shorter steps is compared with; empty: it is not.
-    const std::optional<output::StepRecord> &record_for_repetition() const
+    /// Histories of a run that has finished, on the first process, if another run is to tell its
+    /// error.
+    const std::optional<output::StepRecord> &step_record() const
     {
       return record;
+    }
+
+    /// What a run that has finished found, on the first process.
+    const output::Summary &summary() const
+    {
+      return found;
+    }
+
+    /// Up to where a run with twice the step has to go to tell the error of this one [s]; empty:
+    /// none is called for (Time/Error estimate).
+    std::optional<double> end_of_second_run() const;
+
+    bool has_error_target() const
+    {
+      return model.scene.time.error_target != 0.;
+    }
+
+    double time_step() const
+    {
+      return model.scene.time.time_step;
     }
 
     const std::string &directory() const
@@ -71,8 +92,8 @@ namespace hybrid
     dda::StaticResult                 settled;
     continuum::StaticSlip             planes_at_rest;
     coupling::CoupledState            state;
-    output::Summary::ProbableError    step_error; ///< of the run that has finished
-    std::optional<output::StepRecord> record;     ///< of it
+    output::Summary                   found;  ///< by the run that has finished
+    std::optional<output::StepRecord> record; ///< of it
 
     /// Of processes that compute together, the one that writes.
     bool is_first() const;

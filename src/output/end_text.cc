@@ -189,6 +189,8 @@ namespace hybrid::output
     {
       if (!summary.probable_error.runs_would_do)
         return "";
+      if (summary.probable_error.second_run)
+        return "; the scene once more with twice the step tells it:";
       return summary.blocks == 0 ? "; Time/Error target finds it by runs in shorter steps"
                                  : "; hybrid accuracy tells it from a run with twice the step, "
                                    "Time/Error target from runs with shorter ones";
@@ -197,21 +199,20 @@ namespace hybrid::output
 
 
     /// What finer steps would change; nothing without monitors.
-    std::string error_text(const Summary &summary)
+    std::string step_error_text(const Summary &summary)
     {
       const Summary::ProbableError &error = summary.probable_error;
       if (summary.monitors.empty())
         return "";
       if (!error.reason.empty())
-        return "\nError     of the time step: not estimated, " + error.reason +
-               who_finds_it(summary);
+        return "Error     of the time step: not estimated, " + error.reason + who_finds_it(summary);
       const std::string until =
         std::isnan(error.until) ? "" : format(", until a joint failed at %.3g s", error.until);
       const std::array<double, 3> &half   = error.half_step.part;
       const std::string            source = std::isnan(error.measured_from)
                                               ? "probably"
                                               : format("by the run in steps of %.4g s", error.measured_from);
-      return "\nError     of the time step, " + source + until + ": " + peaks_text(error.step) +
+      return "Error     of the time step, " + source + until + ": " + peaks_text(error.step) +
              "; with half the step " + percent(half[0]) + ", " + percent(half[1]) + ", " +
              percent(half[2]) + " %";
     }
@@ -252,6 +253,14 @@ namespace hybrid::output
 
 
 
+  EndText error_text(const Summary &summary)
+  {
+    const std::string text = step_error_text(summary);
+    return {text + (summary.monitors.empty() ? "" : cost_text(summary.probable_error)), text};
+  }
+
+
+
   EndText end_text(const Summary &summary, const scene::SceneParameters &scene)
   {
     const std::string reached =
@@ -269,11 +278,14 @@ namespace hybrid::output
           found += indent + slip_text(summary) + shear_text(summary.base_shear);
       }
     const std::string &place = scene.output.directory;
-    const std::string  error = error_text(summary), mesh = mesh_text(summary);
-    const std::string  cost = summary.monitors.empty() ? "" : cost_text(summary.probable_error);
-    return {reached + " in " + duration_text(summary.wall_time) + found + error + cost + mesh +
+    const std::string  mesh  = mesh_text(summary);
+    EndText            error = error_text(summary);
+    for (std::string *text : {&error.on_screen, &error.in_file})
+      if (!text->empty())
+        text->insert(0, "\n");
+    return {reached + " in " + duration_text(summary.wall_time) + found + error.on_screen + mesh +
               block_mesh_text(summary, place) + "\nResults   " + place + "   next: hybrid plot " +
               place,
-            reached + found + error + mesh};
+            reached + found + error.in_file + mesh};
   }
 } // namespace hybrid::output

@@ -11,7 +11,7 @@ namespace hybrid::output
   namespace
   {
     constexpr std::size_t least_rows       = 20;
-    constexpr double      largest_friction = 0.05; ///< of all that was lost [-]
+    constexpr double      largest_friction = 0.05; ///< of all that was lost inside [-]
     constexpr double      largest_fracture = 0.05; ///< of all that the blocks lost [-]
 
 
@@ -146,10 +146,17 @@ namespace hybrid::output
       return "the motion has two components";
     if (lost(ledger, "bedding_loss") > 0.)
       return "bedding planes slip or open";
-    const double friction = part_of_first(
-      ledger, {"friction_loss", "blocks_damping_loss", "bedrock_damping_loss", "boundary_loss"});
+    const bool fourth_order =
+      scene.time.newmark.corrected_step > 0. && !scene.continuum.is_explicit;
+    if (fourth_order && !scene.bedding.names.empty())
+      return "elastic bedding planes have errors of their own under fourth order";
+    if (scene.environment.static_stage == scene::StaticStage::none &&
+        scene.environment.gravity != 0.)
+      return "the weight acts at once";
+    const double friction =
+      part_of_first(ledger, {"friction_loss", "blocks_damping_loss", "bedrock_damping_loss"});
     if (friction > largest_friction)
-      return "friction takes " + in_percent(friction) + " of the energy that is lost";
+      return "friction takes " + in_percent(friction) + " of the energy that is lost inside";
     const double fracture =
       part_of_first(ledger, {"fracture_loss", "friction_loss", "blocks_damping_loss"});
     if (fracture > largest_fracture)

@@ -11,7 +11,9 @@ namespace hybrid::output
   namespace
   {
     constexpr double least_motion = 1e-3; ///< of the largest [-]
-    constexpr double least_order = 0.25, safe_order = 1.;
+    constexpr double least_order  = 0.25;
+    constexpr double middle_order =
+      1.45; ///< where 2^p - 1 is sqrt(3), between 1 (first order) and 3 (second)
 
     using History = std::vector<double>;
 
@@ -174,13 +176,13 @@ namespace hybrid::output
     error.measured_from = longer.step;
     error.until         = std::fmin(longer.until, shorter.until);
     error.step = error.half_step = difference;
-    if (order < least_order) // NaN: there is no third run yet
+    if (order < least_order) // NaN: there is no third run
       return;
     for (int q = 0; q < 3; ++q)
       {
         const double found = std::log(longer.difference[q] / difference.part[q]) / std::log(ratio);
         const double p =
-          std::isnan(found) ? safe_order : std::clamp(found, least_order, safe_order);
+          std::isnan(found) ? middle_order : std::clamp(found, least_order, middle_order);
         error.step.part[q] /= std::pow(ratio, p) - 1.;
         error.half_step.part[q] = error.step.part[q] * std::pow(0.5, p);
       }

@@ -26,7 +26,7 @@ BADONG = ["Mesh/Numbers=Resolution/h = 8"]
 
 # name: steps in units of the scene's own, and what is set besides
 SHORT = {"time_order": ((4, 1), []), "bedrock_triangles": ((4,), []), "block_decrement": ((1,), []), "lasting_load": ((4,), []),
-         "canyon": ((4,), []), "rayleigh_decrement": ((4,), [])}
+         "canyon": ((4,), []), "rayleigh_decrement": ((4,), []), "shaken_base": ((2,), []), "floating_block": ((2,), [])}
 LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_layers": ((4, 1), []),
         "block_decrement": ((4, 1), []), "continuum_into_blocks": ((4, 1), []), "coupled_column": ((4, 1), []),
         "coupled_column trapezoidal": ((4, 1), SCHEME["trapezoidal"]), "coupled_column dissipative": ((4, 1), SCHEME["dissipative"]),
@@ -36,15 +36,11 @@ LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_
         "oblique_joints": ((4, 1), []), "soft_layer": ((16, 4), []), "soft_layer_blocks": ((4, 1), []), "bonded_mass": ((4, 1), []),
         "constant_q": ((4, 1), []), "constant_q_layer": ((4, 1), []), "constant_q_blocks": ((4, 1), []), "spectrum_motion": ((4, 1), []),
         "badong": ((4, 2, 1), BADONG), "badong_long_periods": ((4, 2, 1), BADONG), "strong-175": ((4, 2, 1), BADONG + ["Time/End time=2.85"]),
-        "shaken_base": ((4,), []), "incline": ((4,), []), "rocking": ((4,), []), "free_flight": ((4,), []),
-        "brittle_release": ((4,), []), "direct_shear": ((4,), []), "infinite_slope": ((4,), []), "coulomb_joint": ((4,), []),
-        "opening_plane": ((4,), []), "opening_blocks": ((4,), []), "bedding_slip_layers": ((4,), []), "restart_coupled": ((4,), []),
-        "floating_block": ((4,), []), "dynamic_coefficient": ((4,), []), "unit_squares": ((4,), [])}
-
-# What two runs tell where one does not.
-RUNS = {"shaken_base": [], "rocking": [], "brittle_release": [], "coulomb_joint": [], "opening_plane": [], "bedding_slip_layers": [],
-        "restart_coupled": [], "floating_block": [], "sliding_column": [], "badong": BADONG}
-SHORT_RUNS = ("shaken_base", "floating_block")
+        "shaken_base": ((4, 1), []), "incline": ((4, 1), []), "rocking": ((4, 1), []), "free_flight": ((4, 1), []),
+        "brittle_release": ((4, 1), []), "direct_shear": ((4, 1), []), "infinite_slope": ((4, 1), []), "coulomb_joint": ((4, 1), []),
+        "opening_plane": ((4, 1), []), "opening_blocks": ((4, 1), []), "bedding_slip_layers": ((4, 1), []),
+        "restart_coupled": ((4, 1), []), "floating_block": ((4, 1), []), "sliding_column": ((4, 1), []), "unit_squares": ((4,), []),
+        "dynamic_coefficient": ((4,), [])}
 
 # Mesh of the bedrock: numbers of the mesh, sizes of its cells [m] and the reference's
 MESH = {"wave_packet": ("Width = 12.5; Height = 1000;", (12.5, 6.25), 3.125),
@@ -137,30 +133,6 @@ def parts_of(said):
     return [said["time_step"][q]["part_of_peak"] for q in QUANTITIES]
 
 
-def measured_run(binary, source, work, name, settings, factor):
-    """A run with Time/Error target that begins with so many times the scene's step and ends with half of it. @return its directory."""
-    place = work / ("%s-halved-%g" % (name, factor))
-    if not (place / "summary.json").exists():
-        words = [binary, scene_file(source, name), "-s", "Output/Directory=%s" % place, "-s", "Output/Picture interval=0",
-                 "-s", "Time/Time step=%.10g" % (factor * own_step(scene_file(source, name))), "-s", "Time/Error target=100"]
-        for setting in settings:
-            words += ["-s", setting]
-        subprocess.run(words, check=True, cwd=source, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return place
-
-
-def compare_runs(binary, source, work, name, settings):
-    """What the run before with twice the step tells: step, true errors and measured ones."""
-    reference = compute(binary, source, work, name, 0.25, settings)
-    for factor in (4, 2):
-        place = measured_run(binary, source, work, name, settings, factor)
-        said = json.loads((place / "summary.json").read_text())["probable_error"]
-        step = 0.5 * factor * own_step(scene_file(source, name))
-        if said.get("measured_from_time_step_s") is None:
-            sys.exit("%s, from %g s: not measured: %s" % (name, 2 * step, said.get("reason", "it is estimated")))
-        yield step, true_errors(place, reference, 2 * factor, 1, said["until_s"]), parts_of(said)
-
-
 def compare_meshes(binary, source, work, name):
     """For each size of cells: what the run says of its mesh, and the true errors. All with a quarter of the scene's own step."""
     numbers, sizes, finest = MESH[name]
@@ -192,9 +164,6 @@ def short(binary, source, work):
             if estimated is None:
                 sys.exit("%s: not estimated: %s" % (name, said["reason"]))
             bad += not judge(name, "%g s" % step, true, estimated)
-    for name in SHORT_RUNS:
-        for step, true, measured in compare_runs(binary, source, work, name, []):
-            bad += not judge(name, "%g s, two runs" % step, true, measured)
     sys.exit(1 if bad else 0)
 
 
@@ -209,10 +178,12 @@ def row(label, size_of_it, true, estimated):
 
 
 def write(binary, source, work, page):
-    rows, mesh_rows, run_rows = [], [], []
+    rows, mesh_rows = [], []
     for name, (factors, settings) in LONG.items():
         for step, true, estimated, said in compare(binary, source, work, name, factors, settings):
             label = LABELS.get(name, name)
+            if said.get("measured_from_time_step_s") is not None:
+                label += ", two runs"
             if estimated is None:
                 rows.append("| %s | %g | %s | %s | |" % (label, 1e3 * step, percent(true), "not estimated: " + said["reason"]))
             else:
@@ -220,11 +191,8 @@ def write(binary, source, work, page):
     for name in MESH:
         for cells, true, estimated in compare_meshes(binary, source, work, name):
             mesh_rows.append(row(name, cells, true, estimated))
-    for name, settings in RUNS.items():
-        for step, true, measured in compare_runs(binary, source, work, name, settings):
-            run_rows.append(row(LABELS.get(name, name), 1e3 * step, true, measured))
     text = page.read_text()
-    for lines, mark in ((rows, "steps"), (mesh_rows, "meshes"), (run_rows, "runs")):
+    for lines, mark in ((rows, "steps"), (mesh_rows, "meshes")):
         begin, end = "<!-- %s -->\n" % mark, "\n<!-- end -->"
         first = text.index(begin)
         head = text.index("|---|---|---|---|---|\n", first) + len("|---|---|---|---|---|\n")

@@ -8,12 +8,15 @@
 
 namespace hybrid::output
 {
-  /// The last lines of a run: how far it got, what it cost, what it found.
+  /// What a run says at its end: how far it got, what it cost, what it found.
   struct EndText
   {
     std::string on_screen; ///< with times and places, which differ between equal runs
     std::string in_file;   ///< without
   };
+
+  /// The line on the error of the time step, with what half the step costs on the screen only.
+  EndText error_text(const Summary &summary);
 
   EndText end_text(const Summary &summary, const scene::SceneParameters &scene);
 } // namespace hybrid::output

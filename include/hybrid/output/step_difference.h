@@ -21,8 +21,9 @@ namespace hybrid::output
    * The error of the run in @p shorter steps from its difference d to the one in longer steps:
    * d / (r^p - 1), with r the ratio of the steps and p the order (Richardson 1911).
    *
-   * p is 1, and less if the difference to a third run says so; what is of second order is
-   * overestimated by r + 1. If the differences fall by less than a factor of r^(1/4) the runs do
+   * p is 1.45, for which d is divided by sqrt(3) where r is 2: what is of first order is
+   * underestimated by that, what is of second overestimated. p is less if the difference to a third
+   * run says so. If the differences fall by less than a factor of r^(1/4) the runs do
    * not converge: d tells how far they scatter, and half the step would leave as much.
    *
    * @param shorter its difference is set.

@@ -108,6 +108,7 @@ namespace hybrid::output
     {
       std::string reason        = "there is no monitor"; ///< why it is not estimated; empty: it is
       bool        runs_would_do = false; ///< it is not, but the difference to another run tells it
+      bool        second_run    = false; ///< which follows
       double measured_from = MonitorSummary::unknown; ///< told by a run in steps of this [s]; NaN:
                                                       ///< estimated from this run
       double    until = MonitorSummary::unknown;      ///< estimated up to here [s]; NaN: all

@@ -27,6 +27,13 @@ namespace hybrid::scene
       "A run that ends with a larger probable one is repeated from the beginning with Time step over 2, 4, 8 or 16, as "
       "the estimate says. Where there is no estimate (slip, flight) it is repeated with half the step until the "
       "difference of two runs meets it; none: the run stands.");
+    section.choice(
+      "Error estimate",
+      time.second_run,
+      {{"automatic", true}, {"one run", false}},
+      "Where a run that has ended does not tell the error of its step (slip, flight), automatic computes the scene "
+      "once more with twice the step, up to the first failed joint, and tells it from the difference: about half as "
+      "much time again. With one run, or an Error target, it does not.");
     section.number_or(
       "Rest speed",
       {"none", time.rest_speed},

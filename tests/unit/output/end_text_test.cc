@@ -101,6 +101,10 @@ namespace hybrid::output
                   .in_file.find(
                     "\nError     of the time step: not estimated, bedding planes slip or open"),
                 std::string::npos);
+      error.runs_would_do = error.second_run = true;
+      EXPECT_EQ(error_text(run).on_screen,
+                "Error     of the time step: not estimated, bedding planes slip or open; the scene "
+                "once more with twice the step tells it:");
     }
   } // namespace
 } // namespace hybrid::output

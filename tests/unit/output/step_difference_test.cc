@@ -77,15 +77,15 @@ namespace hybrid::output
 
 
 
-    TEST(StepDifference, of_two_runs_is_the_error_at_first_order)
+    TEST(StepDifference, of_two_runs_is_the_error_between_first_and_second_order)
     {
       StepRecord             shorter = run_with(2e-3, 0.02);
       Summary::ProbableError error   = unknown_error();
       measure_error(run_with(4e-3, 0.04), shorter, error);
       EXPECT_EQ(error.reason, "");
       EXPECT_EQ(error.measured_from, 4e-3);
-      EXPECT_NEAR(error.step.part[0], 0.02, 5e-4);
-      EXPECT_NEAR(error.half_step.part[0], 0.01, 3e-4);
+      EXPECT_NEAR(error.step.part[0], 0.02 / std::sqrt(3.), 5e-4);
+      EXPECT_NEAR(error.half_step.part[0], 0.02 / std::sqrt(3.) / (1. + std::sqrt(3.)), 3e-4);
     }
 
 

@@ -39,7 +39,8 @@ namespace hybrid::scene
       0.05;                            ///< largest block displacement per step over block size [-]
     double error_target          = 0.; ///< of the time step: largest error over a peak [%]; 0: none
     bool   error_target_has_unit = false; ///< the user wrote the unit
-    double rest_speed = 0.; ///< the run ends when no block is faster [m/s]; 0: it does not
+    bool   second_run = true; ///< for the error of the step, where one run does not tell it
+    double rest_speed = 0.;   ///< the run ends when no block is faster [m/s]; 0: it does not
     double dynamic_coefficient =
       1.; ///< k01 of the paper: factor on the velocity at the start of each step, (0, 1]
   };

@@ -50,7 +50,7 @@ def wait(child, limit):
 def run(program, row, directory, overrides=(), limit=None, threads=1):
     """summary.json of one run, with "stopped" (it reached the limit) and "other_load" (cores that other work took meanwhile)."""
     shutil.rmtree(directory, ignore_errors=True)
-    settings = list(overrides) + ["Output/Directory=" + directory, "Checkpoint/Wall interval=0", "Parallel/Threads=%d" % threads]
+    settings = list(overrides) + ["Output/Directory=" + directory, "Checkpoint/Wall interval=0", "Time/Error estimate=one run", "Parallel/Threads=%d" % threads]
     words = [program, row.path, "--force"] + [word for setting in settings for word in ("-s", setting)]
     begin, others = time.monotonic(), busy_time() - own_time()
     os.makedirs(directory, exist_ok=True)

@@ -50,7 +50,7 @@ class Trials:
     def run(self, name, settings):
         """Exit code 0 or 1 of the program; @raises UserError for what it refuses."""
         directory = os.path.join(self.directory, name)
-        words = [os.environ["HYBRID_PROGRAM"], self.scene, "--force"]
+        words = [os.environ["HYBRID_PROGRAM"], self.scene, "--force", "-s", "Time/Error estimate=one run"]
         for setting in settings + ["Output/Directory=" + directory]:
             words += ["-s", setting]
         done = subprocess.run(words, capture_output=True, text=True)

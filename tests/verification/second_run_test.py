@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where a run does not tell the error of its step, a second one with twice the step does (Time/Error estimate). Its own results stay as
+they are, nothing of the second one is left, and what ends that one does no harm.
+
+    second_run_test.py HYBRID ROOT WORK_DIR   exit code 1 and a sentence if a requirement is not met
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+SLIDES = "shaken_base"                           # friction takes all
+BREAKS = "brittle_release"                       # a joint fails at 1.17 s
+STEP = 0.001
+
+
+def command(binary, root, name, directory, *overrides):
+    words = [str(binary), str(root / "parameters/verification" / (name + ".prm")), "--force"]
+    for override in ("Output/Directory=%s" % directory, "Output/Picture interval=0", *overrides):
+        words += ["-s", override]
+    return words
+
+
+def run(*words):
+    done = subprocess.run(command(*words), capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+def summary_of(directory):
+    return json.loads((directory / "summary.json").read_text(encoding="utf-8"))
+
+
+def nothing_left(directory):
+    return not (directory / "checkpoint/twice_the_step").exists()
+
+
+def check_error(words, work, same_bits, require):
+    code, output = run(*words, SLIDES, work / "two")
+    _, alone = run(*words, SLIDES, work / "one", "Time/Error estimate=one run")
+    error = summary_of(work / "two")["probable_error"]
+    require(code == 0 and error["estimated"] and error["measured_from_time_step_s"] == 2 * STEP, "a second run tells the error", output)
+    require("by the run in steps of 0.002 s: displacement" in output.splitlines()[-1], "the last line says it", output)
+    require("by the run in steps" in (work / "two/log.txt").read_text(encoding="utf-8"), "log.txt has it, too", output)
+    require(not summary_of(work / "one")["probable_error"]["estimated"] and "hybrid accuracy tells it" in alone,
+            "one run leaves it out, and says what tells it", alone)
+    require(same_bits(work / "one", work / "two"), "the histories have the same bits", output)
+    require(nothing_left(work / "two"), "nothing is left of the second run", output)
+    _, output = run(*words, "time_order", work / "waves")
+    require("twice the step" not in output and summary_of(work / "waves")["probable_error"]["measured_from_time_step_s"] is None,
+            "a run that tells its error has no second one", output)
+
+
+def check_failure(words, work, require):
+    _, output = run(*words, BREAKS, work / "breaks")
+    second = output[output.index("Results"):]
+    until = summary_of(work / "breaks")["probable_error"]["until_s"]
+    require(1.0 < until < 1.3 and "of %.4g s" % until in second.replace("t = ", ""), "the second run ends with the first failed joint", second)
+
+
+def check_interruption(words, work, require):
+    """Ctrl-C while the second run is under way."""
+    directory = work / "interrupted"
+    shutil.rmtree(directory, ignore_errors=True)
+    long = ["Time/End time=400", "Motion/Duration=400"]
+    process = subprocess.Popen(command(*words, SLIDES, directory, *long), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    second = directory / "checkpoint/twice_the_step/run.h5"
+    while process.poll() is None and not second.exists():
+        time.sleep(0.002)
+    in_time = process.poll() is None
+    process.send_signal(signal.SIGINT)
+    output, _ = process.communicate()
+    summary = summary_of(directory)
+    require(in_time and process.returncode == 0 and summary["finished"] and not summary["probable_error"]["estimated"],
+            "an interruption leaves a complete run", output)
+    require("The second run did not come to its end" in output and nothing_left(directory), "and says so", output)
+
+
+def main():
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    binary, root, work = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+    sys.path[:0] = [str(root / "tests"), str(root / "tests/verification")]
+    from error_target_test import same_bits
+    from run_hybrid import require
+
+    os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
+    words = (binary, root)
+    check_error(words, work, same_bits, require)
+    check_failure(words, work, require)
+    check_interruption(words, work, require)
+
+
+if __name__ == "__main__":
+    main()
