@@ -11,7 +11,7 @@ from hybrid_tools.study import tables
 
 MARKS = "osD^vP*X"
 MOST_LABELS = 12
-FLOOR = 1e-6  # smaller errors are drawn here
+FLOOR = 1e-9  # smaller errors, which are round-off, are drawn here
 
 
 def plain(value, _=None):
