@@ -63,7 +63,7 @@ namespace hybrid
         if (path.rfind(section, 0) == 0)
           return true;
       return path == "Time/End time" || path == "Time/Error target" ||
-             path == "Time/Error estimate";
+             path == "Time/Error estimate" || path == "Mesh/Error estimate";
     }
   } // namespace
 

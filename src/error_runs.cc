@@ -13,61 +13,154 @@ namespace hybrid
 {
   namespace
   {
-    /// Nobody looks at what the second run would write besides the histories of its monitors.
-    scene::SceneParameters
-    scene_of_second_run(const std::string &directory, const double step, const double end)
+    constexpr double most_blocks_left = 0.4; ///< in a mesh twice as coarse [-]; a quarter is ideal
+
+
+
+    /// The scene of a finished run, computed once more with other parameters.
+    class FurtherRuns
     {
-      return scene::read_scene(parameters_file(directory),
-                               {"Time/Time step=" + scene::number_text(step),
-                                "Time/End time=" + scene::number_text(end),
-                                "Output/Directory=" + second_run_directory(directory),
-                                "Output/Picture interval=0",
-                                "Monitors/Peak fields=false",
-                                "Monitors/Lines=",
-                                "Monitors/Lines file=",
-                                "Output/Energy warning=0",
-                                "Output/Energy limit=0",
-                                "Checkpoint/Wall interval=0"});
-    }
+    public:
+      FurtherRuns(std::string            run_directory,
+                  const SimulationMaker &maker,
+                  const Processes       &all_processes,
+                  const Interruption    &user)
+        : directory(std::move(run_directory))
+        , make(maker)
+        , processes(all_processes)
+        , interruption(user)
+      {}
 
+      /// Up to a time @p end [s]. @return its record on the first process; nothing if it did not
+      /// come to its end, or has more than @p most_blocks blocks: why_not() then says why.
+      std::optional<output::StepRecord>
+      run(const std::vector<std::string> &overrides, const double end, const double most_blocks)
+      {
+        reason = "it did not come to its end";
+        if (processes.count() > 1) // one that fails ends all
+          return compute(scene_with(overrides, end), most_blocks);
+        try
+          {
+            return compute(scene_with(overrides, end), most_blocks);
+          }
+        catch (const std::exception &error) // no failure may spoil a run that has finished
+          {
+            reason = error.what();
+            return {};
+          }
+      }
 
+      const std::string &why_not() const
+      {
+        return reason;
+      }
 
-    /// Compute it. @return its record for the comparison; nothing if it did not come to its end.
-    std::optional<output::StepRecord> second_run(const scene::SceneParameters &scene,
-                                                 const SimulationMaker        &make,
-                                                 const Processes              &processes,
-                                                 const Interruption           &interruption)
-    {
-      std::ostream  nowhere(nullptr);
-      output::Log   quiet(nowhere);
-      DirectoryLock lock;
-      const auto    simulation = make(scene.output.directory, scene, quiet);
-      processes.on_first([&] { prepare_directory(scene, true, quiet, lock); });
-      if (simulation->run(interruption) != RunStatus::finished)
-        return {};
-      return simulation->step_record();
-    }
+      /// Of the last run [s].
+      double processor_time() const
+      {
+        return time;
+      }
 
+      void leave_nothing() const
+      {
+        processes.on_first([&] { forget_further_runs(directory); });
+      }
 
+    private:
+      const std::string      directory;
+      const SimulationMaker &make;
+      const Processes       &processes;
+      const Interruption    &interruption;
+      std::string            reason;
+      double                 time = 0.;
 
-    /// The same, where no failure may spoil a run that has finished.
-    std::optional<output::StepRecord> second_run_or_reason(const scene::SceneParameters &scene,
-                                                           const SimulationMaker        &make,
-                                                           const Processes              &processes,
-                                                           const Interruption &interruption,
-                                                           std::string        &reason)
-    {
-      if (processes.count() > 1) // one that fails ends all
-        return second_run(scene, make, processes, interruption);
-      try
-        {
-          return second_run(scene, make, processes, interruption);
-        }
-      catch (const std::exception &error)
-        {
-          reason = error.what();
+      /// Nobody looks at what it would write besides the histories of its monitors.
+      scene::SceneParameters scene_with(std::vector<std::string> overrides, const double end) const
+      {
+        for (const char *quiet : {"Output/Picture interval=0",
+                                  "Monitors/Peak fields=false",
+                                  "Monitors/Lines=",
+                                  "Monitors/Lines file=",
+                                  "Output/Energy warning=0",
+                                  "Output/Energy limit=0",
+                                  "Checkpoint/Wall interval=0",
+                                  "Checkpoint/Step interval=0"})
+          overrides.emplace_back(quiet);
+        overrides.push_back("Time/End time=" + scene::number_text(end));
+        overrides.push_back("Output/Directory=" + further_run_directory(directory));
+        return scene::read_scene(parameters_file(directory), overrides);
+      }
+
+      std::optional<output::StepRecord> compute(const scene::SceneParameters &scene,
+                                                const double                  most_blocks)
+      {
+        std::ostream  nowhere(nullptr);
+        output::Log   quiet(nowhere);
+        DirectoryLock lock;
+        const auto    simulation = make(scene.output.directory, scene, quiet);
+        if (simulation->n_blocks() > most_blocks)
+          {
+            reason = "the next mesh is hardly coarser";
+            return {};
+          }
+        processes.on_first([&] { prepare_directory(scene, true, quiet, lock); });
+        if (simulation->run(interruption) != RunStatus::finished)
           return {};
-        }
+        const auto of_steps = simulation->summary().stages.find("steps");
+        time = of_steps == simulation->summary().stages.end() ? 0. : of_steps->second;
+        return simulation->step_record();
+      }
+    };
+
+
+
+    /// What a finished run leaves for the comparison; on the first process.
+    struct FinishedRun
+    {
+      std::string        directory;
+      output::StepRecord record;
+      output::Summary    summary;
+    };
+
+
+
+    void say(const output::EndText &text, const FinishedRun &run, output::Log &log)
+    {
+      output::write_summary(run.summary, run.directory + "/summary.json");
+      log.info(text.on_screen, text.in_file);
+    }
+
+
+
+    void tell_step_error(const std::optional<output::StepRecord> &longer,
+                         const FurtherRuns                       &runs,
+                         FinishedRun                             &run,
+                         output::Log                             &log)
+    {
+      if (longer)
+        output::measure_error(*longer, run.record, run.summary.probable_error);
+      else
+        run.summary.probable_error.reason = "of the run with twice the step: " + runs.why_not();
+      say(output::error_text(run.summary), run, log);
+    }
+
+
+
+    void tell_mesh_error(const std::vector<output::StepRecord> &coarser,
+                         const FurtherRuns                     &runs,
+                         const double                           time_of_coarser,
+                         FinishedRun                           &run,
+                         output::Log                           &log)
+    {
+      output::Summary::MeshError &error = run.summary.mesh_error;
+      if (coarser.empty())
+        error.reason = runs.why_not();
+      else
+        output::measure_mesh_error(run.record, coarser, error);
+      const double own = run.summary.stages["steps"];
+      if (time_of_coarser > 0.)
+        error.cost = own * std::max(1., own / time_of_coarser);
+      say(output::mesh_error_text(error), run, log);
     }
   } // namespace
 
@@ -110,37 +203,46 @@ namespace hybrid
 
 
 
-  void tell_error_by_second_run(std::unique_ptr<Simulation> simulation,
-                                const SimulationMaker      &make,
-                                const Processes            &processes,
-                                output::Log                &log,
-                                const Interruption         &interruption)
+  void tell_errors_by_further_runs(std::unique_ptr<Simulation> simulation,
+                                   const SimulationMaker      &make,
+                                   const Processes            &processes,
+                                   output::Log                &log,
+                                   const Interruption         &interruption)
   {
-    const double until = processes.from_first(simulation->end_of_second_run().value_or(0.));
-    if (until <= 0.)
+    const double end_of_second = processes.from_first(simulation->end_of_second_run().value_or(0.)),
+                 end_of_coarser =
+                   processes.from_first(simulation->end_of_coarser_runs().value_or(0.));
+    if (end_of_second <= 0. && end_of_coarser <= 0.)
       return;
-    const std::string                 directory   = simulation->directory();
-    const double                      longer_step = 2. * simulation->time_step();
-    std::optional<output::StepRecord> shorter     = simulation->step_record();
-    output::Summary                   summary     = simulation->summary();
+    const std::string longer_step = scene::number_text(2. * simulation->time_step());
+    const std::string meshes[]    = {simulation->coarser_mesh(2.), simulation->coarser_mesh(4.)};
+    const double      blocks      = simulation->n_blocks();
+    FinishedRun       run{simulation->directory(),
+                    simulation->step_record().value_or(output::StepRecord()),
+                    simulation->summary()};
     simulation.reset(); // its memory
-    std::string reason;
-    const auto  longer = second_run_or_reason(
-      scene_of_second_run(directory, longer_step, until), make, processes, interruption, reason);
-    processes.on_first([&] {
-      forget_second_run(directory);
-      if (!longer)
-        {
-          log.info("The second run did not come to its end" +
-                   (reason.empty() ? "" : ": " + reason) +
-                   ". The first one is complete, and hybrid accuracy " + directory +
-                   " --step tells its error.");
-          return;
-        }
-      output::measure_error(*longer, *shorter, summary.probable_error);
-      output::write_summary(summary, directory + "/summary.json");
-      const output::EndText text = output::error_text(summary);
-      log.info(text.on_screen, text.in_file);
-    });
+    FurtherRuns runs(run.directory, make, processes, interruption);
+    if (end_of_second > 0.)
+      {
+        const auto longer = runs.run({"Time/Time step=" + longer_step}, end_of_second, blocks);
+        processes.on_first([&] { tell_step_error(longer, runs, run, log); });
+      }
+    if (end_of_coarser > 0. && !interruption.is_requested())
+      {
+        std::vector<output::StepRecord> coarser;
+        double                          most = blocks, time = 0.;
+        for (const std::string &numbers : meshes)
+          {
+            most *= most_blocks_left;
+            const auto record = runs.run({"Mesh/Numbers=" + numbers}, end_of_coarser, most);
+            if (processes.from_first(record ? 1. : 0.) == 0.)
+              break;
+            if (coarser.empty())
+              time = runs.processor_time();
+            coarser.push_back(record.value_or(output::StepRecord()));
+          }
+        processes.on_first([&] { tell_mesh_error(coarser, runs, time, run, log); });
+      }
+    runs.leave_nothing();
   }
 } // namespace hybrid

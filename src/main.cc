@@ -196,7 +196,7 @@ namespace
     };
     if (simulation->has_error_target())
       return meet_error_target(std::move(simulation), make, processes, lock, interruption);
-    tell_error_by_second_run(std::move(simulation), make, processes, log, interruption);
+    tell_errors_by_further_runs(std::move(simulation), make, processes, log, interruption);
     return status;
   }
 

@@ -89,7 +89,7 @@ namespace hybrid
         remove_versions(directory + "/" + file);
       for (const char *file : other_files)
         remove_versions(directory + "/" + file);
-      forget_second_run(directory);
+      forget_further_runs(directory);
       std::error_code error;
       for (const auto &entry : fs::directory_iterator(directory + "/vtu", error))
         if (is_picture(entry.path()))
@@ -117,17 +117,17 @@ namespace hybrid
 
 
 
-  std::string second_run_directory(const std::string &directory)
+  std::string further_run_directory(const std::string &directory)
   {
-    return directory + "/checkpoint/twice_the_step";
+    return directory + "/checkpoint/further_run";
   }
 
 
 
-  void forget_second_run(const std::string &directory)
+  void forget_further_runs(const std::string &directory)
   {
     std::error_code ignored; // all of it is the program's own
-    fs::remove_all(second_run_directory(directory), ignored);
+    fs::remove_all(further_run_directory(directory), ignored);
   }
 
 

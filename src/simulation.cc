@@ -324,16 +324,55 @@ namespace hybrid
 
 
 
-  std::optional<double> Simulation::end_of_second_run() const
+  std::optional<double> Simulation::end_of_further_run(const double step) const
   {
-    constexpr double             least_steps = 20.; // of the second run
-    const scene::TimeParameters &time        = model.scene.time;
-    if (!record || !found.finished || !found.probable_error.runs_would_do || !time.second_run ||
-        time.error_target != 0. ||
-        model.scene.continuum.is_explicit) // whose parts may stay as they are
+    constexpr double least_steps = 20.;
+    if (!record || !found.finished || has_error_target())
       return {};
     const double end = std::fmin(record->until, found.simulated_time);
-    return end >= 2. * least_steps * time_step() ? std::optional(end) : std::nullopt;
+    return end >= least_steps * step ? std::optional(end) : std::nullopt;
+  }
+
+
+
+  std::optional<double> Simulation::end_of_second_run() const
+  {
+    const bool is_explicit = model.scene.continuum.is_explicit; // its parts may stay as they are
+    if (!model.scene.time.second_run || !found.probable_error.runs_would_do || is_explicit)
+      return {};
+    return end_of_further_run(2. * time_step());
+  }
+
+
+
+  std::optional<double> Simulation::end_of_coarser_runs() const
+  {
+    if (!model.scene.mesh.coarser_runs || n_blocks() == 0 || coarser_mesh(2.).empty() ||
+        found.monitors.empty())
+      return {};
+    return end_of_further_run(time_step());
+  }
+
+
+
+  std::string Simulation::coarser_mesh(const double factor) const
+  {
+    if (model.mesh.resolutions.empty() || !model.scene.mesh.polygons_file.empty())
+      return "";
+    std::string text;
+    for (const auto &[name, value] : model.scene.mesh.numbers)
+      if (model.mesh.resolutions.count(name) == 0)
+        text += name + " = " + scene::number_text(value) + "; ";
+    for (const auto &[name, value] : model.mesh.resolutions)
+      text += name + " = " + scene::number_text(factor * value) + "; ";
+    return text;
+  }
+
+
+
+  int Simulation::n_blocks() const
+  {
+    return model.blocks != nullptr ? model.blocks->n_blocks() : 0;
   }
 
 
@@ -341,7 +380,7 @@ namespace hybrid
   void Simulation::measure_step_error(const Run &run, output::Summary &summary)
   {
     const scene::TimeParameters &time = model.scene.time;
-    if (time.second_run || time.error_target != 0.)
+    if (time.second_run || model.scene.mesh.coarser_runs || time.error_target != 0.)
       record = run.recorder->step_record(summary.first_failure_time);
     if (time.error_target == 0. || !summary.probable_error.runs_would_do)
       return;
@@ -365,7 +404,7 @@ namespace hybrid
     summary.title          = model.scene.title;
     summary.finished       = status == RunStatus::finished;
     summary.simulated_time = run.clock.time();
-    summary.blocks         = model.blocks != nullptr ? model.blocks->n_blocks() : 0;
+    summary.blocks         = n_blocks();
     summary.continuum_unknowns =
       model.continuum != nullptr ? static_cast<long>(model.continuum->n_unknowns()) : 0;
     summary.interface_unknowns = model.foundation != nullptr
@@ -385,6 +424,7 @@ namespace hybrid
       summary.stages["steps"]; // twice as many, which need not be harder
     found                             = summary;
     summary.probable_error.second_run = end_of_second_run().has_value();
+    summary.mesh_error.follows        = end_of_coarser_runs().has_value();
     output::write_summary(summary, model.scene.output.directory + "/summary.json");
 
     run_report.end(summary, status);

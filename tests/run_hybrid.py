@@ -8,13 +8,14 @@ import sys
 
 
 def run_hybrid(binary, scene, directory, overrides=()):
-    """Exit code, standard output and error, and the command of a run of one thread that replaces a directory, and of no second run for
-    its error.
+    """Exit code, standard output and error, and the command of a run of one thread that replaces a directory, and of no further ones
+    for its errors.
 
     overrides: "Section/Name=value".
     """
     shutil.rmtree(directory, ignore_errors=True)
-    command = [str(binary), str(scene), "-s", "Output/Directory=%s" % directory, "-s", "Time/Error estimate=one run"]
+    command = [str(binary), str(scene), "-s", "Output/Directory=%s" % directory, "-s", "Time/Error estimate=one run",
+               "-s", "Mesh/Error estimate=one run"]
     for override in overrides:
         command += ["-s", override]
     environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")

@@ -32,14 +32,20 @@ namespace hybrid
 
 
   /**
-   * Where a run that has finished does not tell the error of its step, compute the scene once more
-   * with twice the step, up to the first failed joint, and tell it from the difference
-   * (Time/Error estimate). The results of the run stay as they are; of the second one nothing is
-   * left but the error in summary.json. If it is interrupted or fails, a line says so.
+   * Tell what one run does not tell of its errors. The results of the run stay as they are; of the
+   * others nothing is left but the errors in summary.json.
+   *
+   * - Where slip, flight or cracks decide, the error of the step: the scene once more with twice
+   * the step (Time/Error estimate).
+   * - Where there are blocks, that of their mesh: with meshes twice and four times as coarse
+   *   (Mesh/Error estimate).
+   *
+   * Each goes up to the first failed joint. One that is interrupted or fails is told, and does no
+   * harm.
    */
-  void tell_error_by_second_run(std::unique_ptr<Simulation> simulation,
-                                const SimulationMaker      &make,
-                                const Processes            &processes,
-                                output::Log                &log,
-                                const Interruption         &interruption);
+  void tell_errors_by_further_runs(std::unique_ptr<Simulation> simulation,
+                                   const SimulationMaker      &make,
+                                   const Processes            &processes,
+                                   output::Log                &log,
+                                   const Interruption         &interruption);
 } // namespace hybrid

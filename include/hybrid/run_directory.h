@@ -13,11 +13,11 @@ namespace hybrid
   /// The parameters that the run in @p directory was started with.
   std::string parameters_file(const std::string &directory);
 
-  /// Where the scene is computed once more with twice the step (Time/Error estimate).
-  std::string second_run_directory(const std::string &directory);
+  /// Where the scene is computed once more for its errors (Time/ and Mesh/Error estimate).
+  std::string further_run_directory(const std::string &directory);
 
   /// Nothing of it is left.
-  void forget_second_run(const std::string &directory);
+  void forget_further_runs(const std::string &directory);
 
   /// What a repetition of the run in @p directory is compared with (Time/Error target).
   std::string step_record_file(const std::string &directory);

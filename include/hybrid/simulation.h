@@ -61,6 +61,14 @@ namespace hybrid
     /// none is called for (Time/Error estimate).
     std::optional<double> end_of_second_run() const;
 
+    /// The same of runs with coarser meshes (Mesh/Error estimate).
+    std::optional<double> end_of_coarser_runs() const;
+
+    /// Mesh/Numbers with all Resolution/... so many times as large; empty: there are none.
+    std::string coarser_mesh(double factor) const;
+
+    int n_blocks() const;
+
     bool has_error_target() const
     {
       return model.scene.time.error_target != 0.;
@@ -133,6 +141,9 @@ namespace hybrid
 
     /// The time loop. @return how it ended, after a checkpoint if it was interrupted.
     RunStatus advance(Run &run, const Interruption &interruption);
+
+    /// Up to where the record of a run with this step [s] can be compared with that of another.
+    std::optional<double> end_of_further_run(double step) const;
 
     /// The error from the difference to the run before, which Time/Error target has repeated.
     void measure_step_error(const Run &run, output::Summary &summary);

@@ -184,13 +184,26 @@ namespace hybrid::output
 
 
 
+    /// What would be left; runs that do not converge would leave as much.
+    std::string half_text(const Summary::ErrorPart &error,
+                          const Summary::ErrorPart &half,
+                          const std::string        &what)
+    {
+      if (error.part == half.part)
+        return "; the runs do not come closer to each other, this is how far they scatter";
+      return "; with half the " + what + " " + percent(half.part[0]) + ", " +
+             percent(half.part[1]) + ", " + percent(half.part[2]) + " %";
+    }
+
+
+
     /// The error of a step that one run does not tell.
     std::string who_finds_it(const Summary &summary)
     {
       if (!summary.probable_error.runs_would_do)
         return "";
       if (summary.probable_error.second_run)
-        return "; the scene once more with twice the step tells it:";
+        return "; the scene once more with twice the step tells it, below";
       return summary.blocks == 0 ? "; Time/Error target finds it by runs in shorter steps"
                                  : "; hybrid accuracy tells it from a run with twice the step, "
                                    "Time/Error target from runs with shorter ones";
@@ -208,13 +221,11 @@ namespace hybrid::output
         return "Error     of the time step: not estimated, " + error.reason + who_finds_it(summary);
       const std::string until =
         std::isnan(error.until) ? "" : format(", until a joint failed at %.3g s", error.until);
-      const std::array<double, 3> &half   = error.half_step.part;
-      const std::string            source = std::isnan(error.measured_from)
-                                              ? "probably"
-                                              : format("by the run in steps of %.4g s", error.measured_from);
+      const std::string source = std::isnan(error.measured_from)
+                                   ? "probably"
+                                   : format("by the run in steps of %.4g s", error.measured_from);
       return "Error     of the time step, " + source + until + ": " + peaks_text(error.step) +
-             "; with half the step " + percent(half[0]) + ", " + percent(half[1]) + ", " +
-             percent(half[2]) + " %";
+             half_text(error.step, error.half_step, "step");
     }
 
 
@@ -235,6 +246,8 @@ namespace hybrid::output
     {
       if (summary.blocks == 0 || summary.monitors.empty() || !summary.finished)
         return "";
+      if (summary.mesh_error.follows)
+        return indent + "of the mesh of blocks: the scene with coarser ones tells it, below";
       return indent + "of the mesh of blocks: hybrid accuracy " + directory +
              " finds it by coarser runs";
     }
@@ -257,6 +270,27 @@ namespace hybrid::output
   {
     const std::string text = step_error_text(summary);
     return {text + (summary.monitors.empty() ? "" : cost_text(summary.probable_error)), text};
+  }
+
+
+
+  EndText mesh_error_text(const Summary::MeshError &error)
+  {
+    const std::string begin = "Error     of the mesh of blocks";
+    if (!error.reason.empty())
+      return {begin + ": not known, " + error.reason, begin + ": not known, " + error.reason};
+    const std::string until =
+      std::isnan(error.until) ? "" : format(", until a joint failed at %.3g s", error.until);
+    const std::string text =
+      begin + ", by " +
+      (error.meshes > 1 ? "those twice and four times as large" : "one twice as large") + until +
+      ": " + peaks_text(error.size) + half_text(error.size, error.half_size, "size");
+    const std::string cost = std::isfinite(error.cost) && error.size.part != error.half_size.part
+                               ? " in at least " +
+                                   format(error.cost < 100. ? "%.2g s" : "%.0f s", error.cost) +
+                                   " of processor time"
+                               : "";
+    return {text + cost, text};
   }
 
 

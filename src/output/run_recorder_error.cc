@@ -185,6 +185,8 @@ namespace hybrid::output
       }
     Summary::ProbableError &error = summary.probable_error;
     error.reason                  = why_no_error(!record.monitors.empty());
+    if (parts.scene.time.newmark.corrected_step > 0.)
+      error.assumed_order = 2.; // of joints; waves have more
     if (!error.reason.empty())
       {
         error.runs_would_do = times.size() >= least_rows && !monitors.empty() &&

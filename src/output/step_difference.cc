@@ -12,8 +12,7 @@ namespace hybrid::output
   {
     constexpr double least_motion = 1e-3; ///< of the largest [-]
     constexpr double least_order  = 0.25;
-    constexpr double middle_order =
-      1.45; ///< where 2^p - 1 is sqrt(3), between 1 (first order) and 3 (second)
+    constexpr double least_ratio  = 1.5; ///< of steps that were taken, for a difference that tells
 
     using History = std::vector<double>;
 
@@ -94,13 +93,30 @@ namespace hybrid::output
 
 
 
-    /// What both runs have before the first of them ends or breaks.
+    /// Where the first of two runs ends or breaks [s].
+    double common_end(const StepRecord &longer, const StepRecord &shorter)
+    {
+      return std::fmin(std::min(longer.time.back(), shorter.time.back()),
+                       std::fmin(longer.until, shorter.until));
+    }
+
+
+
+    /// Steps that a run has taken up to a time.
+    double steps_until(const StepRecord &record, const double end)
+    {
+      return static_cast<double>(std::count_if(record.time.begin(),
+                                               record.time.end(),
+                                               [end](const double t) { return t <= end; }));
+    }
+
+
+
+    /// What both runs have.
     Rows common_rows(const StepRecord &longer, const StepRecord &shorter)
     {
-      const double begin = std::max(longer.time.front(), shorter.time.front());
-      double       end   = std::min(longer.time.back(), shorter.time.back());
-      for (const double until : {longer.until, shorter.until})
-        end = std::fmin(end, until);
+      const double begin   = std::max(longer.time.front(), shorter.time.front());
+      const double end     = common_end(longer, shorter);
       const double spacing = (longer.time.back() - longer.time.front()) / (longer.time.size() - 1);
       return {begin,
               spacing,
@@ -165,7 +181,14 @@ namespace hybrid::output
     shorter.difference                  = difference.part;
     const double ratio = longer.step / shorter.step, now = deciding(difference.part);
     if (!(ratio > 1.))
-      return;            // the record of something else
+      return; // the record of something else
+    const double end = common_end(longer, shorter);
+    if (steps_until(shorter, end) < least_ratio * steps_until(longer, end))
+      {
+        error.reason        = "steps are cut, and twice the step makes none longer";
+        error.runs_would_do = false;
+        return;
+      }
     if (std::isnan(now)) // nothing moves, or a joint failed at once
       {
         error.runs_would_do = false;
@@ -181,10 +204,38 @@ namespace hybrid::output
     for (int q = 0; q < 3; ++q)
       {
         const double found = std::log(longer.difference[q] / difference.part[q]) / std::log(ratio);
-        const double p =
-          std::isnan(found) ? middle_order : std::clamp(found, least_order, middle_order);
+        const double p     = std::isnan(found) ? error.assumed_order
+                                               : std::clamp(found, least_order, error.assumed_order);
         error.step.part[q] /= std::pow(ratio, p) - 1.;
         error.half_step.part[q] = error.step.part[q] * std::pow(0.5, p);
+      }
+  }
+
+
+
+  void measure_mesh_error(const StepRecord              &run,
+                          const std::vector<StepRecord> &coarser,
+                          Summary::MeshError            &error)
+  {
+    constexpr double         unknown_order = 1., lowest_order = 0.5, highest_order = 2.;
+    const Summary::ErrorPart near = step_difference(coarser.front(), run);
+    const Summary::ErrorPart far =
+      coarser.size() > 1 ? step_difference(coarser[1], coarser[0]) : Summary::ErrorPart();
+    error.size = error.half_size = near;
+    error.meshes                 = static_cast<int>(coarser.size());
+    error.until                  = run.until;
+    for (const StepRecord &record : coarser)
+      error.until = std::fmin(error.until, record.until);
+    error.reason = std::isnan(deciding(near.part)) ? "nothing moves until a joint fails" : "";
+    for (int q = 0; q < 3; ++q)
+      {
+        const double found = std::log2(far.part[q] / near.part[q]);
+        const double p     = std::isnan(found) ? unknown_order : std::min(found, highest_order);
+        if (p < lowest_order)
+          continue;
+        const double gain = std::exp2(p), d = std::fmax(near.part[q], far.part[q] / gain);
+        error.size.part[q]      = d / (gain - 1.);
+        error.half_size.part[q] = error.size.part[q] / gain;
       }
   }
 } // namespace hybrid::output

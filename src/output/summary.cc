@@ -101,6 +101,18 @@ namespace hybrid::output
     }
 
 
+    Json mesh_error(const Summary::MeshError &error)
+    {
+      if (!error.reason.empty())
+        return {{"estimated", false}, {"reason", error.reason}};
+      return {{"estimated", true},
+              {"coarser_meshes", error.meshes},
+              {"until_s", error.until},
+              {"mesh", error_part(error.size)},
+              {"half_the_size", error_part(error.half_size)}};
+    }
+
+
     Json monitors(const Summary &summary)
     {
       Json object = Json::object();
@@ -143,6 +155,7 @@ namespace hybrid::output
                          {"filter_frequency_hz", summary.filter_frequency},
                          {"outcrop_peak_acceleration_m_s2", summary.outcrop_peak_acceleration},
                          {"probable_error", probable_error(summary.probable_error)},
+                         {"mesh_error", mesh_error(summary.mesh_error)},
                          {"monitors", monitors(summary)},
                          {"processor_times_s", summary.stages},
                          {"timings_s", summary.timings}};

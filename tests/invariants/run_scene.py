@@ -27,7 +27,8 @@ def run_scene(binary, scene, directory, *overrides):
     shutil.rmtree(directory, ignore_errors=True)
     file = scene.write(directory)
     results = pathlib.Path(directory) / "out"
-    arguments = [file, "-s", "Output/Directory=%s" % results, "-s", "Time/Error estimate=one run"]
+    arguments = [file, "-s", "Output/Directory=%s" % results, "-s", "Time/Error estimate=one run",
+               "-s", "Mesh/Error estimate=one run"]
     for override in overrides or ("Output/Picture interval=0.02",):
         arguments += ["-s", override]
     code, said = run_program(binary, arguments)

@@ -18,7 +18,8 @@ BAR = ROOT / "parameters/verification/bonded_bar.prm"
 
 def bar(hybrid, directory, h, *words):
     numbers = "Width = 8; Height = 320; Resolution/h = %g" % h
-    result = hybrid(BAR, "--force", "-s", "Output/Directory=%s" % directory, "-s", "Mesh/Numbers=" + numbers, *words)
+    result = hybrid(BAR, "--force", "-s", "Output/Directory=%s" % directory, "-s", "Mesh/Numbers=" + numbers,
+                    "-s", "Time/Error estimate=one run", "-s", "Mesh/Error estimate=one run", *words)
     assert result.returncode == 0, result.stderr
     return result
 

@@ -124,9 +124,15 @@ def compare(binary, source, work, name, factors, settings):
         place = compute(binary, source, work, name, factor, settings)
         said = json.loads((place / "summary.json").read_text())["probable_error"]
         order = 1 if "dissipative" in name else 2
-        true = true_errors(place, reference, 4 * factor / min(factors), order, said.get("until_s"))
+        until = min((s for s in (said.get("until_s"), failure_time(reference)) if s), default=None)
+        true = true_errors(place, reference, 4 * factor / min(factors), order, until)
         estimated = parts_of(said) if said["estimated"] else None
         yield factor * own_step(scene_file(source, name)), true, estimated, said
+
+
+def failure_time(place):
+    """Of the first joint [s]; None: none failed."""
+    return json.loads((place / "summary.json").read_text())["joints"]["first_failure_time_s"]
 
 
 def parts_of(said):

@@ -21,12 +21,26 @@ namespace hybrid::output
    * The error of the run in @p shorter steps from its difference d to the one in longer steps:
    * d / (r^p - 1), with r the ratio of the steps and p the order (Richardson 1911).
    *
-   * p is 1.45, for which d is divided by sqrt(3) where r is 2: what is of first order is
-   * underestimated by that, what is of second overestimated. p is less if the difference to a third
-   * run says so. If the differences fall by less than a factor of r^(1/4) the runs do
-   * not converge: d tells how far they scatter, and half the step would leave as much.
+   * p is error.assumed_order, 1.45 as a rule, for which d is divided by sqrt(3) where r is 2: what
+   * is of first order is underestimated by that, what is of second overestimated. p is less if the
+   * difference to a third run says so. If the differences fall by less than a factor of r^(1/4) the
+   * runs do not converge: d tells how far they scatter, and half the step would leave as much.
    *
    * @param shorter its difference is set.
    */
   void measure_error(const StepRecord &longer, StepRecord &shorter, Summary::ProbableError &error);
+
+  /**
+   * The error of a mesh from its difference d to one twice as coarse: d / (2^p - 1) (Richardson
+   * 1911).
+   *
+   * The order p is that of the three meshes, at most 2: beyond, the difference of the coarser two
+   * counts, as the finer two may be close by luck. Below 1/2 the meshes do not converge: d tells
+   * how far they scatter, and half the size would leave as much. p is 1 without a third mesh.
+   *
+   * @param coarser runs with meshes twice and four times as coarse, or the first of them alone
+   */
+  void measure_mesh_error(const StepRecord              &run,
+                          const std::vector<StepRecord> &coarser,
+                          Summary::MeshError            &error);
 } // namespace hybrid::output

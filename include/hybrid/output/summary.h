@@ -109,6 +109,9 @@ namespace hybrid::output
       std::string reason        = "there is no monitor"; ///< why it is not estimated; empty: it is
       bool        runs_would_do = false; ///< it is not, but the difference to another run tells it
       bool        second_run    = false; ///< which follows
+      /// That the difference of two runs is taken to have, where no third one tells it: 2^p - 1 is
+      /// sqrt(3), in the middle between 1 (first order) and 3 (second).
+      double assumed_order = 1.45;
       double measured_from = MonitorSummary::unknown; ///< told by a run in steps of this [s]; NaN:
                                                       ///< estimated from this run
       double    until = MonitorSummary::unknown;      ///< estimated up to here [s]; NaN: all
@@ -118,6 +121,18 @@ namespace hybrid::output
       ErrorPart mesh;      ///< of the finite elements, at monitors in them; NaN: none are
       double    cost = MonitorSummary::unknown; ///< of half the step: processor time that comes on
                                                 ///< top, at most [s]
+    };
+
+    /// What a finer mesh of the blocks would change, told by coarser ones.
+    struct MeshError
+    {
+      bool        follows = false;            ///< the runs that tell it
+      std::string reason  = "no coarser run"; ///< why it is not known; empty: it is
+      int         meshes  = 0;                ///< coarser ones, twice and four times as coarse
+      double      until   = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all
+      ErrorPart   size;
+      ErrorPart   half_size;                 ///< what would be left with half the size
+      double cost = MonitorSummary::unknown; ///< processor time with half the size, at least [s]
     };
 
     std::string title;
@@ -152,6 +167,7 @@ namespace hybrid::output
        MonitorSummary::unknown}}; ///< amplification refers to it [m/s2], filtered
 
     ProbableError probable_error;
+    MeshError     mesh_error;
 
     std::map<std::string, MonitorSummary> monitors; ///< by name
     std::map<std::string, double>         timings;  ///< wall time per effect [s]

@@ -411,6 +411,23 @@ namespace hybrid::scene
     }
 
 
+    /// Those that the file defines, as they were meshed with.
+    std::map<std::string, double> resolutions()
+    {
+      std::map<std::string, double> found;
+      std::vector<std::string>      names;
+      gmsh::onelab::getNames(names);
+      for (const std::string &name : names)
+        if (std::vector<double> value; name.rfind("Resolution/", 0) == 0)
+          {
+            gmsh::onelab::getNumber(name, value);
+            if (!value.empty())
+              found[name] = value.front();
+          }
+      return found;
+    }
+
+
     SectionMesh read_gmsh_file(const std::string                 &file,
                                const Numbers                     &numbers,
                                const std::function<void(double)> &before_meshing)
@@ -452,6 +469,8 @@ namespace hybrid::scene
       });
       SectionMesh mesh;
       session.run(file, [&]() { mesh = Converter(file).convert(); });
+      if (extension == ".geo")
+        session.run(file, [&]() { mesh.resolutions = resolutions(); });
       return mesh;
     }
   } // namespace

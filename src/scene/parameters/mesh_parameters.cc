@@ -38,6 +38,14 @@ namespace hybrid::scene
       "'name = number; name = number; ...'",
       [&mesh](const std::string &text) { mesh.numbers = parse_mesh_numbers(text); },
       "Numbers of the .geo file (DefineConstant) to change before meshing, e.g. Resolution/h = 4 [m].");
+    section.choice(
+      "Error estimate",
+      mesh.coarser_runs,
+      {{"automatic", true}, {"one run", false}},
+      "Where there are blocks from a .geo file with numbers Resolution/..., automatic computes the scene that has "
+      "ended once more with all of them twice and four times as large, up to the first failed joint, and tells the "
+      "error of the mesh from the differences: about a quarter as much time again. With one run, or a Time/Error "
+      "target, it does not.");
     section.file("Polygons file",
                  mesh.polygons_file,
                  "a CSV file block,x,y [m]",

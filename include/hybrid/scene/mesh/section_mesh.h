@@ -37,6 +37,9 @@ namespace hybrid::scene
 
     std::map<std::string, std::vector<Edge>> lines; ///< edges of each named line
 
+    /// Numbers Resolution/... of the .geo file, which set the sizes of its elements [m].
+    std::map<std::string, double> resolutions;
+
     /// What to call a block in a message: by its name in the file of polygons, or its number.
     std::string block_name(const int block) const
     {

@@ -54,7 +54,8 @@ namespace hybrid::scene
     std::string
       polygons_file; ///< CSV block,x,y: blocks as polygons instead of the mesh's; resolved path
     std::string
-      surface_file; ///< CSV x,y: polyline of a rigid base instead of the mesh's; resolved path
+         surface_file; ///< CSV x,y: polyline of a rigid base instead of the mesh's; resolved path
+    bool coarser_runs = true; ///< for the error of a mesh of blocks
   };
 
   /// How the bedrock is integrated in time.

@@ -13,7 +13,7 @@ from hybrid_tools.study.run_directory import read_json, reason_of, write_json
 
 LEAST_GAIN = 0.4  # of blocks or unknowns that twice the size may leave
 NUMBER = r"[-+0-9.eE]+"
-QUIET = ["Output/Picture interval=0", "Time/Error target=none", "Time/Error estimate=one run"]  # nobody looks at them
+QUIET = ["Output/Picture interval=0", "Time/Error target=none", *program.ONE_RUN]  # nobody looks at them
 
 
 @dataclass

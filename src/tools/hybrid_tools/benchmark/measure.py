@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs one row once, alone, and takes what it cost from the run's own summary."""
 
+import functools
 import json
 import os
 import shutil
@@ -11,6 +12,7 @@ import time
 
 from hybrid_run import MissingData, Run, UserError
 from hybrid_tools.benchmark import catalogue
+from hybrid_tools.study.program import ONE_RUN
 from hybrid_tools.study.runner import busy_time, die_with_parent, own_time
 
 POLL = 0.02  # [s]
@@ -47,10 +49,17 @@ def wait(child, limit):
     return asked is not None
 
 
+@functools.lru_cache
+def one_run(program):
+    """Settings that leave out runs for the errors; an old program makes none and does not know them."""
+    said = subprocess.run([program, "--print-parameters"], capture_output=True, text=True, check=False).stdout
+    return ONE_RUN if "Error estimate" in said else []
+
+
 def run(program, row, directory, overrides=(), limit=None, threads=1):
     """summary.json of one run, with "stopped" (it reached the limit) and "other_load" (cores that other work took meanwhile)."""
     shutil.rmtree(directory, ignore_errors=True)
-    settings = list(overrides) + ["Output/Directory=" + directory, "Checkpoint/Wall interval=0", "Time/Error estimate=one run", "Parallel/Threads=%d" % threads]
+    settings = list(overrides) + ["Output/Directory=" + directory, "Checkpoint/Wall interval=0", *one_run(program), "Parallel/Threads=%d" % threads]
     words = [program, row.path, "--force"] + [word for setting in settings for word in ("-s", setting)]
     begin, others = time.monotonic(), busy_time() - own_time()
     os.makedirs(directory, exist_ok=True)

@@ -38,7 +38,7 @@ class Repetition:
             raise UserError("'%s' has edge loads, which would act in the first event only: Edge loads/Tractions" % scene)
         step = float(values["Time/Time step"])
         self.period = step * round((float(values["Time/End time"]) + quiet) / step)  # [s]
-        self.fixed = {"Time/Error estimate": "one run", "Motion/Repetitions": events, "Motion/Repetition interval": "%.12g" % self.period}
+        self.fixed = {"Time/Error estimate": "one run", "Mesh/Error estimate": "one run", "Motion/Repetitions": events, "Motion/Repetition interval": "%.12g" % self.period}
         if values["Checkpoint/Step interval"] == values["Checkpoint/Wall interval"] == "0":
             self.fixed["Checkpoint/Wall interval"] = 600  # there has to be one to go on from
 

@@ -5,6 +5,7 @@ import os
 import subprocess
 
 from hybrid_run import Run, UserError
+from hybrid_tools.study import program
 
 STEP = "1e-4"  # a run takes a step after its static stage [s]
 
@@ -50,7 +51,7 @@ class Trials:
     def run(self, name, settings):
         """Exit code 0 or 1 of the program; @raises UserError for what it refuses."""
         directory = os.path.join(self.directory, name)
-        words = [os.environ["HYBRID_PROGRAM"], self.scene, "--force", "-s", "Time/Error estimate=one run"]
+        words = [os.environ["HYBRID_PROGRAM"], self.scene, "--force"] + program.options(program.ONE_RUN)
         for setting in settings + ["Output/Directory=" + directory]:
             words += ["-s", setting]
         done = subprocess.run(words, capture_output=True, text=True)

@@ -27,6 +27,10 @@ def ask(*words):
     return done.stdout
 
 
+# -s of runs that are compared by who starts them, and need not tell their own errors
+ONE_RUN = ["Time/Error estimate=one run", "Mesh/Error estimate=one run"]
+
+
 def options(overrides):
     """-s of each."""
     return [word for override in overrides for word in ("-s", override)]

@@ -5,6 +5,8 @@ import json
 import os
 import shutil
 
+from hybrid_tools.study import program
+
 STATES = ("planned", "running", "done", "failed")
 
 
@@ -65,7 +67,7 @@ class RunDirectory:
         """What hybrid is called with to compute the run, to go on with it, or to take its time once more."""
         if self.has_begun() and self.state != "done":
             return ["--resume", self.path]
-        words = [scene, "--force", "-s", "Time/Error estimate=one run"]
+        words = [scene, "--force"] + program.options(program.ONE_RUN)
         for override in self.manifest["overrides"] + ["Output/Directory=" + (self.timing_path if self.state == "done" else self.path)]:
             words += ["-s", override]
         return words

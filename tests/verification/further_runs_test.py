@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where a run does not tell the error of its step, a second one with twice the step does (Time/Error estimate). Its own results stay as
-they are, nothing of the second one is left, and what ends that one does no harm.
+"""What one run does not tell of its errors others do: that of the step one with twice the step (Time/Error estimate), that of a mesh of
+blocks two with coarser ones (Mesh/Error estimate). Its own results stay as they are, nothing of the others is left, and what ends them
+does no harm.
 
-    second_run_test.py HYBRID ROOT WORK_DIR   exit code 1 and a sentence if a requirement is not met
+    further_runs_test.py HYBRID ROOT WORK_DIR   exit code 1 and a sentence if a requirement is not met
 """
 
 import json
@@ -37,7 +38,7 @@ def summary_of(directory):
 
 
 def nothing_left(directory):
-    return not (directory / "checkpoint/twice_the_step").exists()
+    return not (directory / "checkpoint/further_run").exists()
 
 
 def check_error(words, work, same_bits, require):
@@ -50,10 +51,24 @@ def check_error(words, work, same_bits, require):
     require(not summary_of(work / "one")["probable_error"]["estimated"] and "hybrid accuracy tells it" in alone,
             "one run leaves it out, and says what tells it", alone)
     require(same_bits(work / "one", work / "two"), "the histories have the same bits", output)
+    require(summary_of(work / "two")["mesh_error"]["estimated"] is False, "a block that is given has no coarser mesh", output)
     require(nothing_left(work / "two"), "nothing is left of the second run", output)
     _, output = run(*words, "time_order", work / "waves")
     require("twice the step" not in output and summary_of(work / "waves")["probable_error"]["measured_from_time_step_s"] is None,
             "a run that tells its error has no second one", output)
+
+
+def check_mesh(words, work, same_bits, require):
+    """A bar of bonded blocks: two meshes that are coarser tell the error of its own."""
+    code, output = run(*words, "bonded_bar", work / "mesh")
+    _, alone = run(*words, "bonded_bar", work / "mesh_alone", "Mesh/Error estimate=one run")
+    error = summary_of(work / "mesh")["mesh_error"]
+    require(code == 0 and error["estimated"] and error["coarser_meshes"] == 2, "two coarser meshes tell the error", output)
+    halved = error["half_the_size"]["velocity"]["part_of_peak"] / error["mesh"]["velocity"]["part_of_peak"]
+    require(0.2 < halved < 0.5, "half the size leaves a quarter to a half", output)
+    require("by those twice and four times as large: displacement" in output.splitlines()[-1], "the last line says it", output)
+    require(summary_of(work / "mesh_alone")["mesh_error"]["estimated"] is False and "hybrid accuracy" in alone, "one run leaves it out", alone)
+    require(same_bits(work / "mesh", work / "mesh_alone") and nothing_left(work / "mesh"), "the run stays as it is", output)
 
 
 def check_failure(words, work, require):
@@ -69,7 +84,7 @@ def check_interruption(words, work, require):
     shutil.rmtree(directory, ignore_errors=True)
     long = ["Time/End time=400", "Motion/Duration=400"]
     process = subprocess.Popen(command(*words, SLIDES, directory, *long), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    second = directory / "checkpoint/twice_the_step/run.h5"
+    second = directory / "checkpoint/further_run/run.h5"
     while process.poll() is None and not second.exists():
         time.sleep(0.002)
     in_time = process.poll() is None
@@ -78,7 +93,7 @@ def check_interruption(words, work, require):
     summary = summary_of(directory)
     require(in_time and process.returncode == 0 and summary["finished"] and not summary["probable_error"]["estimated"],
             "an interruption leaves a complete run", output)
-    require("The second run did not come to its end" in output and nothing_left(directory), "and says so", output)
+    require("it did not come to its end" in output and nothing_left(directory), "and says so", output)
 
 
 def main():
@@ -92,6 +107,7 @@ def main():
     os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
     words = (binary, root)
     check_error(words, work, same_bits, require)
+    check_mesh(words, work, same_bits, require)
     check_failure(words, work, require)
     check_interruption(words, work, require)
 
