@@ -56,6 +56,11 @@ ROWS = [
     ("block damping", BARE, ["Blocks/Damping ratio=0.05"]),
     ("Maxwell damping of blocks", BARE, ["Maxwell damping/Block ratio=0.05"]),
     ("friction of the belt at its rate", BARE, ["Materials/%s/Friction rate coefficient=0.02" % m for m in ("belt", "belt_saturated")]),
+    ("residual strength of the belt", BARE, ["Materials/%s=%s" % pair for pair in (
+        ("belt/Residual friction angle", 25), ("belt/Residual cohesion", 30e3),
+        ("belt_saturated/Residual friction angle", 12), ("belt_saturated/Residual cohesion", 10e3))]),
+    ("initial stress, `1 - sin phi`", BARE, ["Gravity/Initial stress=1 - sin phi"]),
+    ("ten lifts", BARE, ["Gravity/Initial stress=staged"]),
     ("dynamic coefficient", BARE, ["Time/Dynamic coefficient=0.999"]),
     ("edge load", BARE, [SURFACE]),
     ("no peak fields (they are on)", BARE, ["Monitors/Peak fields=false"]),
