@@ -3,7 +3,8 @@
 """What each effect costs: the table of doc/effects.md.
 
     effects_cost.py HYBRID WORK_DIR [--write]     prints the table; --write puts it into doc/effects.md
-    effects_cost.py HYBRID WORK_DIR --only TEXT   rows with this in their title, and what they are compared with
+    effects_cost.py HYBRID WORK_DIR --only TEXT[|TEXT...]   rows with one of these in their title, and what they are compared with;
+                                                  with --write the table has their costs beside the bases that it has
 
 The Majiagou section with h = 8 m and a sine burst runs without an effect and with it, 400 steps of 1 ms and none, each
 five times in turn. Processor time (not wall time: other work on the machine counts little) per step is the difference of the least
@@ -93,9 +94,13 @@ def chosen_rows():
     """All, or those that --only names with their bases."""
     if "--only" not in sys.argv:
         return ROWS
-    text = sys.argv[sys.argv.index("--only") + 1]
-    bases = [base for title, base, _ in ROWS if text in title]
-    return [row for row in ROWS if text in row[0] or (row[1] is None and row[2] in bases)]
+    texts = sys.argv[sys.argv.index("--only") + 1].split("|")
+
+    def named(title):
+        return any(text in title for text in texts)
+
+    bases = [base for title, base, _ in ROWS if named(title)]
+    return [row for row in ROWS if named(row[0]) or (row[1] is None and row[2] in bases)]
 
 
 def main():
@@ -125,7 +130,21 @@ def main():
     if "--write" in sys.argv:
         text = PAGE.read_text(encoding="utf-8")
         head, tail = text[: text.index(BEGIN) + len(BEGIN)], text[text.index(END):]
+        if "--only" in sys.argv:
+            lines = merged(text[len(head):-len(tail)].strip().split("\n"), [line for line, row in zip(lines[2:], rows) if row[1] is not None])
         PAGE.write_text(head + "\n" + "\n".join(lines) + "\n" + tail, encoding="utf-8")
+
+
+def merged(old, new):
+    """The lines of a table with those that are new, in the order of ROWS."""
+    def title(line):
+        return line.split("|")[1].split(":")[0].strip()  # without what fails
+
+    found = {title(line): line for line in old[2:] + new}
+    unknown = set(found) - {row[0] for row in ROWS}
+    if unknown:
+        sys.exit("error: the table has rows that are none of ROWS: %s" % ", ".join(sorted(unknown)))
+    return old[:2] + [found[row[0]] for row in ROWS if row[0] in found]
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ def follow(hybrid, tmp_path):
     """follow(name): runs the commands of the page, from a directory of its own; what they said. Figures are drawn for one page only."""
     def call(name, draw=False):
         said = []
-        for line in re.findall(r"^    hybrid (.*?)(?: +#.*)?$", page(name), re.M):
+        for line in re.findall(r"^    build/release/hybrid (.*?)(?: +#.*)?$", page(name), re.M):
             if line.startswith("plot") and not draw:
                 continue
             words = [str(ROOT / word) if word.startswith("parameters/") else word for word in shlex.split(line)]
@@ -47,7 +47,7 @@ def test_every_example_has_its_page_with_a_sketch_a_command_a_picture_and_a_way_
     assert [name[:2] for name in names] == ["01", "02", "03", "04", "05", "06"]
     for name in names:
         text = page(name)
-        assert "    hybrid " in text and "**Expect**" in text and "**Change next**" in text, name
+        assert "    build/release/hybrid " in text and "**Expect**" in text and "**Change next**" in text, name
         for link in re.findall(r"\]\(([^)]+)\)", text):
             target = (EXAMPLES / name / link).resolve()
             assert target.is_file(), (name, link)

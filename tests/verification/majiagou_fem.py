@@ -5,7 +5,7 @@ Quadratic triangles on the blocks of run.h5, plane strain, damping G (1 + i w be
 The sliding surface moves as the monitors D1 to D5 in the bedrock (linear in between): the run's coupling, blocks, joints and
 time integration are what is checked. A linear run is
 
-    hybrid parameters/majiagou/badong_long_periods.prm -s "Gravity/Acceleration=0" -s "Motion/Peak=0.05" -s Output/Directory=DIR
+    build/release/hybrid parameters/majiagou/badong_long_periods.prm -s "Gravity/Acceleration=0" -s "Motion/Peak=0.05" -s Output/Directory=DIR
     majiagou_fem.py DIR            table of peaks: run, finite elements, ratio (two minutes)
     majiagou_fem.py --slip DIR     table of what is left: run, the same finite elements at rest whose sole has slipped as the
                                    run's belt; they agree where only the belt yields, not the body
