@@ -30,10 +30,10 @@ class Source:
         """What is left of it on the way [-]."""
         return np.exp(-np.pi * f * (self.distance / (self.quality * f**self.exponent * self.speed) + self.kappa))
 
-    def amplitude(self, f, corner=None, level=1.0):
+    def amplitude(self, f, corner=None):
         """Fourier amplitude of the acceleration [m/s]."""
         long_periods = self.surface * 0.55 / np.sqrt(2) * self.moment / (4 * np.pi * self.density * self.speed**3 * self.distance)
-        return level * long_periods * (2 * np.pi * f) ** 2 / (1 + (f / (corner or self.corner)) ** 2) * self.path(f)
+        return long_periods * (2 * np.pi * f) ** 2 / (1 + (f / (corner or self.corner)) ** 2) * self.path(f)
 
     def tapered(self, f):
         """The same with the band's tapers, cosines of a quarter of an octave."""
@@ -66,10 +66,9 @@ def check(case):
             case.near(name + ": amplitude over the source's, %.3g to %.3g Hz" % (low, high),
                       np.sqrt(np.mean(power[at] / expected[at])), 1.0, 0.15)
         at = in_band(f, source.band[0] * 2**0.25, 10.0)
-        (corner, level), _ = curve_fit(lambda x, corner, level: np.log(source.amplitude(x, corner, level)), f[at],
-                                       0.5 * np.log(power[at]), (1.0, 1.0), sigma=np.sqrt(f[at]))
-        case.near(name + ": corner frequency", corner, source.corner, 0.1, "Hz")
-        case.near(name + ": level of long periods over that of the moment", level, 1.0, 0.15)
+        (corner,), _ = curve_fit(lambda x, corner: np.log(source.amplitude(x, corner)), f[at], 0.5 * np.log(power[at]), (1.0,),
+                                 sigma=np.sqrt(f[at]), bounds=(0.01, 10.0))
+        case.near(name + ": corner frequency", corner, source.corner, 0.05, "Hz")
         found = np.mean([motion.significant_duration() for motion in motions])
         case.near(name + ": mean 5 to 95 % duration", found, 2 * source.duration * window_duration(), 0.1, "s")
         case.shown.append((name, f, np.sqrt(power), source))
