@@ -106,7 +106,7 @@ namespace hybrid::output
     /// What finer steps would change, as far as it is estimated.
     struct ProbableError
     {
-      std::string reason        = "there is no monitor"; ///< why it is not estimated; empty: it is
+      std::string reason        = "no step was taken"; ///< why it is not estimated; empty: it is
       bool        runs_would_do = false; ///< it is not, but the difference to another run tells it
       bool        second_run    = false; ///< which follows
       /// That the difference of two runs is taken to have, where no third one tells it: 2^p - 1 is
