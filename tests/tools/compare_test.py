@@ -7,10 +7,12 @@ import h5py
 import numpy as np
 import pytest
 from conftest import ROOT
-from moving_run import STEP, Maker, wave
+from moving_run import STEP, Maker, quiver, wave
 
+from hybrid_run import Run
 from hybrid_run.parameter_differences import differences, main_difference
-from hybrid_tools.compare import command, curves, words
+from hybrid_tools.compare import command, curves, peaks, words
+from hybrid_tools.compare.comparison import Comparison
 
 @pytest.fixture
 def make(tmp_path):
@@ -214,7 +216,7 @@ def test_runs_without_motion_base_or_parameters(synthetic_run, compare):
     a, b = synthetic_run("bare", "a"), synthetic_run("bare", "b")
     code, text, table = compare(a, b, figures=True)
     assert code == 0 and "unknown: a run has no params.used.prm" in text and "b = a in every digit" in text
-    assert sorted(path.stem for path in (a.parent / "compare/figures").iterdir()) == ["differences", "histories", "response_spectra"]
+    assert sorted(path.stem for path in (a.parent / "compare/figures").iterdir()) == ["differences", "histories", "peaks", "response_spectra"]
 
 
 def test_every_figure_of_complete_runs_and_none_of_an_earlier_comparison(synthetic_run, compare):
@@ -226,11 +228,38 @@ def test_every_figure_of_complete_runs_and_none_of_an_earlier_comparison(synthet
         file["slip/mean"][:] *= 1.5
         file["slip/largest"][:] *= 1.5
     code, text, table = compare(a, b, figures=True)
-    assert code == 0 and "9 figures" in text
+    assert code == 0 and "10 figures" in text
     assert sorted(path.stem for path in figures.iterdir()) == sorted(command.FIGURES)
     assert all(path.read_bytes().startswith(b"\x89PNG\r\n\x1a\n") for path in figures.iterdir())
     assert rows_by_name(table)["slip", "mean, left"]["b: change"] == pytest.approx(0.5)
     assert "8 more monitors" in text and "\nS" in text
+
+
+def test_peaks_of_monitors_are_those_of_the_histories(make):
+    a, b = make("a"), make("b", gain=2.0)
+    comparison = Comparison([Run(a), Run(b)], ["a", "b"])
+    moved, fast, shaken = peaks.quantities(comparison, ["crest", "toe"])
+    t = STEP * np.arange(1, 4001)
+    largest = 1e3 * np.abs(wave(t)).max()  # [mm]
+    assert moved[0] == pytest.approx(largest * np.array([[1.0, 0.5], [2.0, 1.0]])) and "[mm]" in moved[1] and moved[2] is None
+    ground = np.abs(np.gradient(quiver(t) - wave(t), STEP)).max()
+    assert fast[0][0, 0] == pytest.approx(ground, rel=2e-2) and "[m/s]" in fast[1]  # below 25 Hz
+    outcrop = np.gradient(np.gradient(quiver(t), STEP), STEP)
+    assert shaken[0][0, 0] == pytest.approx(np.abs(comparison.acceleration(0, "crest")[:, 0]).max() / np.abs(outcrop).max()) and shaken[2] == 1.0
+
+
+def test_peaks_without_a_motion_are_in_g(make):
+    still = [Run(make(name, motion=lambda t: 0 * t)) for name in "ab"]
+    values, words, level = peaks.quantities(Comparison(still, ["a", "b"]), ["crest"])[-1]
+    assert "[g]" in words and level is None and np.isfinite(values).all()
+
+
+@pytest.mark.parametrize("values, scale, lowest", [([1.0, 8.0], "linear", 1.0), ([0.1, 80.0], "log", 0.1), ([0.0, 0.2, 80.0], "log", 0.2 / 1.5), ([0.0, 0.0], "linear", 0.0)])
+def test_peaks_that_are_far_apart_have_a_logarithmic_axis(values, scale, lowest):
+    axis = curves.plt.figure().add_subplot()
+    drawn = peaks.set_scale(axis, np.array([values]))
+    assert axis.get_yscale() == scale and drawn.min() == pytest.approx(lowest)
+    curves.plt.close("all")
 
 
 def test_runs_of_the_program(hybrid, tmp_path):

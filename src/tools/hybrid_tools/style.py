@@ -22,6 +22,7 @@ SLIP = "#7a3b10"
 TEXT = "#262626"
 BEDDING = "#8a5fa8"
 MATERIALS = ("#f3dfb5", "#dfe6cf", "#cfdcea", "#ead3cf", "#ddd6ea", "#e4e0da", "#cfe6e3", "#f0e6c2")  # areas
+CURVES = ("#0072b2", "#d55e00", "#009e73", "#8c5fa8", "#e69f00", "#56b4e9", "#000000", "#7a3b10", "#cc79a7")  # after Okabe and Ito (2008)
 BELTS = (SLIP, "#c07a2c", "#4d6b1f", "#8c2f5f")  # lines
 
 # Ends before brown, so that red and blue marks of joints stand out on it.
@@ -30,6 +31,7 @@ DISPLACEMENT_MAP = ListedColormap(plt.get_cmap("YlOrBr")(np.linspace(0.02, 0.66,
 DPI = 130
 
 taker = None  # of figures; None: they are written to files
+written = []  # files that save() has written, in order
 
 
 def apply():
@@ -114,5 +116,7 @@ def save(figure, directory, name, is_measured=False):
         return
     # tight: a long label never ends at the edge of the paper
     edge = {} if is_measured else {"bbox_inches": "tight", "pad_inches": 0.1}
-    figure.savefig("%s/%s.%s" % (directory, name, plt.rcParams["savefig.format"]), facecolor="white", **edge)
+    path = "%s/%s.%s" % (directory, name, plt.rcParams["savefig.format"])
+    figure.savefig(path, facecolor="white", **edge)
+    written.append(path)
     plt.close(figure)

@@ -22,7 +22,7 @@ from .warnings import warnings_of
 from .words import Answer
 
 # Modules of this folder with draw(comparison, directory), in the order of drawing.
-FIGURES = ("histories", "differences", "spectral_ratios", "response_spectra", "boreholes", "slip", "section_maps", "failures", "cost")
+FIGURES = ("histories", "peaks", "differences", "spectral_ratios", "response_spectra", "boreholes", "slip", "section_maps", "failures", "cost")
 
 EXAMPLES = """  hybrid compare output/continuum output/triangles output/rigid
   hybrid compare output/old output/new --tolerance 5%          exit code 1 if they differ by more
@@ -88,6 +88,15 @@ def directory_for(runs, given):
     return directory
 
 
+def compare(comparison, directory, tolerance=None, with_figures=True):
+    """The table's files and the figures in the directory. @return (Answer, figures drawn, how many failed)."""
+    rows = rows_of(comparison)
+    answer = Answer(comparison, Scenes(comparison.runs), rows, warnings_of(comparison, rows), tolerance)
+    above, below = answer.markdown()
+    answer.table().write(directory, "table", answer.json(), above, below)
+    return (answer, *(draw_figures(comparison, directory) if with_figures else (0, 0)))
+
+
 def draw_figures(comparison, directory):
     """All figures for which there are data; those of an earlier comparison are taken away. @return (drawn, how many failed)."""
     style.apply()
@@ -118,11 +127,7 @@ def main(words):
     if not found.force:
         check_sections(comparison)
     directory = directory_for(comparison.runs, found.output)
-    rows = rows_of(comparison)
-    answer = Answer(comparison, Scenes(comparison.runs), rows, warnings_of(comparison, rows), tolerance)
-    above, below = answer.markdown()
-    answer.table().write(directory, "table", answer.json(), above, below)
-    drawn, failed = (0, 0) if found.no_figures else draw_figures(comparison, directory)
+    answer, drawn, failed = compare(comparison, directory, tolerance, not found.no_figures)
     files = "%s: table.csv, table.json, table.md%s" % (directory, "; %d figures in figures/" % drawn if drawn else "")
     print(answer.terminal(files, found.all))
     return 1 if failed or answer.beyond else 0

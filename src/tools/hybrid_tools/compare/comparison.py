@@ -61,6 +61,11 @@ class Comparison:
         """Of a monitor of run i below self.corner [m/s2]: downhill (or +x) and up."""
         return low_pass(self.raw_acceleration(i, name), self.dt, self.corner)
 
+    @lru_cache(maxsize=None)
+    def velocity(self, i, name):
+        """Of a monitor of run i below self.corner, absolute [m/s]: downhill (or +x) and up."""
+        return low_pass(self._history(i, name, "velocity") * [self.downhill, 1.0], self.dt, self.corner)
+
     def raw_acceleration(self, i, name):
         """The same, not filtered."""
         return self._history(i, name, "acceleration") * [self.downhill, 1.0]
