@@ -107,7 +107,7 @@ def animate(run, given, chosen):
     return path
 
 
-def main(words):
+def words_of(words):
     arguments = Arguments("animate", "A film of a run: blocks where they are, joints that fail, the motion of the ground.",
                           "  hybrid animate output/badong\n  hybrid animate output/badong --scale 200 --speed 0.5 --output slide.gif\n")
     arguments.add_argument("run", metavar="RUN", help="output directory of a run, with the pictures of its blocks")
@@ -120,8 +120,17 @@ def main(words):
     arguments.add_argument("--color", choices=("displacement", "velocity"), default="displacement",
                            help="what colours mean (default: displacement)")
     arguments.add_argument("--whole", action="store_true", help="show the whole section, not only where blocks are")
-    given = arguments.read(words)
+    return arguments.read(words)
+
+
+def film_of(run):
+    """The film of a run as it is without options."""
+    given = words_of([run.directory])
+    return animate(run, given, format_of(given))
+
+
+def main(words):
+    given = words_of(words)
     chosen = format_of(given)
-    run = Run(given.run)
-    animate(run, given, chosen)
+    animate(Run(given.run), given, chosen)
     return 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What figures are called and what they show, known without drawing."""
+"""What figures are called and what they show, known without drawing; and what is said of their files."""
 
 import ast
 import difflib
@@ -41,3 +41,12 @@ def descriptions(known):
 def as_text(known):
     about = descriptions(known)
     return "\n".join("  %-13s  %s" % (name_of(module), about[module]) for module in known)
+
+
+def say(what, paths):
+    """Files that were written, by their directory."""
+    directories = {}
+    for path in paths:
+        directories.setdefault(os.path.dirname(path), []).append(os.path.basename(path))
+    for directory, names in directories.items():
+        print("%s: %s: %s" % (what, directory, ", ".join(names)))

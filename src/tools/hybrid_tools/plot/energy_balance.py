@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every term of the energy audit against time, and the residual."""
+"""Every term of the energy audit against time, joints that have failed by then, and the residual."""
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 
 from hybrid_run import MissingData
 from hybrid_tools import style
@@ -10,9 +11,9 @@ from hybrid_tools import style
 STEPS = [(1e3, 1.0, "J/m"), (1e6, 1e-3, "kJ/m"), (1e9, 1e-6, "MJ/m"), (np.inf, 1e-9, "GJ/m")]
 
 
+LESSER = 0.05  # of the largest term: smaller ones have a panel of their own as well
 SMALL = 0.01  # of the largest term: smaller ones are drawn as their sum
-MOST = 9  # curves
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#8c5fa8", "#e69f00", "#56b4e9", "#000000", "#7a3b10", "#cc79a7")  # after Okabe and Ito (2008)
+MOST = len(style.CURVES)  # curves
 
 
 def read_terms(run):
@@ -27,10 +28,10 @@ def read_terms(run):
     return time[:n], terms
 
 
-def grouped(terms):
-    """({words: history}, names of the rest): terms that can be seen, the largest first; the small ones are one curve."""
+def grouped(terms, small=SMALL):
+    """({words: history}, names of the rest): terms that can be seen, the largest first; those below small of it are one curve."""
     peaks = {name: float(np.abs(values).max()) for name, values in terms.items()}
-    seen = sorted((name for name in terms if peaks[name] > SMALL * max(peaks.values())), key=lambda name: -peaks[name])[:MOST]
+    seen = sorted((name for name in terms if peaks[name] > small * max(peaks.values())), key=lambda name: -peaks[name])[:MOST]
     rest = [name for name in terms if name not in seen and peaks[name] > 0]
     if len(rest) == 1:
         seen, rest = seen + rest, []
@@ -40,30 +41,74 @@ def grouped(terms):
     return found, rest
 
 
-def draw_terms(axes, time, terms):
+def draw_terms(axes, time, terms, small=SMALL, colour=0):
+    """small: as in grouped(). colour: number of the first one."""
     largest = max(np.abs(v).max() for v in terms.values())
-    found, rest = grouped(terms)
+    found, rest = grouped(terms, small)
     for i, (name, values) in enumerate(found.items()):
         is_rest = bool(rest) and i == len(found) - 1
-        axes.plot(time, style.scaled(values, largest, STEPS)[0], color="#8a8a8a" if is_rest else COLOURS[i % len(COLOURS)],
-                  ls="-" if i < len(COLOURS) and not is_rest else "--", lw=1.1, label=name)
+        axes.plot(time, style.scaled(values, largest, STEPS)[0], color="#8a8a8a" if is_rest else style.CURVES[(i + colour) % MOST],
+                  ls="-" if i < MOST and not is_rest else "--", lw=1.1, label=name)
     axes.set_ylabel("energy [%s]" % style.scaled(0.0, largest, STEPS)[1])
     axes.set_xlim(time[0], time[-1])
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
 
 
+def lesser(terms):
+    """Those that the largest ones leave too small to be read, if they are two or more; else none."""
+    largest = max(np.abs(values).max() for values in terms.values())
+    found = {name: values for name, values in terms.items() if 0 < np.abs(values).max() < LESSER * largest}
+    return found if len(found) > 1 else {}
+
+
+def failures(run):
+    """{kind: times of the failures in the motion [s], in order}, and how many failed before; empty if none did or it is not known yet."""
+    if not run.has("joints/failure_time") or not run.has("joints/failure_kind"):
+        return {}, 0
+    time, kind = run.file["joints/failure_time"][:], run.file["joints/failure_kind"][:]
+    found = {word: np.sort(time[(kind == number) & (time >= 0)]) for number, word in ((1, "tensile"), (2, "shear"))}
+    return ({}, 0) if not any(len(times) for times in found.values()) else (found, int((time < 0).sum()))
+
+
+def draw_failures(axes, found, at_rest, end):
+    """Joints that have failed by each time."""
+    everything = np.sort(np.concatenate(list(found.values())))
+    for word, times, colour in (("all", everything, style.TEXT), ("tensile", found["tensile"], style.TENSILE), ("shear", found["shear"], style.SHEAR)):
+        count = np.arange(len(times) + 1)
+        axes.step(np.r_[0, times, end], np.r_[count, count[-1]], where="post", color=colour, lw=1.2, label="%s: %d" % (word, len(times)))
+    axes.set_ylabel("failed joints [-]")
+    axes.set_ylim(bottom=0)
+    axes.yaxis.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 5, 10], integer=True))
+    title = "failed in the motion" + ("\n(at rest before: %d)" % at_rest if at_rest else "")
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), title=title, alignment="left", title_fontsize=8)
+
+
+def draw_residual(axes, time, residual):
+    residual = np.abs(residual[: len(time)])
+    axes.semilogy(time[: len(residual)], np.maximum(100 * residual, 1e-12), color=style.TENSILE, lw=0.9)
+    axes.axhline(1, color="#8a8a8a", lw=0.8, ls="--")
+    axes.set_ylabel("residual [%]")
+
+
 def draw(run, directory):
     time, terms = read_terms(run)
-    with_residual = run.has("energy/residual")
-    figure, axes = plt.subplots(1 + with_residual, 1, figsize=(10, 6.2 if with_residual else 4.5), sharex=True, squeeze=False,
-                                gridspec_kw={"height_ratios": [3, 1][: 1 + with_residual]}, constrained_layout=True)
-    draw_terms(axes[0, 0], time, terms)
+    few = lesser(terms)
+    failed, at_rest = failures(run)
+    panels = [(1.8, lambda axes: draw_terms(axes, time, terms, LESSER))] if few else [(2.7, lambda axes: draw_terms(axes, time, terms))]
+    if few:
+        panels.append((2.7, lambda axes: draw_terms(axes, time, few, colour=len(terms) - len(few))))
+    if failed:
+        panels.append((1.7, lambda axes: draw_failures(axes, failed, at_rest, time[-1])))
+    if run.has("energy/residual"):
+        panels.append((1.2, lambda axes: draw_residual(axes, time, run.get("energy/residual"))))
+    heights = [height for height, _ in panels]
+    figure, axes = plt.subplots(len(panels), 1, figsize=(10, sum(heights) + 1.3), sharex=True, squeeze=False,
+                                gridspec_kw={"height_ratios": heights}, constrained_layout=True)
+    for axis, (_, function) in zip(axes[:, 0], panels):
+        function(axis)
     axes[0, 0].set_title("all terms add up to zero; work put in is negative", fontweight="normal", fontsize=9)
+    if few:
+        axes[1, 0].set_title("the smaller terms (below %.0f %% of the largest)" % (100 * LESSER), fontweight="normal", fontsize=9)
     axes[-1, 0].set_xlabel("time [s]")
-    if with_residual:
-        residual = np.abs(run.get("energy/residual")[: len(time)])
-        axes[1, 0].semilogy(time[: len(residual)], np.maximum(100 * residual, 1e-12), color=style.TENSILE, lw=0.9)
-        axes[1, 0].axhline(1, color="#8a8a8a", lw=0.8, ls="--")
-        axes[1, 0].set_ylabel("residual [%]")
     style.title(figure, "Energy audit: " + run.title())
     style.save(figure, directory, "energy")

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How the mass fails: the section at six times, with the joints that have failed by then.
 
-The times part what happens into equal shares: half of the share counts joints that fail, half the slip on the sliding surface.
+The first is when a tenth of the joints that fail in the motion has failed. From there on the times part what happens into equal shares:
+half of the share counts joints that fail, half the slip on the sliding surface.
 """
 
 import matplotlib.pyplot as plt
@@ -18,6 +19,7 @@ from hybrid_tools.animate.motion import Extent, Motion
 from .section_view import Section, draw_rock, draw_water
 
 FRAMES = 6
+FIRST = 0.1  # of the failures
 WIDTH = 12.0  # [inches]
 
 
@@ -41,10 +43,15 @@ def progress(run, failures, times):
 
 
 def frames(run, failures, times):
-    """Numbers of the pictures that are drawn, the last one among them."""
+    """Numbers of the pictures that are drawn: the first by which a tenth of the failures has happened, the last of the run, and between
+    them those that part what happens into equal shares."""
+    failed = np.searchsorted(failures, times, side="right")
+    first = min(int(np.searchsorted(failed, FIRST * len(failures))), len(times) - 1)
     share = progress(run, failures, times)
-    wanted = np.linspace(0, 1, FRAMES + 1)[1:-1] * share[-1]
-    return np.unique(np.append(np.searchsorted(share, wanted), len(times) - 1))
+    chosen = [first]
+    for wanted in np.linspace(share[first], share[-1], FRAMES)[1:-1]:
+        chosen.append(max(int(np.searchsorted(share, wanted)), chosen[-1] + 1))
+    return np.unique(np.append(np.minimum(chosen, len(times) - 1), len(times) - 1))
 
 
 def draw_frame(axes, motion, k, section, scale):
