@@ -254,12 +254,14 @@ def test_monitors_that_move_alike_stand_together(synthetic_run):
     assert groups == [["S%d" % k for k in range(1, 9)], ["D%d" % k for k in range(1, 6)]] and ratio == 2.0
     groups, ratio = monitor_choice.alike(run, {name: 3.0**k for k, name in enumerate(names)})
     assert len(groups) <= 6 and ratio > 2.0 and sorted(sum(groups, [])) == sorted(names)
+    assert len(monitor_choice.alike(run, {name: float(k % 2) for k, name in enumerate(names)})[0]) == 2  # some stand still
 
 
 def test_velocities_are_drawn_in_groups(synthetic_run, monkeypatch, capsys):
     directory = synthetic_run("complete")
     figures = []
     monkeypatch.setattr(style, "save", lambda figure, *_: figures.append(figure))
+    style.apply()  # titles stand on the left
     velocities.draw(Run(directory), "", "S1 | S2-S4 | D1,B1")
     assert [axes.get_title(loc="left") for axes in figures.pop().axes] == ["S1", "S2 to S4", "D1, B1"]
     velocities.draw(Run(directory), "")

@@ -135,7 +135,7 @@ def test_a_run_of_the_program(hybrid, column, browser):
         run.summary["iterations"] / run.summary["steps"]) in page.text
     for warning in facts.warnings(run):
         assert " ".join(warning.split()) in page.text
-    assert {"r1-summary", "r1-motion", "r1-monitors", "r1-histories", "r1-card", "r1-parameters"} <= set(page.ids)
+    assert {"r1-summary", "r1-motion", "r1-monitors", "r1-velocities", "r1-histories", "r1-card", "r1-parameters"} <= set(page.ids)
     for width in WIDTHS.values():
         look(browser, path, width)
     look_at_paper(browser)
@@ -180,7 +180,17 @@ def test_what_a_run_lacks_is_left_out(synthetic_run, tmp_path):
     runs = [synthetic_run("bare", "one"), synthetic_run("complete", "two")]
     assert tool.main("report", [str(runs[0])]) == 0
     page = check_file(runs[0] / "report.html")
-    assert "goes on, or was killed" in page.text and "r1-slip" not in page.ids and "r1-histories" in page.ids
+    assert "goes on, or was killed" in page.text and not {"r1-slip", "r1-failure"} & set(page.ids) and "r1-histories" in page.ids
+
+
+def test_how_a_mass_fails_is_shown(hybrid, tmp_path, browser):
+    words = ["-s", f"Output/Directory={tmp_path}/run", "-s", "Output/Picture interval=0.05"]
+    result = hybrid(ROOT / "parameters/hard/all_joints_fail.prm", *words)
+    assert result.returncode == 0, result.stderr
+    assert tool.main("report", [f"{tmp_path}/run"]) == 0
+    assert "r1-failure" in check_file(tmp_path / "run/report.html").ids
+    for width in WIDTHS.values():
+        look(browser, tmp_path / "run/report.html", width)
 
 
 def test_changed_parameters_and_their_defaults(tmp_path):

@@ -9,6 +9,7 @@ from hybrid_run import UserError
 
 ALIKE = 2.0  # largest over smallest peak velocity of a group, unless there were too many groups
 MOST = 6  # groups that are found
+LITTLE = 1e-3  # of the largest peak: smaller ones are alike
 
 
 def read_groups(text, known):
@@ -61,11 +62,13 @@ def part(names, peaks, ratio):
 def alike(run, peaks):
     """(groups, ratio): neighbours on the surface, and those at depth, whose peaks [m/s] differ by no more than the ratio; at most six
     groups, or one of each kind. The base is none of them."""
+    still = max(LITTLE * max(peaks.values(), default=0.0), 1e-300)
+    peaks = {name: max(peak, still) for name, peak in peaks.items()}
     kinds = [along_slope(run, names) for kind, names in run.monitor_groups().items() if kind != "base"]
     ratio = ALIKE
     while True:
         groups = [group for names in kinds for group in part(names, peaks, ratio)]
-        if len(groups) <= max(MOST, len(kinds)) or ratio > 1e3:
+        if len(groups) <= max(MOST, len(kinds)):
             return groups, ratio
         ratio *= 1.5
 

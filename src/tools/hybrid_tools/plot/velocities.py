@@ -25,8 +25,7 @@ def chosen(run, text, histories):
     """(groups of names, words on them)."""
     if text is not None:
         return read_groups(text, run.names("monitors")), ""
-    peaks = {name: max(np.abs(values).max(), 1e-12) for name, (_, values) in histories.items()}
-    groups, ratio = alike(run, peaks)
+    groups, ratio = alike(run, {name: float(np.abs(values).max()) for name, (_, values) in histories.items()})
     return groups, "" if len(groups) == 1 else "neighbours together whose peaks differ by a factor of %.2g at most" % ratio
 
 

@@ -3,6 +3,8 @@
 
 from dataclasses import dataclass, field
 
+from hybrid_tools.plot import failure_process, velocities
+
 from . import costs, facts, panels, random_field
 
 # (identifier, heading, drawings); a chapter whose data the run lacks is left out.
@@ -55,12 +57,16 @@ def chapters(run, identifier):
         found.append(Chapter(name, heading, drawn(run, identifier, drawings)))
     found.insert(2, monitors(run, identifier))
     found.insert(3, conditioning(run))
+    found.insert(4, Chapter("failure", "How the mass fails", panels.of_plot(run, failure_process, identifier, (
+        "The section at six times, with the joints that have failed by then."))))
     found.append(Chapter("boreholes", "Boreholes", [panel for name in holes(run) if (panel := panels.panel(
         run, panels.of_borehole, "%s-hole-%s" % (identifier, safe(name)), name))]))
     found.append(Chapter("random", "Heterogeneity", drawn(run, identifier, (random_field.modulus, random_field.strength))))
     found.append(Chapter("energy", "Energy", drawn(run, identifier, (panels.energy,))))
     rows = costs.rows_of(run)
     found.append(Chapter("cost", "Where the time went", drawn(run, identifier, (costs.steps,)), costs.HEAD if rows else None, rows))
+    found.append(Chapter("velocities", "Velocities", panels.of_plot(run, velocities, identifier, (
+        "Horizontal velocities of the monitors; neighbours that move alike stand together."))))
     found.append(histories(run, identifier))
     return [chapter for chapter in found if chapter.panels or chapter.rows]
 

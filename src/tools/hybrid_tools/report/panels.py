@@ -14,6 +14,7 @@ from hybrid_tools.plot import boreholes, energy_balance, input_motion, monitor_h
 from . import facts
 from .vector import to_svg
 
+MOST_PARTS = 100  # of a collection in a figure of several sections; denser ones become a picture inside the drawing
 WIDTH = 5.2  # [inches]; on a phone of 390 px the letters have 8 px then
 
 
@@ -243,3 +244,14 @@ def panel(run, draw, identifier, *words):
 def wide(figures, identifier):
     """[Panel] of figures of other tools, wider than a phone: [(figure, caption)]."""
     return [Panel(to_svg(figure, "%s-%d" % (identifier, i), caption), caption, True) for i, (figure, caption) in enumerate(figures)]
+
+
+def of_plot(run, module, identifier, caption):
+    """[Panel] of a figure of hybrid plot, wider than a phone; none if the run lacks what it shows."""
+    found = []
+    try:
+        with style.taken(lambda figure, name: found.append(Panel(to_svg(figure, "%s-%s" % (identifier, name), caption, MOST_PARTS), caption, True))):
+            module.draw(run, "")
+    except MissingData:
+        plt.close("all")
+    return found

@@ -14,13 +14,14 @@ PIECES = 700  # of a history, two points each: more than a drawing has columns o
 MOST_PARTS = 2500  # of a collection; denser ones become a picture inside the drawing
 
 
-def to_svg(figure, name, alt):
-    """The figure as an <svg> whose identifiers begin with name; alt is what is read aloud. The figure is closed."""
+def to_svg(figure, name, alt, most=MOST_PARTS):
+    """The figure as an <svg> whose identifiers begin with name; alt is what is read aloud; most: parts of a collection that stays lines.
+    The figure is closed."""
     for axes in figure.axes:
         for line in axes.lines:
             line.set_data(*thinned(*line.get_data(orig=False)))
         for part in axes.collections:
-            if len(part.get_paths()) > MOST_PARTS:
+            if len(part.get_paths()) > most:
                 part.set_rasterized(True)
     text = io.StringIO()
     with plt.rc_context(SIMPLIFIED):
