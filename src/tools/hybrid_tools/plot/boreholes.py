@@ -68,7 +68,13 @@ def draw_measured(run, axes, name, factor):
     return True
 
 
-def draw_profile(run, axes, name, with_legend=True):
+def largest_of(run, name):
+    """Largest horizontal displacement along a borehole [m]."""
+    return np.abs(run.get("profiles/%s/displacement" % name)[:, 0::2]).max()
+
+
+def draw_profile(run, axes, name, with_legend=True, largest=None):
+    """largest: displacement that the unit is chosen for [m], by default that of this borehole."""
     path = "profiles/" + name
     depth = run.get(path + "/depth")
     x = run.downhill * run.get(path + "/displacement")[:, 0::2]
@@ -76,7 +82,7 @@ def draw_profile(run, axes, name, with_legend=True):
     slip_depth = depth_of_slip(run, path)
     depth, x = with_jump(depth[order], x[:, order], slip_depth)
     row = np.abs(x[:, 0]).argmax()
-    factor, unit = style.length_unit(np.abs(x).max())
+    factor, unit = style.length_unit(np.abs(x).max() if largest is None else largest)
 
     axes.fill_betweenx(depth, factor * x.min(axis=0), factor * x.max(axis=0), color="#cfdcea", lw=0, label="envelope of the run")
     time = run.get("time")
@@ -104,8 +110,9 @@ def draw(run, directory):
         raise MissingData("no profiles in run.h5")
     figure, axes = plt.subplots(1, len(names), figsize=(max(3.6 * len(names), 5), 6), squeeze=False, sharey=False,
                                 constrained_layout=True)
+    largest = max(largest_of(run, name) for name in names)  # one unit for all
     for axis, name in zip(axes[0], names):
-        draw_profile(run, axis, name)
+        draw_profile(run, axis, name, largest=largest)
     axes[0, 0].set_ylabel("depth [m]")
     style.title(figure, "Boreholes: " + run.title())
     style.save(figure, directory, "boreholes")
