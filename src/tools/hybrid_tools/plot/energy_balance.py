@@ -11,7 +11,8 @@ from hybrid_tools import style
 STEPS = [(1e3, 1.0, "J/m"), (1e6, 1e-3, "kJ/m"), (1e9, 1e-6, "MJ/m"), (np.inf, 1e-9, "GJ/m")]
 
 
-LESSER = 0.05  # of the largest term: smaller ones have a panel of their own as well
+LESSER = 0.1  # of the largest term: smaller ones have a panel of their own
+SMALL_OF_LESSER = 0.03  # in that panel
 SMALL = 0.01  # of the largest term: smaller ones are drawn as their sum
 MOST = len(style.CURVES)  # curves
 
@@ -96,7 +97,7 @@ def draw(run, directory):
     failed, at_rest = failures(run)
     panels = [(1.8, lambda axes: draw_terms(axes, time, terms, LESSER))] if few else [(2.7, lambda axes: draw_terms(axes, time, terms))]
     if few:
-        panels.append((2.7, lambda axes: draw_terms(axes, time, few, colour=len(terms) - len(few))))
+        panels.append((2.7, lambda axes: draw_terms(axes, time, few, SMALL_OF_LESSER, len(terms) - len(few))))
     if failed:
         panels.append((1.7, lambda axes: draw_failures(axes, failed, at_rest, time[-1])))
     if run.has("energy/residual"):

@@ -64,7 +64,7 @@ def draw_frame(axes, motion, k, section, scale):
     count = 0
     colours = {kind: colour for kind, colour, _ in KINDS}
     for kind, ends in motion.failed(k):
-        axes.add_collection(LineCollection(ends, colors=colours[kind], lw=0.9 if len(ends) < 100 else 0.6, zorder=5, capstyle="round"))
+        axes.add_collection(LineCollection(ends, colors=colours[kind], lw=1.4 if len(ends) < 100 else 0.6, zorder=5, capstyle="round"))
         count += len(ends)
     axes.set_title("t = %s s, %d joints failed" % (np.format_float_positional(time, precision=2, trim="-"), count))
     return blocks
