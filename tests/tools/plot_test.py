@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+import types
 
 import h5py
 import numpy as np
@@ -14,7 +15,7 @@ import tool
 from hybrid_run import Run, UserError
 from hybrid_run.geometry import chains
 from hybrid_tools import style
-from hybrid_tools.plot import boreholes, energy_balance, failure_process, monitor_choice, overview, velocities
+from hybrid_tools.plot import boreholes, energy_balance, everything, failure_process, monitor_choice, overview, velocities
 
 FIGURES = ["overview", "input_motion", "monitors_S", "monitors_D", "monitors_base", "velocities", "boreholes", "section", "slip", "energy", "steps"]
 
@@ -285,6 +286,11 @@ def test_everything_of_several_runs_by_one_command(hybrid, tmp_path, capsys):
     compared = pictures(tmp_path / "compare")
     assert "failures.png" in compared and f"side by side: {tmp_path}/compare: table.csv, table.json, table.md" in said
     assert sorted(said.split(f"side by side: {tmp_path}/compare/figures: ")[1].strip().split(", ")) == compared
+
+
+def test_the_beginning_and_the_end_are_no_film(capsys):
+    everything.films([types.SimpleNamespace(directory="still", pictures=lambda name: [0.0, 1.0])])
+    assert capsys.readouterr().out.startswith("film: left out, 'still' has pictures of its beginning and its end only")
 
 
 def test_runs_that_cannot_be_compared_are_drawn_all_the_same(synthetic_run, capsys):

@@ -11,11 +11,15 @@ from hybrid_tools.compare.comparison import Comparison, labels_of
 
 from . import catalogue
 
+FEWEST = 2  # pictures: no film of them
+
 
 def films(runs):
     """RUN/figures/motion.mp4 (or .gif) of each run that has pictures of its blocks; each says its file."""
     for run in runs:
         try:
+            if len(run.pictures("blocks")) <= FEWEST:  # Output/Picture interval = 0
+                raise MissingData("'%s' has pictures of its beginning and its end only; they come every Output/Picture interval" % run.directory)
             animate.film_of(run)
         except MissingData as reason:
             print("film: left out, %s" % reason)

@@ -81,7 +81,7 @@ def draw(run, directory):
     low, high = view(extent, section, False)
     factor, unit = style.length_unit(extent.top)
     shape = (high[1] - low[1]) / (high[0] - low[0])
-    columns = 2 if shape < 0.6 else 3
+    columns = min(2 if shape < 0.6 else 3, len(chosen))
     rows = -(-len(chosen) // columns)
     height = rows * (0.92 * WIDTH / columns * np.clip(shape, 0.15, 1.5) + 0.35) + 0.9
     figure, axes = plt.subplots(rows, columns, figsize=(WIDTH, height), sharex=True, sharey=True, squeeze=False, constrained_layout=True)
