@@ -95,9 +95,12 @@ def draw(run, directory):
     time, terms = read_terms(run)
     few = lesser(terms)
     failed, at_rest = failures(run)
-    panels = [(1.8, lambda axes: draw_terms(axes, time, terms, LESSER))] if few else [(2.7, lambda axes: draw_terms(axes, time, terms))]
+    panels = [(2.7, lambda axes: draw_terms(axes, time, terms))]
     if few:
-        panels.append((2.7, lambda axes: draw_terms(axes, time, few, SMALL_OF_LESSER, len(terms) - len(few))))
+        n = len(terms) - len(few)  # the largest terms; the panel with more to see is the higher one
+        heights = (1.8, 2.7) if n <= 3 else (2.7, 1.8)
+        panels = [(heights[0], lambda axes: draw_terms(axes, time, terms, LESSER)),
+                  (heights[1], lambda axes: draw_terms(axes, time, few, SMALL_OF_LESSER, n))]
     if failed:
         panels.append((1.7, lambda axes: draw_failures(axes, failed, at_rest, time[-1])))
     if run.has("energy/residual"):
