@@ -36,7 +36,7 @@ namespace hybrid
       std::optional<output::StepRecord>
       run(const std::vector<std::string> &overrides, const double end, const double most_blocks)
       {
-        reason = "it did not come to its end";
+        reason = "the further run did not come to its end";
         if (processes.count() > 1) // one that fails ends all
           return compute(scene_with(overrides, end), most_blocks);
         try
@@ -45,7 +45,7 @@ namespace hybrid
           }
         catch (const std::exception &error) // no failure may spoil a run that has finished
           {
-            reason = error.what();
+            reason = std::string("the further run failed: ") + error.what();
             return {};
           }
       }
@@ -140,7 +140,7 @@ namespace hybrid
       if (longer)
         output::measure_error(*longer, run.record, run.summary.probable_error);
       else
-        run.summary.probable_error.reason = "of the run with twice the step: " + runs.why_not();
+        run.summary.probable_error.reason = runs.why_not();
       say(output::error_text(run.summary), run, log);
     }
 

@@ -184,6 +184,18 @@ namespace hybrid::output
 
 
 
+    /// Up to where an error is known.
+    std::string until_text(const double until, const bool failed_in_other)
+    {
+      if (std::isnan(until))
+        return "";
+      return format(failed_in_other ? ", until a joint failed in the other run at %.3g s"
+                                    : ", until a joint failed at %.3g s",
+                    until);
+    }
+
+
+
     /// What would be left; runs that do not converge would leave as much.
     std::string half_text(const Summary::ErrorPart &error,
                           const Summary::ErrorPart &half,
@@ -219,8 +231,7 @@ namespace hybrid::output
         return "";
       if (!error.reason.empty())
         return "Error     of the time step: not estimated, " + error.reason + who_finds_it(summary);
-      const std::string until =
-        std::isnan(error.until) ? "" : format(", until a joint failed at %.3g s", error.until);
+      const std::string until  = until_text(error.until, error.failed_in_other);
       const std::string source = std::isnan(error.measured_from)
                                    ? "probably"
                                    : format("by the run in steps of %.4g s", error.measured_from);
@@ -247,7 +258,7 @@ namespace hybrid::output
       if (summary.blocks == 0 || summary.monitors.empty() || !summary.finished)
         return "";
       if (summary.mesh_error.follows)
-        return indent + "of the mesh of blocks: the scene with coarser ones tells it, below";
+        return indent + "of the mesh: the scene with coarser ones tells it, below";
       return indent + "of the mesh of blocks: hybrid accuracy " + directory +
              " finds it by coarser runs";
     }
@@ -276,11 +287,10 @@ namespace hybrid::output
 
   EndText mesh_error_text(const Summary::MeshError &error)
   {
-    const std::string begin = "Error     of the mesh of blocks";
+    const std::string begin = "Error     of the mesh";
     if (!error.reason.empty())
       return {begin + ": not known, " + error.reason, begin + ": not known, " + error.reason};
-    const std::string until =
-      std::isnan(error.until) ? "" : format(", until a joint failed at %.3g s", error.until);
+    const std::string until = until_text(error.until, error.failed_in_other);
     const std::string text =
       begin + ", by " +
       (error.meshes > 1 ? "those twice and four times as large" : "one twice as large") + until +

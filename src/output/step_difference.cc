@@ -93,6 +93,14 @@ namespace hybrid::output
 
 
 
+    /// One time [s] is before another; NaN: never.
+    bool is_before(const double one, const double other)
+    {
+      return one < other || (std::isnan(other) && !std::isnan(one));
+    }
+
+
+
     /// Where the first of two runs ends or breaks [s].
     double common_end(const StepRecord &longer, const StepRecord &shorter)
     {
@@ -196,8 +204,9 @@ namespace hybrid::output
       }
     const double order = std::log(deciding(longer.difference) / now) / std::log(ratio);
     error.reason.clear();
-    error.measured_from = longer.step;
-    error.until         = std::fmin(longer.until, shorter.until);
+    error.measured_from   = longer.step;
+    error.until           = std::fmin(longer.until, shorter.until);
+    error.failed_in_other = is_before(error.until, shorter.until);
     error.step = error.half_step = difference;
     if (order < least_order) // NaN: there is no third run
       return;
@@ -226,6 +235,7 @@ namespace hybrid::output
     error.until                  = run.until;
     for (const StepRecord &record : coarser)
       error.until = std::fmin(error.until, record.until);
+    error.failed_in_other = is_before(error.until, run.until);
     error.reason = std::isnan(deciding(near.part)) ? "nothing moves until a joint fails" : "";
     for (int q = 0; q < 3; ++q)
       {

@@ -114,11 +114,12 @@ namespace hybrid::output
       double assumed_order = 1.45;
       double measured_from = MonitorSummary::unknown; ///< told by a run in steps of this [s]; NaN:
                                                       ///< estimated from this run
-      double    until = MonitorSummary::unknown;      ///< estimated up to here [s]; NaN: all
-      ErrorPart step;                                 ///< of the time step
-      ErrorPart half_step; ///< what would be left of it with half the step
-      int       parts = 1; ///< into which an explicit step is divided
-      ErrorPart mesh;      ///< of the finite elements, at monitors in them; NaN: none are
+      double    until           = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all
+      bool      failed_in_other = false; ///< the joint that failed then did so in the other run
+      ErrorPart step;                    ///< of the time step
+      ErrorPart half_step;               ///< what would be left of it with half the step
+      int       parts = 1;               ///< into which an explicit step is divided
+      ErrorPart mesh; ///< of the finite elements, at monitors in them; NaN: none are
       double    cost = MonitorSummary::unknown; ///< of half the step: processor time that comes on
                                                 ///< top, at most [s]
     };
@@ -126,10 +127,11 @@ namespace hybrid::output
     /// What a finer mesh of the blocks would change, told by coarser ones.
     struct MeshError
     {
-      bool        follows = false;            ///< the runs that tell it
-      std::string reason  = "no coarser run"; ///< why it is not known; empty: it is
-      int         meshes  = 0;                ///< coarser ones, twice and four times as coarse
-      double      until   = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all
+      bool        follows         = false;            ///< the runs that tell it
+      std::string reason          = "no coarser run"; ///< why it is not known; empty: it is
+      int         meshes          = 0; ///< coarser ones, twice and four times as coarse
+      double      until           = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all
+      bool        failed_in_other = false; ///< the joint that failed then did so in a coarser one
       ErrorPart   size;
       ErrorPart   half_size;                 ///< what would be left with half the size
       double cost = MonitorSummary::unknown; ///< processor time with half the size, at least [s]

@@ -112,16 +112,15 @@ namespace hybrid::output
     TEST(EndText, SaysTheErrorOfTheMeshAndThatItsRunsScatter)
     {
       Summary::MeshError error;
-      error.reason         = "";
-      error.meshes         = 2;
-      error.size.part      = {{0.2, 0.3, 0.4}};
-      error.size.where     = {{"crest", "toe", "toe"}};
-      error.half_size.part = {{0.1, 0.15, 0.2}};
-      error.cost           = 200.;
-      const std::string line =
-        "Error     of the mesh of blocks, by those twice and four times as large: "
-        "displacement 20 % of the peak (crest), velocity 30 % (toe), "
-        "acceleration 40 % (toe)";
+      error.reason           = "";
+      error.meshes           = 2;
+      error.size.part        = {{0.2, 0.3, 0.4}};
+      error.size.where       = {{"crest", "toe", "toe"}};
+      error.half_size.part   = {{0.1, 0.15, 0.2}};
+      error.cost             = 200.;
+      const std::string line = "Error     of the mesh, by those twice and four times as large: "
+                               "displacement 20 % of the peak (crest), velocity 30 % (toe), "
+                               "acceleration 40 % (toe)";
       EXPECT_EQ(mesh_error_text(error).in_file, line + "; with half the size 10, 15, 20 %");
       EXPECT_EQ(mesh_error_text(error).on_screen,
                 line + "; with half the size 10, 15, 20 % in at least 200 s of processor time");
@@ -130,7 +129,7 @@ namespace hybrid::output
                 line + "; the runs do not come closer to each other, this is how far they scatter");
       error.reason = "the next mesh is hardly coarser";
       EXPECT_EQ(mesh_error_text(error).on_screen,
-                "Error     of the mesh of blocks: not known, the next mesh is hardly coarser");
+                "Error     of the mesh: not known, the next mesh is hardly coarser");
     }
   } // namespace
 } // namespace hybrid::output
