@@ -13,7 +13,8 @@ namespace hybrid
 {
   namespace
   {
-    constexpr double most_blocks_left = 0.4; ///< in a mesh twice as coarse [-]; a quarter is ideal
+    constexpr double most_left  = 0.4; ///< in a mesh twice as coarse [-]; a quarter is ideal
+    constexpr double least_time = 0.1; ///< of steps, that tells what finer ones take [s]
 
 
 
@@ -32,16 +33,19 @@ namespace hybrid
       {}
 
       /// Up to a time @p end [s]. @return its record on the first process; nothing if it did not
-      /// come to its end, or has more than @p most_blocks blocks: why_not() then says why.
+      /// come to its end, or its mesh has more than @p most blocks or unknowns: why_not() then says
+      /// why.
       std::optional<output::StepRecord>
-      run(const std::vector<std::string> &overrides, const double end, const double most_blocks)
+      run(const std::vector<std::string> &overrides, const double end, const double most)
       {
         reason = "the further run did not come to its end";
+        if (processes.from_first(interruption.is_requested() ? 1. : 0.) != 0.)
+          return {};
         if (processes.count() > 1) // one that fails ends all
-          return compute(scene_with(overrides, end), most_blocks);
+          return compute(scene_with(overrides, end), most);
         try
           {
-            return compute(scene_with(overrides, end), most_blocks);
+            return compute(scene_with(overrides, end), most);
           }
         catch (const std::exception &error) // no failure may spoil a run that has finished
           {
@@ -92,13 +96,13 @@ namespace hybrid
       }
 
       std::optional<output::StepRecord> compute(const scene::SceneParameters &scene,
-                                                const double                  most_blocks)
+                                                const double                  most)
       {
         std::ostream  nowhere(nullptr);
         output::Log   quiet(nowhere);
         DirectoryLock lock;
         const auto    simulation = make(scene.output.directory, scene, quiet);
-        if (simulation->n_blocks() > most_blocks)
+        if (simulation->mesh_count() > most)
           {
             reason = "the next mesh is hardly coarser";
             return {};
@@ -158,7 +162,7 @@ namespace hybrid
       else
         output::measure_mesh_error(run.record, coarser, error);
       const double own = run.summary.stages["steps"];
-      if (time_of_coarser > 0.)
+      if (time_of_coarser > least_time)
         error.cost = own * std::max(1., own / time_of_coarser);
       say(output::mesh_error_text(error), run, log);
     }
@@ -216,7 +220,7 @@ namespace hybrid
       return;
     const std::string longer_step = scene::number_text(2. * simulation->time_step());
     const std::string meshes[]    = {simulation->coarser_mesh(2.), simulation->coarser_mesh(4.)};
-    const double      blocks      = simulation->n_blocks();
+    const double      count       = simulation->mesh_count();
     FinishedRun       run{simulation->directory(),
                     simulation->step_record().value_or(output::StepRecord()),
                     simulation->summary()};
@@ -224,16 +228,16 @@ namespace hybrid
     FurtherRuns runs(run.directory, make, processes, interruption);
     if (end_of_second > 0.)
       {
-        const auto longer = runs.run({"Time/Time step=" + longer_step}, end_of_second, blocks);
+        const auto longer = runs.run({"Time/Time step=" + longer_step}, end_of_second, count);
         processes.on_first([&] { tell_step_error(longer, runs, run, log); });
       }
-    if (end_of_coarser > 0. && !interruption.is_requested())
+    if (end_of_coarser > 0.)
       {
         std::vector<output::StepRecord> coarser;
-        double                          most = blocks, time = 0.;
+        double                          most = count, time = 0.;
         for (const std::string &numbers : meshes)
           {
-            most *= most_blocks_left;
+            most *= most_left;
             const auto record = runs.run({"Mesh/Numbers=" + numbers}, end_of_coarser, most);
             if (processes.from_first(record ? 1. : 0.) == 0.)
               break;

@@ -347,7 +347,8 @@ namespace hybrid
 
   std::optional<double> Simulation::end_of_coarser_runs() const
   {
-    if (!model.scene.mesh.coarser_runs || n_blocks() == 0 || coarser_mesh(2.).empty() ||
+    const bool told = n_blocks() == 0 && !found.probable_error.runs_would_do; // of finite elements
+    if (!model.scene.mesh.coarser_runs || told || coarser_mesh(2.).empty() ||
         found.monitors.empty())
       return {};
     return end_of_further_run(time_step());
@@ -366,6 +367,15 @@ namespace hybrid
     for (const auto &[name, value] : model.mesh.resolutions)
       text += name + " = " + scene::number_text(factor * value) + "; ";
     return text;
+  }
+
+
+
+  double Simulation::mesh_count() const
+  {
+    return n_blocks() > 0               ? n_blocks()
+           : model.continuum != nullptr ? static_cast<double>(model.continuum->n_unknowns())
+                                        : 0.;
   }
 
 
@@ -425,6 +435,7 @@ namespace hybrid
     found                             = summary;
     summary.probable_error.second_run = end_of_second_run().has_value();
     summary.mesh_error.follows        = end_of_coarser_runs().has_value();
+    summary.mesh_error.runs_would_do  = !coarser_mesh(2.).empty();
     output::write_summary(summary, model.scene.output.directory + "/summary.json");
 
     run_report.end(summary, status);

@@ -69,6 +69,9 @@ namespace hybrid
 
     int n_blocks() const;
 
+    /// Blocks, or without any the unknowns of the bedrock: what a coarser mesh has fewer of.
+    double mesh_count() const;
+
     bool has_error_target() const
     {
       return model.scene.time.error_target != 0.;

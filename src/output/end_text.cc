@@ -255,10 +255,11 @@ namespace hybrid::output
     /// Who finds the error of a mesh of blocks, which one run does not tell.
     std::string block_mesh_text(const Summary &summary, const std::string &directory)
     {
-      if (summary.blocks == 0 || summary.monitors.empty() || !summary.finished)
-        return "";
       if (summary.mesh_error.follows)
         return indent + "of the mesh: the scene with coarser ones tells it, below";
+      if (summary.blocks == 0 || summary.monitors.empty() || !summary.finished ||
+          !summary.mesh_error.runs_would_do)
+        return "";
       return indent + "of the mesh of blocks: hybrid accuracy " + directory +
              " finds it by coarser runs";
     }

@@ -93,7 +93,7 @@ def check_interruption(words, work, require):
     summary = summary_of(directory)
     require(in_time and process.returncode == 0 and summary["finished"] and not summary["probable_error"]["estimated"],
             "an interruption leaves a complete run", output)
-    require("it did not come to its end" in output and nothing_left(directory), "and says so", output)
+    require("the further run did not come to its end" in output and nothing_left(directory), "and says so", output)
 
 
 def main():

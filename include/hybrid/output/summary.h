@@ -127,6 +127,7 @@ namespace hybrid::output
     /// What a finer mesh of the blocks would change, told by coarser ones.
     struct MeshError
     {
+      bool        runs_would_do   = false;            ///< coarser meshes, which there are
       bool        follows         = false;            ///< the runs that tell it
       std::string reason          = "no coarser run"; ///< why it is not known; empty: it is
       int         meshes          = 0; ///< coarser ones, twice and four times as coarse

@@ -13,6 +13,7 @@ from hybrid_tools.study import quantities
 from hybrid_tools.study.run_directory import read_json
 from hybrid_tools.table import Cell, Column, Table
 
+LEAST_TIME = 0.5  # of steps, that tells what finer ones take [s]
 EXAMPLES = """  hybrid accuracy output/my_run                  # mesh twice and four times as coarse, step twice as long
   hybrid accuracy output/my_run --mesh           # the mesh alone: about a sixth of the run's time
   hybrid accuracy output/my_run --quantities "crest/*,slip/*"
@@ -39,7 +40,8 @@ def why_no_longer_step(parameters, summary):
     """A sentence; nothing where twice the step tells its error."""
     if parameters["Continuum/Time integrator"] == "explicit":
         return "explicit steps are divided into stable parts, which twice the step leaves as they are"
-    if not summary.get("blocks") and summary.get("probable_error", {}).get("estimated", False):
+    error = summary.get("probable_error", {})
+    if not summary.get("blocks") and error.get("estimated", False) and error.get("measured_from_time_step_s") is None:
         return "waves alone say the error of their step themselves: see the line 'Error' at the end of the run"
     return ""
 
@@ -140,7 +142,7 @@ def sentences(errors, run, coarser_runs):
             kind, percent(error.value), name,
             "; %d of %d quantities do not converge (~): what is told is how far they scatter" % (scattered, len(of_kind)) if scattered else ""))
         own, other = time_of_steps(run), time_of_steps(coarser_runs[kind])
-        if own > 0 and other > 0:
+        if own > LEAST_TIME and other > 0:
             found.append("Half the %s takes about %.3g s, as the steps of this run took %.3g s and those of the coarser one %.3g s" % (
                 kind if kind == "step" else "size of the mesh", own * max(1.0, own / other), own, other))
     return found

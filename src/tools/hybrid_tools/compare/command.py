@@ -72,7 +72,7 @@ def check_sections(comparison):
     for i, label in comparison.others:
         other = other_section(comparison.runs[i], comparison.reference)
         if other:
-            raise UserError("'%s' is of another section than '%s': %s; --force compares them all the same" % (
+            raise UserError("'%s' is of another section than '%s': %s; hybrid compare --force compares them all the same" % (
                 label, comparison.labels[0], other))
 
 
