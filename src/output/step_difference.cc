@@ -197,8 +197,9 @@ namespace hybrid::output
         error.runs_would_do = false;
         return;
       }
-    if (std::isnan(now)) // nothing moves, or a joint failed at once
+    if (std::isnan(now))
       {
+        error.reason = std::isnan(shorter.until) ? "nothing moves" : "a joint failed at once";
         error.runs_would_do = false;
         return;
       }

@@ -218,7 +218,7 @@ def percent(values):
 
 
 def row(label, size_of_it, true, estimated):
-    ratios = ["%.2g" % (e / t) if t > 0 else "-" for e, t in zip(estimated, true)]
+    ratios = ["%.2g" % (e / t) if t > 1e-8 else "-" for e, t in zip(estimated, true)]  # less is round-off
     ratios = ["**%s**" % r if r != "-" and not 1 / FACTOR <= float(r) <= FACTOR else r for r in ratios]
     return "| %s | %g | %s | %s | %s |" % (label, size_of_it, percent(true), percent(estimated), ", ".join(ratios))
 
