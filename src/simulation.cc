@@ -391,7 +391,10 @@ namespace hybrid
   {
     const scene::TimeParameters &time = model.scene.time;
     if (time.second_run || model.scene.mesh.coarser_runs || time.error_target != 0.)
-      record = run.recorder->step_record(summary.first_failure_time);
+      {
+        record            = run.recorder->step_record(summary.first_failure_time);
+        record->slip_left = summary.slip.mean_left;
+      }
     if (time.error_target == 0. || !summary.probable_error.runs_would_do)
       return;
     if (const auto longer = output::read_step_record(step_record_file(directory())))

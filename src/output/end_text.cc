@@ -179,6 +179,8 @@ namespace hybrid::output
           text += (text.empty() ? "" : ", ") + std::string(names[q]) + " " +
                   percent(error.part[q]) + " %" + (text.empty() ? " of the peak" : "") + " (" +
                   error.where[q] + ")";
+      if (!std::isnan(error.slip_left))
+        text += ", slip left " + percent(error.slip_left) + " % (mean)";
       return text;
     }
 
@@ -201,10 +203,11 @@ namespace hybrid::output
                           const Summary::ErrorPart &half,
                           const std::string        &what)
     {
-      if (error.part == half.part)
+      if (error.part == half.part) // slip may scatter alone
         return "; the runs do not come closer to each other, this is how far they scatter";
       return "; with half the " + what + " " + percent(half.part[0]) + ", " +
-             percent(half.part[1]) + ", " + percent(half.part[2]) + " %";
+             percent(half.part[1]) + ", " + percent(half.part[2]) +
+             (std::isnan(half.slip_left) ? "" : ", " + percent(half.slip_left)) + " %";
     }
 
 

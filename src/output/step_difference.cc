@@ -144,6 +144,28 @@ namespace hybrid::output
 
 
 
+    /// Part that the mean slip that is left differs by; NaN: there is none, or a joint failed.
+    double slip_difference(const StepRecord &longer, const StepRecord &shorter)
+    {
+      const double end = common_end(longer, shorter);
+      const bool   are_whole =
+        std::isnan(std::fmin(longer.until, shorter.until)) &&
+        std::max(longer.time.back(), shorter.time.back()) - end < longer.step + shorter.step;
+      return are_whole && shorter.slip_left != 0.
+               ? std::abs(longer.slip_left / shorter.slip_left - 1.)
+               : MonitorSummary::unknown;
+    }
+
+
+
+    /// All numbers of an error.
+    std::array<double *, 4> numbers(Summary::ErrorPart &error)
+    {
+      return {{&error.part[0], &error.part[1], &error.part[2], &error.slip_left}};
+    }
+
+
+
     /// Displacement or velocity, whichever is farther off; one of them may be unknown.
     double deciding(const std::array<double, 3> &part)
     {
@@ -160,6 +182,7 @@ namespace hybrid::output
     if (!have_the_same_monitors(longer, shorter) || rows.count < 2)
       return result;
     const std::vector<Histories> before = histories(longer, rows), now = histories(shorter, rows);
+    result.slip_left = slip_difference(longer, shorter);
     for (int q = 0; q < 3; ++q)
       {
         double largest = 0.;
@@ -211,13 +234,15 @@ namespace hybrid::output
     error.step = error.half_step = difference;
     if (order < least_order) // NaN: there is no third run
       return;
-    for (int q = 0; q < 3; ++q)
+    const auto step = numbers(error.step), half = numbers(error.half_step);
+    for (std::size_t q = 0; q < step.size(); ++q)
       {
-        const double found = std::log(longer.difference[q] / difference.part[q]) / std::log(ratio);
+        const double found = q < 3 ? std::log(longer.difference[q] / *step[q]) / std::log(ratio)
+                                   : MonitorSummary::unknown;
         const double p     = std::isnan(found) ? error.assumed_order
                                                : std::clamp(found, least_order, error.assumed_order);
-        error.step.part[q] /= std::pow(ratio, p) - 1.;
-        error.half_step.part[q] = error.step.part[q] * std::pow(0.5, p);
+        *step[q] /= std::pow(ratio, p) - 1.;
+        *half[q] = *step[q] * std::pow(0.5, p);
       }
   }
 
@@ -229,7 +254,7 @@ namespace hybrid::output
   {
     constexpr double         unknown_order = 1., lowest_order = 0.5, highest_order = 2.;
     const Summary::ErrorPart near = step_difference(coarser.front(), run);
-    const Summary::ErrorPart far =
+    Summary::ErrorPart       far =
       coarser.size() > 1 ? step_difference(coarser[1], coarser[0]) : Summary::ErrorPart();
     error.size = error.half_size = near;
     error.meshes                 = static_cast<int>(coarser.size());
@@ -237,16 +262,17 @@ namespace hybrid::output
     for (const StepRecord &record : coarser)
       error.until = std::fmin(error.until, record.until);
     error.failed_in_other = is_before(error.until, run.until);
-    error.reason = std::isnan(deciding(near.part)) ? "nothing moves until a joint fails" : "";
-    for (int q = 0; q < 3; ++q)
+    error.reason    = std::isnan(deciding(near.part)) ? "nothing moves until a joint fails" : "";
+    const auto size = numbers(error.size), half = numbers(error.half_size), other = numbers(far);
+    for (std::size_t q = 0; q < size.size(); ++q)
       {
-        const double found = std::log2(far.part[q] / near.part[q]);
-        const double p     = std::isnan(found) ? unknown_order : std::min(found, highest_order);
+        const double near_by = *size[q], found = std::log2(*other[q] / near_by);
+        const double p = std::isnan(found) ? unknown_order : std::min(found, highest_order);
         if (p < lowest_order)
           continue;
-        const double gain = std::exp2(p), d = std::fmax(near.part[q], far.part[q] / gain);
-        error.size.part[q]      = d / (gain - 1.);
-        error.half_size.part[q] = error.size.part[q] / gain;
+        const double gain = std::exp2(p);
+        *size[q]          = std::fmax(near_by, *other[q] / gain) / (gain - 1.);
+        *half[q]          = *size[q] / gain;
       }
   }
 } // namespace hybrid::output

@@ -84,6 +84,7 @@ namespace hybrid::output
       const char *names[] = {"displacement", "velocity", "acceleration"};
       for (int q = 0; q < 3; ++q)
         object[names[q]] = {{"part_of_peak", part.part[q]}, {"monitor", part.where[q]}};
+      object["slip_left"] = {{"part", part.slip_left}};
       return object;
     }
 

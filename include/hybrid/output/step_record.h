@@ -28,6 +28,8 @@ namespace hybrid::output
     double               corner = 0.; ///< of the zero-phase low-pass before peaks [Hz]; 0: none
     double until = MonitorSummary::unknown; ///< what is later is left out [s]; NaN: nothing is
 
+    double slip_left = MonitorSummary::unknown; ///< mean on the sliding surface, at the end [m]
+
     /// From the run before in longer steps: displacement, velocity, acceleration, as
     /// step_difference() has it [-]; NaN: there was none.
     std::array<double, 3> difference = {

@@ -100,7 +100,8 @@ namespace hybrid::output
     {
       std::array<double, 3> part = {
         {MonitorSummary::unknown, MonitorSummary::unknown, MonitorSummary::unknown}}; ///< [-]
-      std::array<std::string, 3> where; ///< the monitor whose is largest
+      std::array<std::string, 3> where;           ///< the monitor whose is largest
+      double slip_left = MonitorSummary::unknown; ///< of the mean slip that is left, over it [-]
     };
 
     /// What finer steps would change, as far as it is estimated.

@@ -183,5 +183,19 @@ namespace hybrid::output
       EXPECT_NEAR(error.size.part[0], 0.03, 1e-3);
       EXPECT_EQ(error.half_size.part[0], error.size.part[0]);
     }
+
+
+
+    TEST(StepDifference, tells_the_slip_that_is_left_unless_a_joint_failed)
+    {
+      StepRecord longer = run_with(4e-3, 0.), shorter = run_with(2e-3, 0.);
+      longer.slip_left = -0.12, shorter.slip_left = -0.1;
+      EXPECT_NEAR(step_difference(longer, shorter).slip_left, 0.2, 1e-9);
+      Summary::ProbableError error = unknown_error();
+      measure_error(longer, shorter, error);
+      EXPECT_NEAR(error.step.slip_left, 0.2 / std::sqrt(3.), 1e-3);
+      longer.until = 1.;
+      EXPECT_TRUE(std::isnan(step_difference(longer, shorter).slip_left));
+    }
   } // namespace
 } // namespace hybrid::output
