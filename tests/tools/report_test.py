@@ -12,7 +12,7 @@ from selenium import webdriver
 
 from hybrid_run import Run
 from hybrid_run.parameters import changed_parameters
-from hybrid_tools.report import costs, facts, panels, vector
+from hybrid_tools.report import costs, errors, facts, panels, vector
 
 WIDTHS = {"phone": 390, "desk": 1280}
 
@@ -264,3 +264,20 @@ def test_peaks_are_compared_with_the_outcrop_motion_in_its_direction(synthetic_r
     peaks = run.monitors[name].peak()
     assert k == 0 and peaks[1] > 10 * peaks[0]
     assert row[3] == "%.3g" % peaks[1] and row[4] == "%.2f" % (peaks[0] / outcrop[0])
+
+
+def test_errors_are_those_of_the_summary():
+    def error(value, slip=None):
+        parts = {name: {"part_of_peak": value, "monitor": "crest"} for name in errors.QUANTITIES}
+        return dict(parts, slip_left={"part": slip})
+
+    class Finished:
+        summary = {"blocks": 8, "probable_error": {"estimated": True, "measured_from_time_step_s": 0.002, "until_s": 1.25,
+                                                   "time_step": error(0.012, 0.03), "half_the_step": error(0.003), "bedrock_mesh": error(None)},
+                   "mesh_error": {"estimated": False, "reason": "the next mesh is hardly coarser"}}
+
+    rows = errors.rows_of(Finished)
+    assert [len(row) for row in rows] == [len(errors.HEAD)] * 3
+    assert rows[0] == ["of the time step"] + ["1.2 (crest)"] * 3 + ["3", "a run in steps of 0.002 s, until a joint failed at 1.25 s"]
+    assert rows[1][0] == "with half of it" and rows[1][1] == "0.3 (crest)"
+    assert rows[2][-1] == "not known: the next mesh is hardly coarser"

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 from hybrid_tools.plot import failure_process, velocities
 
-from . import costs, facts, panels, random_field
+from . import costs, errors, facts, panels, random_field
 
 # (identifier, heading, drawings); a chapter whose data the run lacks is left out.
 CHAPTERS = (("motion", "Motion of the ground", (panels.motion, panels.spectrum)),
@@ -63,6 +63,7 @@ def chapters(run, identifier):
         run, panels.of_borehole, "%s-hole-%s" % (identifier, safe(name)), name))]))
     found.append(Chapter("random", "Heterogeneity", drawn(run, identifier, (random_field.modulus, random_field.strength))))
     found.append(Chapter("energy", "Energy", drawn(run, identifier, (panels.energy,))))
+    found.append(Chapter("errors", "How far off", head=errors.HEAD, rows=errors.rows_of(run)))
     rows = costs.rows_of(run)
     found.append(Chapter("cost", "Where the time went", drawn(run, identifier, (costs.steps,)), costs.HEAD if rows else None, rows))
     found.append(Chapter("velocities", "Velocities", panels.of_plot(run, velocities, identifier, (

@@ -174,7 +174,7 @@ def card(run):
     """[(heading, [[words]])] of what the program understood: groups with rows of two or three columns."""
     groups, plain = [], []
     for line in log_lines(run)[1:]:
-        if line.startswith(("Finished", "Stopped")):
+        if line.startswith(("Finished", "Stopped", "Error")):
             break  # how the run ended is told elsewhere
         if line.startswith(("warning: ", "error: ")) or not line.strip():
             continue

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How far off the run is, as it says itself: of its step, and of its mesh."""
+
+import math
+
+QUANTITIES = ("displacement", "velocity", "acceleration")
+HEAD = ["error", "displacement [%]", "velocity [%]", "acceleration [%]", "slip left [%]", "told by"]
+
+
+def percent(part):
+    return "–" if part is None or not math.isfinite(part) else "%.2g" % (100 * part) if part < 0.995 else "over 100"
+
+
+def cells(found):
+    """Largest errors over the peaks, with the monitors."""
+    rows = []
+    for quantity in QUANTITIES:
+        of = found.get(quantity, {})
+        part = of.get("part_of_peak")
+        rows.append("–" if part is None else "%s (%s)" % (percent(part), of.get("monitor", "")))
+    return rows + [percent(found.get("slip_left", {}).get("part"))]
+
+
+def until(found):
+    """What is later is not known."""
+    return "" if found.get("until_s") is None else ", until a joint failed at %.3g s" % found["until_s"]
+
+
+def row(what, found, part, by):
+    if not found.get("estimated"):
+        return [what] + ["–"] * 4 + ["not known: " + found.get("reason", "")]
+    return [what] + cells(found.get(part, {})) + [by + until(found)]
+
+
+def rows_of(run):
+    """[[error, displacement, velocity, acceleration, slip, how it is known]] as text; empty of a run that is not over."""
+    step, mesh = run.summary.get("probable_error"), run.summary.get("mesh_error")
+    found = []
+    if step:
+        longer = step.get("measured_from_time_step_s")
+        by = "the run itself" if longer is None else "a run in steps of %.4g s" % longer
+        found.append(row("of the time step", step, "time_step", by))
+        if step.get("estimated"):
+            found.append(row("with half of it", step, "half_the_step", ""))
+            bedrock = step.get("bedrock_mesh", {})
+            if bedrock.get("velocity", {}).get("part_of_peak") is not None:
+                found.append(row("of the bedrock's mesh", step, "bedrock_mesh", "the run itself"))
+    if mesh and (mesh.get("estimated") or run.summary.get("blocks")):
+        by = "meshes twice and four times as coarse" if mesh.get("coarser_meshes", 1) > 1 else "a mesh twice as coarse"
+        found.append(row("of the mesh", mesh, "mesh", by))
+        if mesh.get("estimated"):
+            found.append(row("with half of it", mesh, "half_the_size", ""))
+    return found
