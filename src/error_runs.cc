@@ -7,6 +7,7 @@
 #include <hybrid/scene/parameters/scene_reader.h>
 #include <hybrid/voice.h>
 
+#include <cmath>
 #include <iostream>
 
 namespace hybrid
@@ -160,9 +161,9 @@ namespace hybrid
       if (coarser.empty())
         error.reason = runs.why_not();
       else
-        output::measure_mesh_error(run.record, coarser, error);
+        output::measure_mesh_error(run.record, coarser, run.summary.blocks > 0 ? 2. : 4., error);
       const double own = run.summary.stages["steps"];
-      if (time_of_coarser > least_time)
+      if (time_of_coarser > least_time && std::isnan(run.record.until)) // both are whole
         error.cost = own * std::max(1., own / time_of_coarser);
       say(output::mesh_error_text(error), run, log);
     }

@@ -347,9 +347,7 @@ namespace hybrid
 
   std::optional<double> Simulation::end_of_coarser_runs() const
   {
-    const bool told = n_blocks() == 0 && !found.probable_error.runs_would_do; // of finite elements
-    if (!model.scene.mesh.coarser_runs || told || coarser_mesh(2.).empty() ||
-        found.monitors.empty())
+    if (!model.scene.mesh.coarser_runs || coarser_mesh(2.).empty() || found.monitors.empty())
       return {};
     return end_of_further_run(time_step());
   }

@@ -250,7 +250,7 @@ namespace hybrid::output
       const Summary::ProbableError &error = summary.probable_error;
       if (summary.monitors.empty() || !error.reason.empty() || std::isnan(error.mesh.part[1]))
         return "";
-      return indent + "of the bedrock's mesh: " + peaks_text(error.mesh);
+      return indent + "of the bedrock's mesh, waves alone: " + peaks_text(error.mesh);
     }
 
 

@@ -34,13 +34,16 @@ namespace hybrid::output
    * The error of a mesh from its difference d to one twice as coarse: d / (2^p - 1) (Richardson
    * 1911).
    *
-   * The order p is that of the three meshes, at most 2: beyond, the difference of the coarser two
-   * counts, as the finer two may be close by luck. Below 1/2 the meshes do not converge: d tells
-   * how far they scatter, and half the size would leave as much. p is 1 without a third mesh.
+   * The order p is that of the three meshes, at most @p highest_order: beyond, the difference of
+   * the coarser two counts, as the finer two may be close by luck. Below 1/2 the meshes do not
+   * converge: d tells how far they scatter, and half the size would leave as much. p is 1 without a
+   * third mesh.
    *
    * @param coarser runs with meshes twice and four times as coarse, or the first of them alone
+   * @param highest_order 2 where there are blocks, 4 of finite elements of degree 2 and more
    */
   void measure_mesh_error(const StepRecord              &run,
                           const std::vector<StepRecord> &coarser,
+                          double                         highest_order,
                           Summary::MeshError            &error);
 } // namespace hybrid::output

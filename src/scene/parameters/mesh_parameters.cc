@@ -42,7 +42,7 @@ namespace hybrid::scene
       "Error estimate",
       mesh.coarser_runs,
       {{"automatic", true}, {"one run", false}},
-      "Where there are blocks from a .geo file with numbers Resolution/..., automatic computes the scene that has "
+      "Where the mesh is of a .geo file with numbers Resolution/..., automatic computes the scene that has "
       "ended once more with all of them twice and four times as large, up to the first failed joint, and tells the "
       "error of the mesh from the differences: about a quarter as much time again. With one run, or a Time/Error "
       "target, it does not.");

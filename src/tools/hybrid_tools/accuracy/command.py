@@ -85,7 +85,7 @@ def compute(directory, kinds):
                   flush=True)
             if kind == "mesh":
                 for name, numbers in coarser.unchanged(path, finer).items():
-                    print("%-7s has %d %s, the finer mesh %d: what these are too coarse for is not told" % ((run.name, numbers[0], name, numbers[1])),
+                    print("%-7s has %d %s, the finer mesh %d, hardly fewer: their own error is not in what follows" % ((run.name, numbers[0], name, numbers[1])),
                           flush=True)
                 if not coarser.is_coarser(path, finer):
                     print("%-7s is left out" % run.name, flush=True)

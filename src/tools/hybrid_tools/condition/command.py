@@ -80,7 +80,7 @@ def table_of_states(first, last, conditioned):
     state = "conditioned" if conditioned else "event %d" % last.number
     table = Table([Column("monitor"), Column("left, virgin", "m", LENGTH), Column("left, " + state, "m", LENGTH),
                    Column("peak displacement, virgin", "m", LENGTH), Column("peak displacement, " + state, "m", LENGTH),
-                   Column("peak acceleration, virgin", "m/s2", LENGTH), Column("change", "", percent)])
+                   Column("peak acceleration, virgin", "m/s2", LENGTH), Column("its change", "", percent)])
     for name, before in first.points.items():
         after = last.points[name]
         change = after.acceleration / before.acceleration - 1 if before.acceleration else None

@@ -66,7 +66,7 @@ def draw_frame(axes, motion, k, section, scale):
     for kind, ends in motion.failed(k):
         axes.add_collection(LineCollection(ends, colors=colours[kind], lw=1.4 if len(ends) < 100 else 0.6, zorder=5, capstyle="round"))
         count += len(ends)
-    axes.set_title("t = %s s, %d joints failed" % (np.format_float_positional(time, precision=2, trim="-"), count))
+    axes.set_title("t = %s s, %d %s failed" % (np.format_float_positional(time, precision=2, trim="-"), count, "joint" if count == 1 else "joints"))
     return blocks
 
 

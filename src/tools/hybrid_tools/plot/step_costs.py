@@ -63,7 +63,7 @@ def draw(run, directory):
         axis.plot(time[:n], values, ".", ms=1.5, color=style.HORIZONTAL, alpha=0.35, rasterized=True)
         window = max(n // 200, 1)
         mean = np.convolve(values, np.ones(window) / window, mode="valid")
-        axis.plot(time[window - 1 : n], mean, color=style.TEXT, lw=1.0, label="mean of %d steps" % window)
+        axis.plot(time[window - 1 : n], mean, color=style.TEXT, lw=1.0, label="mean of %d steps" % window if window > 1 else "each step")
         if scale == "log" and values.min() > 0:
             log_axis(axis, values)
         elif scale == "linear":
