@@ -78,7 +78,7 @@ ROWS = [
 def measure(binary, work, overrides, steps):
     """Processor time [s] and the summary of one run."""
     words = [binary, str(SCENE), "--force", "-s", "Output/Directory=%s" % work, "-s", "Time/Time step=0.001",
-             "-s", "Time/End time=%g" % (1e-3 * steps)]
+             "-s", "Time/End time=%g" % (1e-3 * steps), "-s", "Time/Error estimate=one run", "-s", "Mesh/Error estimate=one run"]
     for override in overrides:
         words += ["-s", override]
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
