@@ -161,7 +161,7 @@ namespace hybrid
       if (coarser.empty())
         error.reason = runs.why_not();
       else
-        output::measure_mesh_error(run.record, coarser, run.summary.blocks > 0 ? 2. : 4., error);
+        output::measure_mesh_error(run.record, coarser, error);
       const double own = run.summary.stages["steps"];
       if (time_of_coarser > least_time && std::isnan(run.record.until)) // both are whole
         error.cost = own * std::max(1., own / time_of_coarser);

@@ -250,10 +250,9 @@ namespace hybrid::output
 
   void measure_mesh_error(const StepRecord              &run,
                           const std::vector<StepRecord> &coarser,
-                          const double                   highest_order,
                           Summary::MeshError            &error)
   {
-    constexpr double         unknown_order = 1., lowest_order = 0.5;
+    constexpr double         unknown_order = 1., lowest_order = 0.5, highest_order = 2.;
     const Summary::ErrorPart near = step_difference(coarser.front(), run);
     Summary::ErrorPart       far =
       coarser.size() > 1 ? step_difference(coarser[1], coarser[0]) : Summary::ErrorPart();

@@ -40,10 +40,8 @@ namespace hybrid::output
    * third mesh.
    *
    * @param coarser runs with meshes twice and four times as coarse, or the first of them alone
-   * @param highest_order 2 where there are blocks, 4 of finite elements of degree 2 and more
    */
   void measure_mesh_error(const StepRecord              &run,
                           const std::vector<StepRecord> &coarser,
-                          double                         highest_order,
                           Summary::MeshError            &error);
 } // namespace hybrid::output
