@@ -94,7 +94,7 @@ namespace hybrid::scene
                    blocks.penalty_ratio,
                    "",
                    {1., 1e9, false, true},
-                   "alpha of the normal stiffness alpha E / h of joints and contacts.");
+                   "alpha of the normal stiffness alpha E / h of joints and contacts; what it changes: doc/accuracy-vs-time.md.");
     section.number("Shear ratio",
                    blocks.shear_ratio,
                    "",

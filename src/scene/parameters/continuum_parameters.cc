@@ -54,7 +54,7 @@ namespace hybrid::scene
     section.integer("Degree",
                     continuum.degree,
                     {1, 8},
-                    "Polynomial degree of the finite elements.");
+                    "Polynomial degree of the finite elements; 2 for waves, 4 for point sources (doc/accuracy-vs-time.md).");
     section.choice<TimeIntegrator>(
       "Time integrator",
       continuum.integrator,

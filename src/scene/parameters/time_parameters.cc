@@ -16,7 +16,7 @@ namespace hybrid::scene
                    time.time_step,
                    "s",
                    ParameterRange::above(0.),
-                   "Size dt of a step. Steps that do not converge are halved.");
+                   "Size dt of a step. Steps that do not converge are halved. What steps cost in accuracy: doc/accuracy-vs-time.md.");
     section.quantity_or(
       "Error target",
       {"none", time.error_target},
