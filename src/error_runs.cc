@@ -109,6 +109,8 @@ namespace hybrid
             return {};
           }
         processes.on_first([&] { prepare_directory(scene, true, quiet, lock); });
+        if (simulation->is_alone() && !processes.is_first())
+          return {}; // too small to be shared out, as the run itself was
         if (simulation->run(interruption) != RunStatus::finished)
           return {};
         const auto of_steps = simulation->summary().stages.find("steps");

@@ -54,6 +54,8 @@ BLOCKS = {
     "badong": ("../benchmarks/badong_4", ["Time/End time=0.04", "Output/Audit interval=0.01", "Output/Picture interval=0.02"]),
     "triangles": ("../benchmarks/triangles_8", ["Time/End time=0.02"]),
 }
+ALONE = "computed by the first one alone"
+ONE_RUN = ["Time/Error estimate=one run", "Mesh/Error estimate=one run"]
 complaints = []
 
 
@@ -69,7 +71,7 @@ def launcher(processes):
 
 def words_of(scene, directory, overrides=()):
     words = [BINARY, str(SCENES / (scene + ".prm")), "--force", "-s", f"Output/Directory={directory}"]
-    for override in overrides:
+    for override in [*ONE_RUN, *overrides]:
         words += ["-s", override]
     return words
 
@@ -133,7 +135,7 @@ def check_solvers():
         for processes in (1, 2, 4) if name == "lamb" else (1, 2):
             directory = WORK / f"iterated_{name}_{processes}"
             result = run(processes, words_of(scene, directory, [*overrides, ITERATED]))
-            require(result.stdout.count("Finished") == 1 and "alone" not in result.stdout, f"iterated {name}, {processes} processes: all compute")
+            require(result.stdout.count("Finished") == 1 and ALONE not in result.stdout, f"iterated {name}, {processes} processes: all compute")
             for prefix in ("monitors/", "energy/", "fields/"):
                 worst, where = largest_difference(series(known), series(directory), prefix)
                 print(f"implicit {name}: factor and {processes} iterating processes differ by {worst:.2g} of the peak ({where})")
@@ -222,13 +224,20 @@ def check_blocks():
         for processes in (1, 2, 4) if name == "badong" else (1, 3) if name == "sliding" else (1, 2):
             directory = WORK / f"{name}_{processes}"
             result = run(processes, words_of(scene, directory, overrides))
-            require(result.stdout.count("Finished") == 1 and "alone" not in result.stdout, f"{name}, {processes} processes: all compute, one speaks")
+            require(result.stdout.count("Finished") == 1 and ALONE not in result.stdout, f"{name}, {processes} processes: all compute, one speaks")
             if processes == 1:
                 expected = series(directory)
                 require(expected, f"{name}: there are series")
             else:
                 require_same_bits(expected, directory, f"{name}, {processes} processes")
     scene, overrides = BLOCKS["badong"]
+    # Runs that tell the errors; one with fewer blocks is computed by the first process alone.
+    errors = {}
+    for processes in (1, 2):
+        directory = WORK / f"badong_errors_{processes}"
+        run(processes, words_of(scene, directory, [*overrides, "Time/Error estimate=automatic", "Mesh/Error estimate=automatic"]))
+        errors[processes] = {name: json.loads((directory / "summary.json").read_text())[name] for name in ("probable_error", "mesh_error")}
+    require(errors[1]["mesh_error"]["estimated"] and errors[1] == errors[2], "two processes tell the same errors as one")
     part = WORK / "badong_part"
     run(2, words_of(scene, part, [*overrides[1:], "Time/End time=0.021", "Checkpoint/Step interval=7"]))
     resume(3, part, ["Time/End time=0.04"])
