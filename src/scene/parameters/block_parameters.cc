@@ -90,11 +90,12 @@ namespace hybrid::scene
       "Blocks of the mass yield inside at the Mohr-Coulomb strength (Cohesion, Friction "
       "angle, Dilation angle) of their material, so that the mass may shear where it has "
       "no edges; without softening.");
-    section.number("Penalty ratio",
-                   blocks.penalty_ratio,
-                   "",
-                   {1., 1e9, false, true},
-                   "alpha of the normal stiffness alpha E / h of joints and contacts; what it changes: doc/accuracy-vs-time.md.");
+    section.number(
+      "Penalty ratio",
+      blocks.penalty_ratio,
+      "",
+      {1., 1e9, false, true},
+      "alpha of the normal stiffness alpha E / h of joints and contacts; what it changes: doc/accuracy-vs-time.md.");
     section.number("Shear ratio",
                    blocks.shear_ratio,
                    "",

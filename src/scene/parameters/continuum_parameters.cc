@@ -51,10 +51,11 @@ namespace hybrid::scene
   void declare(ParameterTable &table, ContinuumParameters &continuum)
   {
     ParameterSection section(table, {"Continuum"});
-    section.integer("Degree",
-                    continuum.degree,
-                    {1, 8},
-                    "Polynomial degree of the finite elements; 2 for waves, 4 for point sources (doc/accuracy-vs-time.md).");
+    section.integer(
+      "Degree",
+      continuum.degree,
+      {1, 8},
+      "Polynomial degree of the finite elements; 2 for waves, 4 for point sources (doc/accuracy-vs-time.md).");
     section.choice<TimeIntegrator>(
       "Time integrator",
       continuum.integrator,

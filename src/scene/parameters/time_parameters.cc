@@ -12,11 +12,12 @@ namespace hybrid::scene
                    "s",
                    ParameterRange::at_least(0.),
                    "Duration of the dynamic stage; 0 computes the static state only.");
-    section.number("Time step",
-                   time.time_step,
-                   "s",
-                   ParameterRange::above(0.),
-                   "Size dt of a step. Steps that do not converge are halved. What steps cost in accuracy: doc/accuracy-vs-time.md.");
+    section.number(
+      "Time step",
+      time.time_step,
+      "s",
+      ParameterRange::above(0.),
+      "Size dt of a step. Steps that do not converge are halved. What steps cost in accuracy: doc/accuracy-vs-time.md.");
     section.quantity_or(
       "Error target",
       {"none", time.error_target},
