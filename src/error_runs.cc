@@ -3,6 +3,7 @@
 #include <hybrid/output/end_text.h>
 #include <hybrid/output/step_difference.h>
 #include <hybrid/run_directory.h>
+#include <hybrid/scene/input_error.h>
 #include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/scene/parameters/scene_reader.h>
 #include <hybrid/voice.h>
@@ -99,10 +100,19 @@ namespace hybrid
       std::optional<output::StepRecord> compute(const scene::SceneParameters &scene,
                                                 const double                  most)
       {
-        std::ostream  nowhere(nullptr);
-        output::Log   quiet(nowhere);
-        DirectoryLock lock;
-        const auto    simulation = make(scene.output.directory, scene, quiet);
+        std::ostream                nowhere(nullptr);
+        output::Log                 quiet(nowhere);
+        DirectoryLock               lock;
+        std::unique_ptr<Simulation> simulation;
+        try
+          {
+            simulation = make(directory, scene, quiet);
+          }
+        catch (const InputError &error) // a mesh that cannot be made is so on all processes
+          {
+            reason = std::string("the further run failed: ") + error.what();
+            return {};
+          }
         if (simulation->mesh_count() > most)
           {
             reason = "the next mesh is hardly coarser";
@@ -181,24 +191,24 @@ namespace hybrid
   {
     const std::string directory = simulation->directory();
     StepChoice        choice    = simulation->next_step_size();
-    for (double step = processes.from_first(choice.step.value_or(0.)); step > 0.;
-         step        = processes.from_first(choice.step.value_or(0.)))
+    const auto        wanted    = [&] { return processes.from_first(choice.step.value_or(0.)); };
+    for (double step = wanted(); step > 0.; step = wanted())
       {
-               const std::string            size = scene::number_text(step);
-               const scene::SceneParameters scene =
-                 read_scene_of_run(directory, {"Time/Time step=" + size});
-               Voice voice(processes);
-               processes.on_first([&] {
+        const std::string            size = scene::number_text(step);
+        const scene::SceneParameters scene =
+          read_scene_of_run(directory, {"Time/Time step=" + size});
+        Voice voice(processes);
+        processes.on_first([&] {
           if (simulation->step_record())
             output::write_step_record(step_record_file(directory), *simulation->step_record());
         });
-               simulation.reset(); // its memory
-               simulation = make(directory, scene, voice.log);
-               processes.on_first([&] { prepare_directory(scene, true, voice.log, lock); });
-               voice.log.info("Repeated in steps of " + size + " s: " + choice.why);
-               simulation->report().card();
-               const RunStatus status = simulation->run(interruption);
-               if (status != RunStatus::finished)
+        simulation.reset(); // its memory
+        simulation = make(directory, scene, voice.log);
+        processes.on_first([&] { prepare_directory(scene, true, voice.log, lock); });
+        voice.log.info("Repeated in steps of " + size + " s: " + choice.why);
+        simulation->report().card();
+        const RunStatus status = simulation->run(interruption);
+        if (status != RunStatus::finished)
           return status;
         choice = simulation->next_step_size();
       }

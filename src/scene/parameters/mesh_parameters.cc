@@ -44,7 +44,7 @@ namespace hybrid::scene
       {{"automatic", true}, {"one run", false}},
       "Where the mesh is of a .geo file with numbers Resolution/..., automatic computes the scene that has "
       "ended once more with all of them twice and four times as large, up to the first failed joint, and tells the "
-      "error of the mesh from the differences: about a quarter as much time again. With one run, or a Time/Error "
+      "error of the mesh from the differences: a quarter to a half as much time again. With one run, or a Time/Error "
       "target, it does not.");
     section.file("Polygons file",
                  mesh.polygons_file,
