@@ -149,15 +149,22 @@ namespace hybrid
 
 
 
-    void tell_step_error(const std::optional<output::StepRecord> &longer,
+    void tell_step_error(const std::optional<output::StepRecord> &other,
                          const FurtherRuns                       &runs,
                          FinishedRun                             &run,
                          output::Log                             &log)
     {
-      if (longer)
-        output::measure_error(*longer, run.record, run.summary.probable_error);
+      output::Summary::ProbableError &error = run.summary.probable_error;
+      if (!other)
+        error.reason = runs.why_not();
+      else if (other->step > run.record.step)
+        output::measure_error(*other, run.record, error);
       else
-        run.summary.probable_error.reason = runs.why_not();
+        {
+          output::measure_error_by_shorter_steps(run.record, *other, error);
+          if (std::isnan(run.record.until)) // both are whole
+            error.cost = std::max(runs.processor_time() - run.summary.stages["steps"], 0.);
+        }
       say(output::error_text(run.summary), run, log);
     }
 
@@ -231,7 +238,7 @@ namespace hybrid
                    processes.from_first(simulation->end_of_coarser_runs().value_or(0.));
     if (end_of_second <= 0. && end_of_coarser <= 0.)
       return;
-    const std::string longer_step = scene::number_text(2. * simulation->time_step());
+    const std::string second_step = scene::number_text(simulation->second_time_step());
     const std::string meshes[]    = {simulation->coarser_mesh(2.), simulation->coarser_mesh(4.)};
     const double      count       = simulation->mesh_count();
     FinishedRun       run{simulation->directory(),
@@ -241,8 +248,8 @@ namespace hybrid
     FurtherRuns runs(run.directory, make, processes, interruption);
     if (end_of_second > 0.)
       {
-        const auto longer = runs.run({"Time/Time step=" + longer_step}, end_of_second, count);
-        processes.on_first([&] { tell_step_error(longer, runs, run, log); });
+        const auto other = runs.run({"Time/Time step=" + second_step}, end_of_second, count);
+        processes.on_first([&] { tell_step_error(other, runs, run, log); });
       }
     if (end_of_coarser > 0.)
       {

@@ -335,12 +335,21 @@ namespace hybrid
 
 
 
+  double Simulation::second_time_step() const
+  {
+    const bool is_half = model.scene.time.second_run == scene::SecondRun::half_step;
+    return (is_half ? 0.5 : 2.) * time_step();
+  }
+
+
+
   std::optional<double> Simulation::end_of_second_run() const
   {
     const bool is_explicit = model.scene.continuum.is_explicit; // its parts may stay as they are
-    if (!model.scene.time.second_run || !found.probable_error.runs_would_do || is_explicit)
+    if (model.scene.time.second_run == scene::SecondRun::none ||
+        !found.probable_error.runs_would_do || is_explicit)
       return {};
-    return end_of_further_run(2. * time_step());
+    return end_of_further_run(std::max(time_step(), second_time_step()));
   }
 
 
@@ -388,7 +397,8 @@ namespace hybrid
   void Simulation::measure_step_error(const Run &run, output::Summary &summary)
   {
     const scene::TimeParameters &time = model.scene.time;
-    if (time.second_run || model.scene.mesh.coarser_runs || time.error_target != 0.)
+    if (time.second_run != scene::SecondRun::none || model.scene.mesh.coarser_runs ||
+        time.error_target != 0.)
       {
         record            = run.recorder->step_record(summary.first_failure_time);
         record->slip_left = summary.slip.mean_left;
@@ -433,10 +443,11 @@ namespace hybrid
     summary.peak_memory    = peak_memory();
     summary.probable_error.cost =
       summary.stages["steps"]; // twice as many, which need not be harder
-    found                             = summary;
-    summary.probable_error.second_run = end_of_second_run().has_value();
-    summary.mesh_error.follows        = end_of_coarser_runs().has_value();
-    summary.mesh_error.runs_would_do  = !coarser_mesh(2.).empty();
+    found = summary;
+    if (end_of_second_run())
+      summary.probable_error.second_step = second_time_step();
+    summary.mesh_error.follows       = end_of_coarser_runs().has_value();
+    summary.mesh_error.runs_would_do = !coarser_mesh(2.).empty();
     output::write_summary(summary, model.scene.output.directory + "/summary.json");
 
     run_report.end(summary, status);

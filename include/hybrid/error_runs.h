@@ -35,8 +35,8 @@ namespace hybrid
    * Tell what one run does not tell of its errors. The results of the run stay as they are; of the
    * others nothing is left but the errors in summary.json.
    *
-   * - Where slip, flight or cracks decide, the error of the step: the scene once more with twice
-   * the step (Time/Error estimate).
+   * - Where slip, flight or cracks decide, the error of the step: the scene once more with half or
+   *   twice the step (Time/Error estimate).
    * - Where there are blocks, that of their mesh: with meshes twice and four times as coarse
    *   (Mesh/Error estimate).
    *

@@ -57,8 +57,10 @@ namespace hybrid
       return found;
     }
 
-    /// Up to where a run with twice the step has to go to tell the error of this one [s]; empty:
-    /// none is called for (Time/Error estimate).
+    /// Step of the second run, which tells the error of this one [s] (Time/Error estimate).
+    double second_time_step() const;
+
+    /// Up to where the second run has to go [s]; empty: none is called for.
     std::optional<double> end_of_second_run() const;
 
     /// The same of runs with coarser meshes (Mesh/Error estimate).

@@ -159,12 +159,13 @@ namespace hybrid::output
 
 
 
-    /// 0.42, 12, over 100: percent without the sign.
+    /// 0.42, 12, over 100: percent without the sign. Tolerances and the steps that slip begins in
+    /// leave some hundredths, of which no difference tells more.
     std::string percent(const double part)
     {
       if (!(part < 0.995))
         return std::isnan(part) ? "-" : "over 100";
-      return part < 1e-5 ? "below 0.001" : format("%.2g", 100. * part);
+      return part < 5e-4 ? "below 0.05" : format("%.2g", 100. * part);
     }
 
 
@@ -217,8 +218,9 @@ namespace hybrid::output
     {
       if (!summary.probable_error.runs_would_do)
         return "";
-      if (summary.probable_error.second_run)
-        return "; the scene once more with twice the step tells it, below";
+      if (summary.probable_error.second_step > 0.)
+        return format("; the scene once more in steps of %.4g s tells it, below",
+                      summary.probable_error.second_step);
       return summary.blocks == 0 ? "; Time/Error target finds it by runs in shorter steps"
                                  : "; hybrid accuracy tells it from a run with twice the step, "
                                    "Time/Error target from runs with shorter ones";

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace hybrid::output
 {
@@ -13,6 +14,7 @@ namespace hybrid::output
     constexpr std::size_t least_rows       = 20;
     constexpr double      largest_friction = 0.05; ///< of all that was lost inside [-]
     constexpr double      largest_fracture = 0.05; ///< of all that the blocks lost [-]
+    constexpr double      flutter_friction = 15.;  ///< undamped blocks do above 18 degrees [deg]
 
 
 
@@ -34,6 +36,44 @@ namespace hybrid::output
       for (const std::string &way : ways)
         total += lost(ledger, way);
       return total > 0. ? lost(ledger, ways.front()) / total : 0.;
+    }
+
+
+
+    /// Of what is lost within the model [-].
+    double part_of_friction(const EnergyLedger &ledger)
+    {
+      return part_of_first(ledger,
+                           {"friction_loss", "blocks_damping_loss", "bedrock_damping_loss"});
+    }
+
+
+
+    /// Steepest friction of blocks on the ground, tan phi [-].
+    double friction_on_ground(const dda::Model &model)
+    {
+      std::set<int> surfaces(model.contacts.segment.begin(), model.contacts.segment.end());
+      surfaces.insert(model.contacts.edge.begin(), model.contacts.edge.end());
+      double result = 0.;
+      for (const int surface : surfaces)
+        if (surface >= 0)
+          for (const dda::ContactLaw &contact : model.contacts.of[surface])
+            result = std::max(result, contact.law.friction({}));
+      return result;
+    }
+
+
+
+    /// Blocks without damping that slide on steep friction flutter as soon as steps resolve it
+    /// (doc/verification/flutter.md).
+    bool may_flutter(const dda::Model &model)
+    {
+      bool any_undamped = false;
+      for (int b = 0; b < model.n_mass(); ++b)
+        any_undamped = any_undamped || (model.blocks[b].damping_time == 0. &&
+                                        (model.bonded[b] || !model.damps_loose));
+      return any_undamped && !model.maxwell.is_on() &&
+             friction_on_ground(model) > std::tan(flutter_friction * M_PI / 180.);
     }
 
 
@@ -153,8 +193,7 @@ namespace hybrid::output
     if (scene.environment.static_stage == scene::StaticStage::none &&
         scene.environment.gravity != 0.)
       return "the weight acts at once";
-    const double friction =
-      part_of_first(ledger, {"friction_loss", "blocks_damping_loss", "bedrock_damping_loss"});
+    const double friction = part_of_friction(ledger);
     if (friction > largest_friction)
       return "friction takes " + in_percent(friction) + " of the energy that is lost inside";
     const double fracture =
@@ -162,6 +201,19 @@ namespace hybrid::output
     if (fracture > largest_fracture)
       return "joints that crack take " + in_percent(fracture) +
              " of the energy that the blocks lose";
+    return "";
+  }
+
+
+
+  std::string RunRecorder::why_no_run_tells() const
+  {
+    if (times.size() < least_rows || monitors.empty() || parts.scene.time.dynamic_coefficient < 1.)
+      return why_no_error(true);
+    if (part_of_friction(ledger) > largest_friction && parts.blocks != nullptr &&
+        may_flutter(*parts.blocks))
+      return "blocks without damping slide, and flutter in steps that resolve it: set "
+             "Blocks/Damping ratio";
     return "";
   }
 
@@ -189,8 +241,10 @@ namespace hybrid::output
       error.assumed_order = 2.; // of joints; waves have more
     if (!error.reason.empty())
       {
-        error.runs_would_do = times.size() >= least_rows && !monitors.empty() &&
-                              parts.scene.time.dynamic_coefficient >= 1.;
+        const std::string reason = why_no_run_tells();
+        error.runs_would_do      = reason.empty();
+        if (!reason.empty())
+          error.reason = reason;
         return;
       }
     error.until = record.until;

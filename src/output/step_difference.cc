@@ -101,11 +101,11 @@ namespace hybrid::output
 
 
 
-    /// Where the first of two runs ends or breaks [s].
+    /// Where the first of two runs ends, or a step before it breaks [s]: no step resolves how.
     double common_end(const StepRecord &longer, const StepRecord &shorter)
     {
       return std::fmin(std::min(longer.time.back(), shorter.time.back()),
-                       std::fmin(longer.until, shorter.until));
+                       std::fmin(longer.until, shorter.until) - longer.step);
     }
 
 
@@ -171,6 +171,30 @@ namespace hybrid::output
     {
       return std::fmax(part[0], part[1]);
     }
+
+
+
+    /// Whether the difference of two runs tells the error of either; sets the reason, and if it
+    /// does the time up to which, and the difference as the error.
+    bool tells(const Summary::ErrorPart &difference,
+               const StepRecord         &longer,
+               const StepRecord         &shorter,
+               Summary::ProbableError   &error)
+    {
+      if (!(longer.step > shorter.step))
+        return false; // the record of something else
+      const double end = common_end(longer, shorter);
+      error.reason.clear();
+      if (steps_until(shorter, end) < least_ratio * steps_until(longer, end))
+        error.reason = "steps are cut, and another step hardly changes them";
+      else if (std::isnan(deciding(difference.part)))
+        error.reason =
+          std::isnan(shorter.until) ? "nothing moves" : "a joint failed in the first steps";
+      error.runs_would_do = error.reason.empty();
+      error.until         = std::fmin(longer.until, shorter.until);
+      error.step = error.half_step = difference;
+      return error.runs_would_do;
+    }
   } // namespace
 
 
@@ -210,28 +234,13 @@ namespace hybrid::output
   {
     const Summary::ErrorPart difference = step_difference(longer, shorter);
     shorter.difference                  = difference.part;
-    const double ratio = longer.step / shorter.step, now = deciding(difference.part);
-    if (!(ratio > 1.))
-      return; // the record of something else
-    const double end = common_end(longer, shorter);
-    if (steps_until(shorter, end) < least_ratio * steps_until(longer, end))
-      {
-        error.reason        = "steps are cut, and twice the step makes none longer";
-        error.runs_would_do = false;
-        return;
-      }
-    if (std::isnan(now))
-      {
-        error.reason = std::isnan(shorter.until) ? "nothing moves" : "a joint failed at once";
-        error.runs_would_do = false;
-        return;
-      }
-    const double order = std::log(deciding(longer.difference) / now) / std::log(ratio);
-    error.reason.clear();
+    if (!tells(difference, longer, shorter, error))
+      return;
+    const double ratio = longer.step / shorter.step;
+    const double order =
+      std::log(deciding(longer.difference) / deciding(difference.part)) / std::log(ratio);
     error.measured_from   = longer.step;
-    error.until           = std::fmin(longer.until, shorter.until);
     error.failed_in_other = is_before(error.until, shorter.until);
-    error.step = error.half_step = difference;
     if (order < least_order) // NaN: there is no third run
       return;
     const auto step = numbers(error.step), half = numbers(error.half_step);
@@ -244,6 +253,23 @@ namespace hybrid::output
         *step[q] /= std::pow(ratio, p) - 1.;
         *half[q] = *step[q] * std::pow(0.5, p);
       }
+  }
+
+
+
+  void measure_error_by_shorter_steps(const StepRecord       &run,
+                                      const StepRecord       &shorter,
+                                      Summary::ProbableError &error)
+  {
+    if (!tells(step_difference(run, shorter), run, shorter, error))
+      return;
+    error.measured_from   = shorter.step;
+    error.failed_in_other = is_before(error.until, run.until);
+    const double gain     = std::pow(run.step / shorter.step, error.assumed_order);
+    for (double *part : numbers(error.step))
+      *part *= gain / (gain - 1.);
+    for (double *part : numbers(error.half_step))
+      *part /= gain - 1.;
   }
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What one run does not tell of its errors others do: that of the step one with twice the step (Time/Error estimate), that of a mesh of
+"""What one run does not tell of its errors others do: that of the step one with half or twice the step (Time/Error estimate), that of a mesh of
 blocks two with coarser ones (Mesh/Error estimate). Its own results stay as they are, nothing of the others is left, and what ends them
 does no harm.
 
@@ -45,8 +45,13 @@ def check_error(words, work, same_bits, require):
     code, output = run(*words, SLIDES, work / "two")
     _, alone = run(*words, SLIDES, work / "one", "Time/Error estimate=one run")
     error = summary_of(work / "two")["probable_error"]
-    require(code == 0 and error["estimated"] and error["measured_from_time_step_s"] == 2 * STEP, "a second run tells the error", output)
-    require("by the run in steps of 0.002 s: displacement" in output.splitlines()[-1], "the last line says it", output)
+    require(code == 0 and error["estimated"] and error["measured_from_time_step_s"] == STEP / 2, "a second run tells the error", output)
+    require("by the run in steps of 0.0005 s: displacement" in output.splitlines()[-1], "the last line says it", output)
+    _, longer = run(*words, SLIDES, work / "longer", "Time/Error estimate=twice the step")
+    other = summary_of(work / "longer")["probable_error"]
+    require(other["measured_from_time_step_s"] == 2 * STEP and "in steps of 0.002 s tells it, below" in longer, "one in longer steps, if asked for", longer)
+    parts = [found["time_step"]["velocity"]["part_of_peak"] for found in (error, other)]
+    require(1 / 3 < parts[0] / parts[1] < 3, "both tell the same but for a factor of 3", longer)
     require("by the run in steps" in (work / "two/log.txt").read_text(encoding="utf-8"), "log.txt has it, too", output)
     require(not summary_of(work / "one")["probable_error"]["estimated"] and "hybrid accuracy tells it" in alone,
             "one run leaves it out, and says what tells it", alone)
@@ -54,7 +59,7 @@ def check_error(words, work, same_bits, require):
     require(summary_of(work / "two")["mesh_error"]["estimated"] is False, "a block that is given has no coarser mesh", output)
     require(nothing_left(work / "two"), "nothing is left of the second run", output)
     _, output = run(*words, "time_order", work / "waves")
-    require("twice the step" not in output and summary_of(work / "waves")["probable_error"]["measured_from_time_step_s"] is None,
+    require("the scene once more" not in output and summary_of(work / "waves")["probable_error"]["measured_from_time_step_s"] is None,
             "a run that tells its error has no second one", output)
 
 
@@ -76,6 +81,15 @@ def check_failure(words, work, require):
     second = output[output.index("Results"):]
     until = summary_of(work / "breaks")["probable_error"]["until_s"]
     require(1.0 < until < 1.3 and "of %.4g s" % until in second.replace("t = ", ""), "the second run ends with the first failed joint", second)
+
+
+def check_flutter(words, work, require):
+    """Blocks without damping slide: what runs in longer steps damp, others resolve, so neither tells the error."""
+    _, output = run(*words, "direct_shear", work / "flutter")
+    _, damped = run(*words, "direct_shear", work / "damped", "Blocks/Damping ratio=0.05")
+    require("flutter in steps that resolve it: set Blocks/Damping ratio" in output and "by the run in steps" not in output,
+            "blocks that may flutter: no error is told, and what helps is", output)
+    require("by the run in steps" in damped, "damped ones have theirs", damped)
 
 
 def check_interruption(words, work, require):
@@ -109,6 +123,7 @@ def main():
     check_error(words, work, same_bits, require)
     check_mesh(words, work, same_bits, require)
     check_failure(words, work, require)
+    check_flutter(words, work, require)
     check_interruption(words, work, require)
 
 

@@ -11,8 +11,8 @@ namespace hybrid::output
    * the run in @p shorter steps.
    *
    * Displacements (relative to the base), velocities and accelerations of all monitors that both
-   * have, after the low-pass that peaks are taken after, until the first of the two ends or has
-   * its first failed joint. Monitors that move less than a thousandth of the one that moves most
+   * have, after the low-pass that peaks are taken after, until the first of the two ends, or a step
+   * before its first joint fails. Monitors that move less than a thousandth of the one that moves most
    * are left out.
    */
   Summary::ErrorPart step_difference(const StepRecord &longer, const StepRecord &shorter);
@@ -29,6 +29,15 @@ namespace hybrid::output
    * @param shorter its difference is set.
    */
   void measure_error(const StepRecord &longer, StepRecord &shorter, Summary::ProbableError &error);
+
+  /**
+   * The error of a @p run from its difference d to the one in @p shorter steps: d r^p / (r^p - 1),
+   * and d / (r^p - 1) of what half the step leaves, with r the ratio of the steps and p
+   * error.assumed_order. With r = 2 the order hardly matters: 2 d of first, 4 d / 3 of second.
+   */
+  void measure_error_by_shorter_steps(const StepRecord       &run,
+                                      const StepRecord       &shorter,
+                                      Summary::ProbableError &error);
 
   /**
    * The error of a mesh from its difference d to one twice as coarse: d / (2^p - 1) (Richardson

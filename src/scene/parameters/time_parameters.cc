@@ -31,10 +31,13 @@ namespace hybrid::scene
     section.choice(
       "Error estimate",
       time.second_run,
-      {{"automatic", true}, {"one run", false}},
+      {{"automatic", SecondRun::half_step},
+       {"twice the step", SecondRun::twice_the_step},
+       {"one run", SecondRun::none}},
       "Where a run that has ended does not tell the error of its step (slip, flight), automatic computes the scene "
-      "once more with twice the step, up to the first failed joint, and tells it from the difference: about half as "
-      "much time again. With one run, or an Error target, it does not.");
+      "once more with half the step, up to the first failed joint, and tells it from the difference: one and a half "
+      "to two times as much time again. Twice the step takes half as much time again, and is less sure. With one run, "
+      "or an Error target, there is no second run.");
     section.number_or(
       "Rest speed",
       {"none", time.rest_speed},

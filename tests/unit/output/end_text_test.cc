@@ -82,7 +82,7 @@ namespace hybrid::output
       const EndText                text = end_text(run, scene);
       const std::string            line =
         "\nError     of the time step, probably: displacement 0.43 % of the peak (crest), velocity "
-        "1.7 % (toe), acceleration over 100 % (toe); with half the step 0.11, 0.42, below 0.001 %";
+        "1.7 % (toe), acceleration over 100 % (toe); with half the step 0.11, 0.42, below 0.05 %";
       EXPECT_EQ(text.in_file.substr(text.in_file.find("\nError")), line);
       EXPECT_NE(text.on_screen.find(line + " for at most 84 s more of processor time\n"),
                 std::string::npos);
@@ -103,10 +103,11 @@ namespace hybrid::output
                   .in_file.find(
                     "\nError     of the time step: not estimated, bedding planes slip or open"),
                 std::string::npos);
-      error.runs_would_do = error.second_run = true;
+      error.runs_would_do = true;
+      error.second_step   = 0.002;
       EXPECT_EQ(error_text(run).on_screen,
                 "Error     of the time step: not estimated, bedding planes slip or open; the scene "
-                "once more with twice the step tells it, below");
+                "once more in steps of 0.002 s tells it, below");
     }
 
 

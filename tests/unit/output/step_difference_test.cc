@@ -90,6 +90,35 @@ namespace hybrid::output
 
 
 
+    TEST(StepDifference, to_half_the_step_is_the_error_of_either_order_but_for_a_fifth)
+    {
+      for (const double p : {1., 2.})
+        {
+          const double           left  = std::pow(0.5, p); // of the error
+          const StepRecord       run   = run_with(4e-3, 0.02);
+          Summary::ProbableError error = unknown_error();
+          measure_error_by_shorter_steps(run, run_with(2e-3, 0.02 * left), error);
+          EXPECT_EQ(error.reason, "");
+          EXPECT_EQ(error.measured_from, 2e-3);
+          EXPECT_NEAR(error.step.part[0], 0.02, 0.22 * 0.02);
+          EXPECT_NEAR(error.half_step.part[0], 0.02 * left, 0.75 * 0.02 * left);
+        }
+    }
+
+
+
+    TEST(StepDifference, to_half_the_step_tells_nothing_where_steps_are_cut)
+    {
+      StepRecord             shorter = run_with(2e-3, 0.02);
+      Summary::ProbableError error   = unknown_error();
+      shorter.step                   = 1e-3;
+      measure_error_by_shorter_steps(run_with(2e-3, 0.01), shorter, error);
+      EXPECT_FALSE(error.runs_would_do);
+      EXPECT_NE(error.reason.find("steps are cut"), std::string::npos);
+    }
+
+
+
     TEST(StepDifference, of_three_runs_tells_an_order_below_one)
     {
       const double p      = 0.5;

@@ -27,6 +27,15 @@
  */
 namespace hybrid::scene
 {
+  /// The step of a second run, which tells the error of the first one's.
+  enum class SecondRun
+  {
+    half_step,
+    twice_the_step,
+    none
+  };
+
+
   /// Section "Time".
   struct TimeParameters
   {
@@ -36,12 +45,12 @@ namespace hybrid::scene
     std::string scheme           = "automatic"; ///< automatic, or one of Newmark::preset()
     Newmark     newmark;                        ///< what the scheme stands for in this scene
     double      maximum_displacement_ratio =
-      0.05;                            ///< largest block displacement per step over block size [-]
-    double error_target          = 0.; ///< of the time step: largest error over a peak [%]; 0: none
-    bool   error_target_has_unit = false; ///< the user wrote the unit
-    bool   second_run = true; ///< for the error of the step, where one run does not tell it
-    double rest_speed = 0.;   ///< the run ends when no block is faster [m/s]; 0: it does not
-    double dynamic_coefficient =
+      0.05;                      ///< largest block displacement per step over block size [-]
+    double    error_target = 0.; ///< of the time step: largest error over a peak [%]; 0: none
+    bool      error_target_has_unit = false;                ///< the user wrote the unit
+    SecondRun second_run            = SecondRun::half_step; ///< for the error of the step
+    double    rest_speed = 0.; ///< the run ends when no block is faster [m/s]; 0: it does not
+    double    dynamic_coefficient =
       1.; ///< k01 of the paper: factor on the velocity at the start of each step, (0, 1]
   };
 
