@@ -50,24 +50,56 @@ namespace hybrid::output
 
 
 
+    /// What is known at the times of some rows, at those of others.
+    History resample(const Rows &known, const History &x, const Rows &rows)
+    {
+      History result(rows.count);
+      for (std::size_t row = 0; row < rows.count; ++row)
+        {
+          const double at =
+            std::max((rows.begin - known.begin + row * rows.spacing) / known.spacing, 0.);
+          const std::size_t i      = std::min(static_cast<std::size_t>(at), known.count - 2);
+          const double      weight = std::min(at - static_cast<double>(i), 1.);
+          result[row]              = (1. - weight) * x[i] + weight * x[i + 1];
+        }
+      return result;
+    }
+
+
+
+    /// As taken, each with its own spacing, so that the low-pass sees what the steps have.
+    Rows rows_of(const StepRecord &record)
+    {
+      const std::size_t last = record.time.size() - 1;
+      return {record.time.front(), (record.time.back() - record.time.front()) / last, last + 1};
+    }
+
+
+
+    /// One component of a history (pairs) below the corner.
+    History filtered(const StepRecord &record, const History &pairs, const std::size_t component)
+    {
+      const Rows rows = rows_of(record);
+      return scene::low_pass(sample(record.time, pairs, component, rows),
+                             rows.spacing,
+                             record.corner);
+    }
+
+
+
     std::vector<Histories> histories(const StepRecord &record, const Rows &rows)
     {
       std::vector<Histories> result(record.monitors.size());
       for (std::size_t c = 0; c < 2; ++c)
-        {
-          History base(rows.count, 0.);
-          if (record.base >= 0)
-            base = sample(record.time, record.monitors[record.base].histories[0], c, rows);
-          for (std::size_t m = 0; m < result.size(); ++m)
-            for (std::size_t q = 0; q < 3; ++q)
-              {
-                History x = sample(record.time, record.monitors[m].histories[q], c, rows);
-                if (q == 0)
-                  for (std::size_t i = 0; i < rows.count; ++i)
-                    x[i] -= base[i];
-                result[m][q][c] = scene::low_pass(x, rows.spacing, record.corner);
-              }
-        }
+        for (std::size_t m = 0; m < result.size(); ++m)
+          for (std::size_t q = 0; q < 3; ++q)
+            {
+              History pairs = record.monitors[m].histories[q];
+              if (q == 0 && record.base >= 0)
+                for (std::size_t i = 0; i < pairs.size(); ++i)
+                  pairs[i] -= record.monitors[record.base].histories[0][i];
+              result[m][q][c] = resample(rows_of(record), filtered(record, pairs, c), rows);
+            }
       return result;
     }
 
@@ -144,14 +176,16 @@ namespace hybrid::output
 
 
 
-    /// Part that the mean slip that is left differs by; NaN: there is none, or a joint failed.
-    double slip_difference(const StepRecord &longer, const StepRecord &shorter)
+    /// Part that the mean slip that is left differs by; NaN: there is none beside the largest
+    /// @p displacement, or a joint failed.
+    double
+    slip_difference(const StepRecord &longer, const StepRecord &shorter, const double displacement)
     {
       const double end = common_end(longer, shorter);
       const bool   are_whole =
         std::isnan(std::fmin(longer.until, shorter.until)) &&
         std::max(longer.time.back(), shorter.time.back()) - end < longer.step + shorter.step;
-      return are_whole && shorter.slip_left != 0.
+      return are_whole && std::abs(shorter.slip_left) > least_motion * displacement
                ? std::abs(longer.slip_left / shorter.slip_left - 1.)
                : MonitorSummary::unknown;
     }
@@ -206,12 +240,13 @@ namespace hybrid::output
     if (!have_the_same_monitors(longer, shorter) || rows.count < 2)
       return result;
     const std::vector<Histories> before = histories(longer, rows), now = histories(shorter, rows);
-    result.slip_left = slip_difference(longer, shorter);
     for (int q = 0; q < 3; ++q)
       {
         double largest = 0.;
         for (const Histories &monitor : now)
           largest = std::max(largest, largest_size(monitor[q]));
+        if (q == 0)
+          result.slip_left = slip_difference(longer, shorter, largest);
         for (std::size_t m = 0; m < now.size(); ++m)
           {
             const double peak = largest_size(now[m][q]);

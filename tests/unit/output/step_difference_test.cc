@@ -64,6 +64,17 @@ namespace hybrid::output
 
 
 
+    TEST(StepDifference, does_not_see_what_alternates_from_step_to_step)
+    {
+      const StepRecord longer = run_with(4e-3, 0.);
+      StepRecord       rings  = run_with(1e-3, 0.);
+      for (std::size_t i = 500; i < 1500; ++i)
+        rings.monitors[0].histories[2][2 * i] += i % 2 == 0 ? 100. : -100.; // peak 39
+      EXPECT_LT(step_difference(longer, rings).part[2], 0.1);               // 2.5 unfiltered
+    }
+
+
+
     TEST(StepDifference, ends_with_the_first_failure)
     {
       StepRecord longer = run_with(4e-3, 0.), shorter = run_with(2e-3, 0.);
@@ -224,6 +235,9 @@ namespace hybrid::output
       measure_error(longer, shorter, error);
       EXPECT_NEAR(error.step.slip_left, 0.2 / std::sqrt(3.), 1e-3);
       longer.until = 1.;
+      EXPECT_TRUE(std::isnan(step_difference(longer, shorter).slip_left));
+      longer.until     = MonitorSummary::unknown;
+      longer.slip_left = shorter.slip_left = 1e-6; // beside a peak of 1
       EXPECT_TRUE(std::isnan(step_difference(longer, shorter).slip_left));
     }
   } // namespace

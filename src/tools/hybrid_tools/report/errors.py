@@ -37,8 +37,8 @@ def rows_of(run):
     step, mesh = run.summary.get("probable_error"), run.summary.get("mesh_error")
     found = []
     if step:
-        longer = step.get("measured_from_time_step_s")
-        by = "the run itself" if longer is None else "a run in steps of %.4g s" % longer
+        other = step.get("measured_from_time_step_s")
+        by = "the run itself" if other is None else "a run in steps of %.4g s" % other
         found.append(row("of the time step", step, "time_step", by))
         if step.get("estimated"):
             found.append(row("with half of it", step, "half_the_step", ""))
