@@ -15,7 +15,10 @@ namespace hybrid
 {
   namespace
   {
-    constexpr double most_left  = 0.4; ///< in a mesh twice as coarse [-]; a quarter is ideal
+    /// Of the blocks, or without any of the unknowns, in a mesh twice as coarse; a quarter is
+    /// ideal.
+    constexpr double most_blocks_left = 0.4, most_unknowns_left = 0.65;
+    constexpr double order_of_blocks = 2., order_of_waves = 3.; ///< in the mesh, at most
     constexpr double least_time = 0.1; ///< of steps, that tells what finer ones take [s]
 
 
@@ -115,7 +118,9 @@ namespace hybrid
           }
         if (simulation->mesh_count() > most)
           {
-            reason = "the next mesh is hardly coarser";
+            reason = "the next mesh is hardly coarser: " +
+                     std::to_string(std::lround(simulation->mesh_count())) +
+                     (simulation->n_blocks() > 0 ? " blocks" : " unknowns");
             return {};
           }
         processes.on_first([&] { prepare_directory(scene, true, quiet, lock); });
@@ -180,7 +185,10 @@ namespace hybrid
       if (coarser.empty())
         error.reason = runs.why_not();
       else
-        output::measure_mesh_error(run.record, coarser, error);
+        output::measure_mesh_error(run.record,
+                                   coarser,
+                                   run.summary.blocks > 0 ? order_of_blocks : order_of_waves,
+                                   error);
       const double own = run.summary.stages["steps"];
       if (time_of_coarser > least_time && std::isnan(run.record.until)) // both are whole
         error.cost = own * std::max(1., own / time_of_coarser);
@@ -241,7 +249,8 @@ namespace hybrid
     const std::string second_step = scene::number_text(simulation->second_time_step());
     const std::string meshes[]    = {simulation->coarser_mesh(2.), simulation->coarser_mesh(4.)};
     const double      count       = simulation->mesh_count();
-    FinishedRun       run{simulation->directory(),
+    const double most_left = simulation->n_blocks() > 0 ? most_blocks_left : most_unknowns_left;
+    FinishedRun  run{simulation->directory(),
                     simulation->step_record().value_or(output::StepRecord()),
                     simulation->summary()};
     simulation.reset(); // its memory

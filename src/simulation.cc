@@ -356,9 +356,16 @@ namespace hybrid
 
   std::optional<double> Simulation::end_of_coarser_runs() const
   {
-    if (!model.scene.mesh.coarser_runs || coarser_mesh(2.).empty() || found.monitors.empty())
+    if (!model.scene.mesh.coarser_runs || found.monitors.empty() || !may_tell_mesh_error())
       return {};
     return end_of_further_run(time_step());
+  }
+
+
+
+  bool Simulation::may_tell_mesh_error() const
+  {
+    return !coarser_mesh(2.).empty() && !found.probable_error.may_flutter;
   }
 
 
@@ -447,7 +454,7 @@ namespace hybrid
     if (end_of_second_run())
       summary.probable_error.second_step = second_time_step();
     summary.mesh_error.follows       = end_of_coarser_runs().has_value();
-    summary.mesh_error.runs_would_do = !coarser_mesh(2.).empty();
+    summary.mesh_error.runs_would_do = may_tell_mesh_error();
     output::write_summary(summary, model.scene.output.directory + "/summary.json");
 
     run_report.end(summary, status);

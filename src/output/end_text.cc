@@ -199,13 +199,16 @@ namespace hybrid::output
 
 
 
-    /// What would be left; runs that do not converge would leave as much.
+    /// What would be left: as much by runs that do not converge, and by an explicit step whose
+    /// parts stay as they are.
     std::string half_text(const Summary::ErrorPart &error,
                           const Summary::ErrorPart &half,
-                          const std::string        &what)
+                          const std::string        &what,
+                          const bool                of_runs)
     {
       if (error.part == half.part) // slip may scatter alone
-        return "; the runs do not come closer to each other, this is how far they scatter";
+        return of_runs ? "; the runs do not come closer to each other, this is how far they scatter"
+                       : "; with half the " + what + " as much";
       return "; with half the " + what + " " + percent(half.part[0]) + ", " +
              percent(half.part[1]) + ", " + percent(half.part[2]) +
              (std::isnan(half.slip_left) ? "" : ", " + percent(half.slip_left)) + " %";
@@ -236,12 +239,12 @@ namespace hybrid::output
         return "";
       if (!error.reason.empty())
         return "Error     of the time step: not estimated, " + error.reason + who_finds_it(summary);
-      const std::string until  = until_text(error.until, error.failed_in_other);
-      const std::string source = std::isnan(error.measured_from)
-                                   ? "probably"
-                                   : format("by the run in steps of %.4g s", error.measured_from);
+      const std::string until   = until_text(error.until, error.failed_in_other);
+      const bool        of_runs = !std::isnan(error.measured_from);
+      const std::string source =
+        of_runs ? format("by the run in steps of %.4g s", error.measured_from) : "probably";
       return "Error     of the time step, " + source + until + ": " + peaks_text(error.step) +
-             half_text(error.step, error.half_step, "step");
+             half_text(error.step, error.half_step, "step", of_runs);
     }
 
 
@@ -274,9 +277,11 @@ namespace hybrid::output
     /// What half the step costs.
     std::string cost_text(const Summary::ProbableError &error)
     {
-      if (!error.reason.empty() || !std::isfinite(error.cost))
+      if (!error.reason.empty() || !std::isfinite(error.cost) ||
+          error.step.part == error.half_step.part)
         return "";
-      return " for at most " + format(error.cost < 100. ? "%.2g s" : "%.0f s", error.cost) +
+      return " for at most " +
+             format(error.cost < 100. ? "%.2g s" : "%.0f s", std::max(error.cost, 0.1)) +
              " more of processor time";
     }
   } // namespace
@@ -300,7 +305,7 @@ namespace hybrid::output
     const std::string text =
       begin + ", by " +
       (error.meshes > 1 ? "those twice and four times as large" : "one twice as large") + until +
-      ": " + peaks_text(error.size) + half_text(error.size, error.half_size, "size");
+      ": " + peaks_text(error.size) + half_text(error.size, error.half_size, "size", true);
     const std::string cost = std::isfinite(error.cost) && error.size.part != error.half_size.part
                                ? " in at least " +
                                    format(error.cost < 100. ? "%.2g s" : "%.0f s", error.cost) +

@@ -66,14 +66,14 @@ namespace hybrid::output
 
     /// Blocks without damping that slide on steep friction flutter as soon as steps resolve it
     /// (doc/verification/flutter.md).
-    bool may_flutter(const dda::Model &model)
+    bool may_flutter(const dda::Model *model)
     {
       bool any_undamped = false;
-      for (int b = 0; b < model.n_mass(); ++b)
-        any_undamped = any_undamped || (model.blocks[b].damping_time == 0. &&
-                                        (model.bonded[b] || !model.damps_loose));
-      return any_undamped && !model.maxwell.is_on() &&
-             friction_on_ground(model) > std::tan(flutter_friction * M_PI / 180.);
+      for (int b = 0; model != nullptr && b < model->n_mass(); ++b)
+        any_undamped = any_undamped || (model->blocks[b].damping_time == 0. &&
+                                        (model->bonded[b] || !model->damps_loose));
+      return any_undamped && !model->maxwell.is_on() &&
+             friction_on_ground(*model) > std::tan(flutter_friction * M_PI / 180.);
     }
 
 
@@ -206,19 +206,6 @@ namespace hybrid::output
 
 
 
-  std::string RunRecorder::why_no_run_tells() const
-  {
-    if (times.size() < least_rows || monitors.empty() || parts.scene.time.dynamic_coefficient < 1.)
-      return why_no_error(true);
-    if (part_of_friction(ledger) > largest_friction && parts.blocks != nullptr &&
-        may_flutter(*parts.blocks))
-      return "blocks without damping slide, and flutter in steps that resolve it: set "
-             "Blocks/Damping ratio";
-    return "";
-  }
-
-
-
   void RunRecorder::estimate_error(Summary &summary) const
   {
     ErrorRecord record;
@@ -241,10 +228,14 @@ namespace hybrid::output
       error.assumed_order = 2.; // of joints; waves have more
     if (!error.reason.empty())
       {
-        const std::string reason = why_no_run_tells();
-        error.runs_would_do      = reason.empty();
-        if (!reason.empty())
-          error.reason = reason;
+        const bool is_damped = parts.scene.time.dynamic_coefficient < 1.;
+        error.may_flutter =
+          part_of_friction(ledger) > largest_friction && !is_damped && may_flutter(parts.blocks);
+        error.runs_would_do =
+          times.size() >= least_rows && !monitors.empty() && !is_damped && !error.may_flutter;
+        if (error.may_flutter)
+          error.reason = "blocks without damping slide, and flutter in steps that resolve it: set "
+                         "Blocks/Damping ratio";
         return;
       }
     error.until = record.until;

@@ -11,6 +11,7 @@ namespace hybrid::output
   namespace
   {
     constexpr double least_motion = 1e-3; ///< of the largest [-]
+    constexpr double least_slip   = 1e-2; ///< of the largest displacement [-]
     constexpr double least_order  = 0.25;
     constexpr double least_ratio  = 1.5; ///< of steps that were taken, for a difference that tells
 
@@ -67,38 +68,42 @@ namespace hybrid::output
 
 
 
-    /// As taken, each with its own spacing, so that the low-pass sees what the steps have.
-    Rows rows_of(const StepRecord &record)
+    /// Over the same times, as many as the run has steps there: what steps have above the corner
+    /// must not look like what is below it.
+    Rows rows_of(const StepRecord &record, const Rows &rows)
     {
-      const std::size_t last = record.time.size() - 1;
-      return {record.time.front(), (record.time.back() - record.time.front()) / last, last + 1};
+      const double duration = (rows.count - 1) * rows.spacing;
+      const auto   steps    = std::count_if(record.time.begin(), record.time.end(), [&](double t) {
+        return t > rows.begin && t < rows.begin + duration + 0.5 * record.step;
+      });
+      const auto   count    = std::max<std::size_t>(steps, 1);
+      return {rows.begin, duration / count, count + 1};
     }
 
 
 
-    /// One component of a history (pairs) below the corner.
-    History filtered(const StepRecord &record, const History &pairs, const std::size_t component)
+    /// Displacement relative to the base, velocity or acceleration of a monitor, as pairs.
+    History motion(const StepRecord &record, const std::size_t monitor, const std::size_t quantity)
     {
-      const Rows rows = rows_of(record);
-      return scene::low_pass(sample(record.time, pairs, component, rows),
-                             rows.spacing,
-                             record.corner);
+      History pairs = record.monitors[monitor].histories[quantity];
+      if (quantity == 0 && record.base >= 0)
+        for (std::size_t i = 0; i < pairs.size(); ++i)
+          pairs[i] -= record.monitors[record.base].histories[0][i];
+      return pairs;
     }
 
 
 
     std::vector<Histories> histories(const StepRecord &record, const Rows &rows)
     {
+      const Rows             own = rows_of(record, rows);
       std::vector<Histories> result(record.monitors.size());
-      for (std::size_t c = 0; c < 2; ++c)
-        for (std::size_t m = 0; m < result.size(); ++m)
-          for (std::size_t q = 0; q < 3; ++q)
+      for (std::size_t m = 0; m < result.size(); ++m)
+        for (std::size_t q = 0; q < 3; ++q)
+          for (std::size_t c = 0; c < 2; ++c)
             {
-              History pairs = record.monitors[m].histories[q];
-              if (q == 0 && record.base >= 0)
-                for (std::size_t i = 0; i < pairs.size(); ++i)
-                  pairs[i] -= record.monitors[record.base].histories[0][i];
-              result[m][q][c] = resample(rows_of(record), filtered(record, pairs, c), rows);
+              const History x = sample(record.time, motion(record, m, q), c, own);
+              result[m][q][c] = resample(own, scene::low_pass(x, own.spacing, record.corner), rows);
             }
       return result;
     }
@@ -185,7 +190,7 @@ namespace hybrid::output
       const bool   are_whole =
         std::isnan(std::fmin(longer.until, shorter.until)) &&
         std::max(longer.time.back(), shorter.time.back()) - end < longer.step + shorter.step;
-      return are_whole && std::abs(shorter.slip_left) > least_motion * displacement
+      return are_whole && std::abs(shorter.slip_left) > least_slip * displacement
                ? std::abs(longer.slip_left / shorter.slip_left - 1.)
                : MonitorSummary::unknown;
     }
@@ -311,9 +316,10 @@ namespace hybrid::output
 
   void measure_mesh_error(const StepRecord              &run,
                           const std::vector<StepRecord> &coarser,
+                          const double                   highest_order,
                           Summary::MeshError            &error)
   {
-    constexpr double         unknown_order = 1., lowest_order = 0.5, highest_order = 2.;
+    constexpr double         unknown_order = 1., lowest_order = 0.5;
     const Summary::ErrorPart near = step_difference(coarser.front(), run);
     Summary::ErrorPart       far =
       coarser.size() > 1 ? step_difference(coarser[1], coarser[0]) : Summary::ErrorPart();

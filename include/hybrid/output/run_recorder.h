@@ -164,8 +164,5 @@ namespace hybrid::output
 
     /// Why the error of the steps is not estimated, in words; empty: it is.
     std::string why_no_error(bool any_monitor) const;
-
-    /// Why no other run tells it either; empty: one does.
-    std::string why_no_run_tells() const;
   };
 } // namespace hybrid::output

@@ -52,5 +52,6 @@ namespace hybrid::output
    */
   void measure_mesh_error(const StepRecord              &run,
                           const std::vector<StepRecord> &coarser,
+                          double                         highest_order,
                           Summary::MeshError            &error);
 } // namespace hybrid::output

@@ -186,7 +186,10 @@ namespace hybrid::output
     TEST(MeshError, of_three_meshes_of_second_order)
     {
       Summary::MeshError error;
-      measure_mesh_error(run_with(2e-3, 0.01), {run_with(2e-3, 0.04), run_with(2e-3, 0.16)}, error);
+      measure_mesh_error(run_with(2e-3, 0.01),
+                         {run_with(2e-3, 0.04), run_with(2e-3, 0.16)},
+                         2.,
+                         error);
       EXPECT_EQ(error.reason, "");
       EXPECT_EQ(error.meshes, 2);
       EXPECT_NEAR(error.size.part[0], 0.01, 1e-3);
@@ -195,10 +198,23 @@ namespace hybrid::output
 
 
 
+    TEST(MeshError, of_waves_alone_may_be_of_third_order)
+    {
+      Summary::MeshError error;
+      measure_mesh_error(run_with(2e-3, 0.01),
+                         {run_with(2e-3, 0.08), run_with(2e-3, 0.64)},
+                         3.,
+                         error);
+      EXPECT_NEAR(error.size.part[0], 0.01, 1e-3);
+      EXPECT_NEAR(error.half_size.part[0], 0.00125, 2e-4);
+    }
+
+
+
     TEST(MeshError, of_one_coarser_mesh_is_of_first_order)
     {
       Summary::MeshError error;
-      measure_mesh_error(run_with(2e-3, 0.02), {run_with(2e-3, 0.04)}, error);
+      measure_mesh_error(run_with(2e-3, 0.02), {run_with(2e-3, 0.04)}, 2., error);
       EXPECT_NEAR(error.size.part[0], 0.02, 5e-4);
       EXPECT_NEAR(error.half_size.part[0], 0.01, 3e-4);
     }
@@ -210,6 +226,7 @@ namespace hybrid::output
       Summary::MeshError error;
       measure_mesh_error(run_with(2e-3, 0.0101),
                          {run_with(2e-3, 0.01), run_with(2e-3, 0.09)},
+                         2.,
                          error);
       EXPECT_NEAR(error.size.part[0], 0.08 / 4. / 3., 1e-3);
     }
@@ -219,7 +236,10 @@ namespace hybrid::output
     TEST(MeshError, of_meshes_that_scatter_is_how_far)
     {
       Summary::MeshError error;
-      measure_mesh_error(run_with(2e-3, 0.02), {run_with(2e-3, 0.05), run_with(2e-3, 0.02)}, error);
+      measure_mesh_error(run_with(2e-3, 0.02),
+                         {run_with(2e-3, 0.05), run_with(2e-3, 0.02)},
+                         2.,
+                         error);
       EXPECT_NEAR(error.size.part[0], 0.03, 1e-3);
       EXPECT_EQ(error.half_size.part[0], error.size.part[0]);
     }

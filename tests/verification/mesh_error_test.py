@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The error of its mesh that a run says it has (summary.json, mesh_error), beside the true one, from the same scene with cells and blocks of
+a third of the size.
+
+True error as in probable_error_test.py. What the finer mesh has left itself (1/r^1.5 of it with blocks, 1/r^2 without, r times as fine) is added.
+
+Usage: mesh_error_test.py HYBRID_BINARY SOURCE_DIR WORK_DIR [--write doc/accuracy.md]
+The first form runs the scenes of SHORT and asks for a factor of 3. --write runs all and writes the table of the page (ten minutes); runs
+that are in WORK_DIR already are kept.
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+import probable_error_test as steps
+
+SHORT = ("bedrock_triangles", "soft_layer_blocks", "wave_packet")
+# name: how many times as fine the reference is
+SCENES = {"wave_packet": 3, "free_field": 3, "constant_q_layer": 3, "opening_plane": 3, "oblique_joints": 2, "step": 2, "canyon": 2, "lamb": 2,
+          "bonded_bar": 3, "bedrock_triangles": 3, "block_decrement": 3, "constant_q_blocks": 3, "time_order": 3, "coupled_column": 3,
+          "soft_layer_blocks": 3, "continuum_into_blocks": 2, "lasting_load": 3, "bonded_mass": 2, "brittle_release": 3, "shakedown": 3,
+          "softening_reset": 3, "badong": 2}
+SETTINGS = {"badong": ["Time/End time=4"]}
+SIZES = {"badong": "Resolution/h = 8"}
+
+
+def meshed(source, name, finer):
+    text = SIZES.get(name) or re.search(r"set Numbers\s*= ([^#\n]*)", steps.scene_file(source, name).read_text()).group(1)
+    return "Mesh/Numbers=" + re.sub(r"(Resolution/\w+ = )([0-9.]+)", lambda found: "%s%.10g" % (found.group(1), float(found.group(2)) / finer), text)
+
+
+def compute(binary, source, work, name, finer):
+    """The run with sizes over `finer`, if it is not there yet. @return its directory."""
+    place = work / ("%s-%g" % (name, finer))
+    if not (place / "summary.json").exists():
+        words = [binary, steps.scene_file(source, name), "-s", "Output/Directory=%s" % place]
+        for setting in ["Output/Picture interval=0", "Time/Error estimate=one run", meshed(source, name, finer), *SETTINGS.get(name, []),
+                        *([steps.ONE_MESH] if finer > 1 else [])]:
+            words += ["-s", setting]
+        subprocess.run(words, check=True, cwd=source, stdout=subprocess.DEVNULL)
+    return place
+
+
+def compare(binary, source, work, name):
+    """(true errors, what the run says; None: nothing; summary.json's mesh_error, blocks)"""
+    finer = SCENES[name]
+    own, reference = (compute(binary, source, work, name, f) for f in (1, finer))
+    summary = json.loads((own / "summary.json").read_text())
+    said = summary["mesh_error"]
+    until = min((t for t in (said.get("until_s"), steps.failure_time(reference)) if t), default=None)
+    if until:
+        until -= steps.own_step(steps.scene_file(source, name))
+    true = steps.true_errors(own, reference, finer, 1.5 if summary["blocks"] else 2, until)
+    return true, [said["mesh"][q]["part_of_peak"] for q in steps.QUANTITIES] if said["estimated"] else None, said, int(summary["blocks"])
+
+
+def write(binary, source, work, page):
+    rows = []
+    for name in SCENES:
+        true, estimated, said, blocks = compare(binary, source, work, name)
+        if estimated is None:
+            sys.exit("%s: not estimated: %s" % (name, said["reason"]))
+        size = min(float(h) for h in re.findall(r"Resolution/\w+ = ([0-9.]+)", meshed(source, name, 1)))
+        label = "%s%s%s" % (steps.LABELS.get(name, name), "" if blocks else ", no blocks", "" if said["coarser_meshes"] == 2 else ", one coarser mesh")
+        rows.append(steps.row(label, size, true, estimated))
+    steps.put(page, ((rows, "mesh lines"),))
+
+
+def main():
+    binary, source, work = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
+    sys.path.insert(0, str(source / "src/tools"))
+    work.mkdir(parents=True, exist_ok=True)
+    if "--write" in sys.argv:
+        write(binary, source, work, pathlib.Path(sys.argv[sys.argv.index("--write") + 1]))
+        return
+    good = True
+    for name in SHORT:
+        true, estimated, said, _ = compare(binary, source, work, name)
+        if estimated is None:
+            sys.exit("%s: not estimated: %s" % (name, said["reason"]))
+        good = steps.judge(name, "mesh", true, estimated) and good
+    sys.exit(0 if good else 1)
+
+
+if __name__ == "__main__":
+    main()
