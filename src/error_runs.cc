@@ -17,9 +17,14 @@ namespace hybrid
   {
     /// Of the blocks, or without any of the unknowns, in a mesh twice as coarse; a quarter is
     /// ideal.
-    constexpr double most_blocks_left = 0.4, most_unknowns_left = 0.65;
-    constexpr double order_of_blocks = 2., order_of_waves = 3.; ///< in the mesh, at most
-    constexpr double least_time = 0.1; ///< of steps, that tells what finer ones take [s]
+    constexpr double most_blocks_left = 0.5, most_unknowns_left = 0.65;
+    constexpr double order_of_blocks = 2.;  ///< in the mesh, at most
+    constexpr double least_time      = 0.1; ///< of steps, that tells what finer ones take [s]
+
+
+
+    const std::string was_interrupted =
+      "the further run did not come to its end, --resume begins it anew";
 
 
 
@@ -38,19 +43,21 @@ namespace hybrid
       {}
 
       /// Up to a time @p end [s]. @return its record on the first process; nothing if it did not
-      /// come to its end, or its mesh has more than @p most blocks or unknowns: why_not() then says
-      /// why.
-      std::optional<output::StepRecord>
-      run(const std::vector<std::string> &overrides, const double end, const double most)
+      /// come to its end, or its mesh keeps more than @p most_left of so many blocks or unknowns:
+      /// why_not() then says why.
+      std::optional<output::StepRecord> run(const std::vector<std::string> &overrides,
+                                            const double                    end,
+                                            const double                    many,
+                                            const double                    most_left)
       {
-        reason = "the further run did not come to its end";
+        reason = was_interrupted;
         if (processes.from_first(interruption.is_requested() ? 1. : 0.) != 0.)
           return {};
         if (processes.count() > 1) // one that fails ends all
-          return compute(scene_with(overrides, end), most);
+          return compute(scene_with(overrides, end), many, most_left);
         try
           {
-            return compute(scene_with(overrides, end), most);
+            return compute(scene_with(overrides, end), many, most_left);
           }
         catch (const std::exception &error) // no failure may spoil a run that has finished
           {
@@ -100,8 +107,8 @@ namespace hybrid
         return scene::read_scene(parameters_file(directory), overrides);
       }
 
-      std::optional<output::StepRecord> compute(const scene::SceneParameters &scene,
-                                                const double                  most)
+      std::optional<output::StepRecord>
+      compute(const scene::SceneParameters &scene, const double many, const double most_left)
       {
         std::ostream                nowhere(nullptr);
         output::Log                 quiet(nowhere);
@@ -116,17 +123,22 @@ namespace hybrid
             reason = std::string("the further run failed: ") + error.what();
             return {};
           }
-        if (simulation->mesh_count() > most)
+        const double left = simulation->mesh_count();
+        if (left > most_left * many)
           {
-            reason = "the next mesh is hardly coarser: " +
-                     std::to_string(std::lround(simulation->mesh_count())) +
+            reason = "the next mesh is hardly coarser, it keeps " +
+                     std::to_string(std::lround(left)) + " of " +
+                     std::to_string(std::lround(many)) +
                      (simulation->n_blocks() > 0 ? " blocks" : " unknowns");
             return {};
           }
         processes.on_first([&] { prepare_directory(scene, true, quiet, lock); });
         if (simulation->is_alone() && !processes.is_first())
           return {}; // too small to be shared out, as the run itself was
-        if (simulation->run(interruption) != RunStatus::finished)
+        const RunStatus status = simulation->run(interruption);
+        if (status != RunStatus::finished && status != RunStatus::interrupted)
+          reason = "the further run did not come to its end";
+        if (status != RunStatus::finished)
           return {};
         const auto of_steps = simulation->summary().stages.find("steps");
         time = of_steps == simulation->summary().stages.end() ? 0. : of_steps->second;
@@ -140,6 +152,7 @@ namespace hybrid
     struct FinishedRun
     {
       std::string        directory;
+      double             mesh_order; ///< at most
       output::StepRecord record;
       output::Summary    summary;
     };
@@ -161,7 +174,10 @@ namespace hybrid
     {
       output::Summary::ProbableError &error = run.summary.probable_error;
       if (!other)
-        error.reason = runs.why_not();
+        {
+          error.reason        = runs.why_not();
+          error.runs_would_do = false;
+        }
       else if (other->step > run.record.step)
         output::measure_error(*other, run.record, error);
       else
@@ -185,10 +201,7 @@ namespace hybrid
       if (coarser.empty())
         error.reason = runs.why_not();
       else
-        output::measure_mesh_error(run.record,
-                                   coarser,
-                                   run.summary.blocks > 0 ? order_of_blocks : order_of_waves,
-                                   error);
+        output::measure_mesh_error(run.record, coarser, run.mesh_order, error);
       const double own = run.summary.stages["steps"];
       if (time_of_coarser > least_time && std::isnan(run.record.until)) // both are whole
         error.cost = own * std::max(1., own / time_of_coarser);
@@ -249,25 +262,28 @@ namespace hybrid
     const std::string second_step = scene::number_text(simulation->second_time_step());
     const std::string meshes[]    = {simulation->coarser_mesh(2.), simulation->coarser_mesh(4.)};
     const double      count       = simulation->mesh_count();
-    const double most_left = simulation->n_blocks() > 0 ? most_blocks_left : most_unknowns_left;
-    FinishedRun  run{simulation->directory(),
+    const bool        has_blocks  = simulation->n_blocks() > 0;
+    const double      most_left   = has_blocks ? most_blocks_left : most_unknowns_left;
+    FinishedRun       run{simulation->directory(),
+                    has_blocks ? order_of_blocks : simulation->order_of_waves(),
                     simulation->step_record().value_or(output::StepRecord()),
                     simulation->summary()};
     simulation.reset(); // its memory
     FurtherRuns runs(run.directory, make, processes, interruption);
     if (end_of_second > 0.)
       {
-        const auto other = runs.run({"Time/Time step=" + second_step}, end_of_second, count);
+        const auto other = runs.run({"Time/Time step=" + second_step}, end_of_second, count, 1.);
         processes.on_first([&] { tell_step_error(other, runs, run, log); });
       }
     if (end_of_coarser > 0.)
       {
         std::vector<output::StepRecord> coarser;
-        double                          most = count, time = 0.;
+        double                          many = count, time = 0.;
         for (const std::string &numbers : meshes)
           {
-            most *= most_left;
-            const auto record = runs.run({"Mesh/Numbers=" + numbers}, end_of_coarser, most);
+            const auto record =
+              runs.run({"Mesh/Numbers=" + numbers}, end_of_coarser, many, most_left);
+            many *= most_left;
             if (processes.from_first(record ? 1. : 0.) == 0.)
               break;
             if (coarser.empty())

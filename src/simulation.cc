@@ -326,11 +326,14 @@ namespace hybrid
 
   std::optional<double> Simulation::end_of_further_run(const double step) const
   {
-    constexpr double least_steps = 20.;
+    constexpr double least_steps = 20., filter_periods = 3.;
     if (!record || !found.finished || has_error_target())
       return {};
-    const double end = std::fmin(record->until, found.simulated_time);
-    return end >= least_steps * step ? std::optional(end) : std::nullopt;
+    const double corner = model.scene.monitors.filter_frequency; // it looks ahead
+    const double ahead  = corner > 0. ? filter_periods / corner : step;
+    const double end    = std::fmin(record->until, found.simulated_time);
+    return end >= least_steps * step ? std::optional(std::min(end + ahead, found.simulated_time))
+                                     : std::nullopt;
   }
 
 

@@ -12,6 +12,8 @@
 #include <hybrid/scene_model.h>
 #include <hybrid/step_choice.h>
 
+#include <algorithm>
+
 namespace hybrid
 {
   /**
@@ -76,6 +78,12 @@ namespace hybrid
 
     /// Blocks, or without any the unknowns of the bedrock: what a coarser mesh has fewer of.
     double mesh_count() const;
+
+    /// Order of the error of the bedrock's mesh, at most: that of the elements, but for corners.
+    double order_of_waves() const
+    {
+      return std::min(model.scene.continuum.degree + 1., 4.);
+    }
 
     bool has_error_target() const
     {

@@ -43,6 +43,14 @@ namespace hybrid::continuum
       return {result.begin(), result.end()};
     }
 
+    double cell_area(const RockMesh &rock, const std::size_t cell)
+    {
+      double twice = 0.;
+      for (int i = 0; i < 4; ++i)
+        twice += cross(rock.nodes[rock.cells[cell][i]], rock.nodes[rock.cells[cell][(i + 1) % 4]]);
+      return 0.5 * std::abs(twice);
+    }
+
     /// Nodes of the contact surface, and what each bears of the load between it and the next.
     struct Surface
     {
@@ -303,11 +311,7 @@ namespace hybrid::continuum
         result.slowest_s_wave = std::min(result.slowest_s_wave, s);
         result.fastest_p_wave = std::max(result.fastest_p_wave, m.cell_material[c].p_wave_speed());
         result.highest_frequency = std::min(result.highest_frequency, s * p / (10. * longest));
-        double area              = 0.; // twice the cell's
-        for (int i = 0; i < 4; ++i)
-          area +=
-            cross(m.rock.nodes[m.rock.cells[c][i]], m.rock.nodes[m.rock.cells[c][(i + 1) % 4]]);
-        area = 0.5 * std::abs(area);
+        const double area        = cell_area(m.rock, c);
         s_way += area / s;
         powers += area / s * std::pow(longest / s, 2 * p);
         result.p_time += area / m.cell_material[c].p_wave_speed();
@@ -321,6 +325,23 @@ namespace hybrid::continuum
     result.p_time /= width;
     result.cell_time = std::pow(powers / s_way, 0.5 / p);
     return result;
+  }
+
+
+  double Continuum::uncorrected_part(const double dt, const bool pressure) const
+  {
+    const auto &m    = *impl;
+    double      part = 0., way = 0.;
+    for (std::size_t c = 0; c < m.nodes->cells.size(); ++c)
+      {
+        const Material &material = m.cell_material[c];
+        const double    speed    = pressure ? material.p_wave_speed() : material.s_wave_speed();
+        const double    area     = cell_area(m.rock, c);
+        const double q = 0.5 * std::pow(dt * speed * m.nodes->line.degree() / std::sqrt(area), 4);
+        part += area / speed * q / (1. + q);
+        way += area / speed;
+      }
+    return part / way;
   }
 
 

@@ -146,7 +146,7 @@ namespace hybrid::output
 
     std::string shear_text(const Summary::BaseShear &base)
     {
-      constexpr double round_off = 1e-9;
+      constexpr double round_off = 1e-6;
       const auto       percent   = [](const double share) {
         return format("%.3g %%", std::abs(share) < round_off ? 0. : 100. * share);
       };
@@ -204,11 +204,10 @@ namespace hybrid::output
     std::string half_text(const Summary::ErrorPart &error,
                           const Summary::ErrorPart &half,
                           const std::string        &what,
-                          const bool                of_runs)
+                          const std::string        &if_as_much)
     {
       if (error.part == half.part) // slip may scatter alone
-        return of_runs ? "; the runs do not come closer to each other, this is how far they scatter"
-                       : "; with half the " + what + " as much";
+        return "; " + if_as_much;
       return "; with half the " + what + " " + percent(half.part[0]) + ", " +
              percent(half.part[1]) + ", " + percent(half.part[2]) +
              (std::isnan(half.slip_left) ? "" : ", " + percent(half.slip_left)) + " %";
@@ -244,7 +243,12 @@ namespace hybrid::output
       const std::string source =
         of_runs ? format("by the run in steps of %.4g s", error.measured_from) : "probably";
       return "Error     of the time step, " + source + until + ": " + peaks_text(error.step) +
-             half_text(error.step, error.half_step, "step", of_runs);
+             half_text(error.step,
+                       error.half_step,
+                       "step",
+                       of_runs ? "the runs do not come closer to each other, this is how far they "
+                                 "scatter"
+                               : "half the step leaves as much");
     }
 
 
@@ -305,7 +309,11 @@ namespace hybrid::output
     const std::string text =
       begin + ", by " +
       (error.meshes > 1 ? "those twice and four times as large" : "one twice as large") + until +
-      ": " + peaks_text(error.size) + half_text(error.size, error.half_size, "size", true);
+      ": " + peaks_text(error.size) +
+      half_text(error.size,
+                error.half_size,
+                "size",
+                "no order is seen, this is how far the next mesh is off");
     const std::string cost = std::isfinite(error.cost) && error.size.part != error.half_size.part
                                ? " in at least " +
                                    format(error.cost < 100. ? "%.2g s" : "%.0f s", error.cost) +

@@ -81,12 +81,17 @@ namespace hybrid::output
   {
     if (!(warning > 0.) || ledger.scheme_fraction() <= warning)
       return "";
-    const bool        gave  = ledger.given_by_scheme() > 0.;
-    const std::string terms = list(ledger.scheme_terms());
-    const bool        hits  = !gave && terms.find("blocks_integration_loss") != std::string::npos;
+    const bool              gave = ledger.given_by_scheme() > 0.;
+    std::vector<EnergyTerm> terms;
+    for (const EnergyTerm &term : ledger.scheme_terms())
+      if (term.value != 0.)
+        terms.push_back(term);
+    const bool hits = !gave && std::any_of(terms.begin(), terms.end(), [](const EnergyTerm &term) {
+      return term.name == "blocks_integration_loss";
+    });
     return std::string("the time integration ") + (gave ? "gave " : "took ") +
            number(100. * ledger.scheme_fraction()) + " % of the " + number(ledger.exchanged()) +
-           " J/m in play (" + terms + "): " +
+           " J/m in play (" + list(terms) + "): " +
            (hits ? "what blocks lose as they hit each other is part of it, the rest"
                  : "this part") +
            " depends on Time/Time step, compare with half the step";

@@ -132,15 +132,8 @@ namespace hybrid::output
       if (parts.blocks != nullptr)
         for (const dda::BlockProperties &block : parts.blocks->blocks)
           scheme.late_damping += block.damping_time / parts.blocks->n_blocks();
-      if (parts.continuum != nullptr)
-        {
-          const auto   resolution = parts.continuum->resolution();
-          const double slowness =
-            shakes_p_waves(parts) ? resolution.p_time / resolution.s_time : 1.;
-          if (parts.scene.continuum.is_explicit)
-            scheme.late_damping = parts.scene.continuum.rayleigh_stiffness;
-          scheme.node_time = 0.1 / resolution.highest_frequency * slowness;
-        }
+      if (parts.continuum != nullptr && parts.scene.continuum.is_explicit)
+        scheme.late_damping = parts.scene.continuum.rayleigh_stiffness;
       return scheme;
     }
 
@@ -248,12 +241,16 @@ namespace hybrid::output
     const ProbableError estimate(record);
     StepScheme          scheme = step_scheme(parts, times);
     const double        step   = scheme.dt; // which may be divided into parts
-    const auto          part   = [&](const double dt) {
-      return parts.continuum != nullptr ? dt / parts.continuum->parts_of_step(dt) : dt;
+    const auto          take   = [&](const double dt) {
+      scheme.dt = dt;
+      if (parts.continuum == nullptr)
+        return;
+      scheme.dt          = dt / parts.continuum->parts_of_step(dt);
+      scheme.uncorrected = parts.continuum->uncorrected_part(dt, shakes_p_waves(parts));
     };
-    scheme.dt  = part(step);
+    take(step);
     error.step = estimate.of_steps(scheme);
-    scheme.dt  = part(0.5 * step);
+    take(0.5 * step);
     if (parts.continuum != nullptr)
       error.parts = parts.continuum->parts_of_step(parts.scene.time.time_step);
     if (scheme.newmark.corrected_step > 0.)

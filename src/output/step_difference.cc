@@ -68,16 +68,16 @@ namespace hybrid::output
 
 
 
-    /// Over the same times, as many as the run has steps there: what steps have above the corner
-    /// must not look like what is below it.
-    Rows rows_of(const StepRecord &record, const Rows &rows)
+    /// Up to @p end [s], as many as the run has steps there: what steps have above the corner must
+    /// not look like what is below it.
+    Rows rows_of(const StepRecord &record, const double end)
     {
-      const double duration = (rows.count - 1) * rows.spacing;
-      const auto   steps    = std::count_if(record.time.begin(), record.time.end(), [&](double t) {
-        return t > rows.begin && t < rows.begin + duration + 0.5 * record.step;
-      });
-      const auto   count    = std::max<std::size_t>(steps, 1);
-      return {rows.begin, duration / count, count + 1};
+      const double begin = record.time.front();
+      const auto   steps = std::count_if(record.time.begin() + 1,
+                                       record.time.end(),
+                                       [&](const double t) { return t < end + 0.5 * record.step; });
+      const auto   count = std::max<std::size_t>(steps, 1);
+      return {begin, (end - begin) / count, count + 1};
     }
 
 
@@ -94,9 +94,10 @@ namespace hybrid::output
 
 
 
-    std::vector<Histories> histories(const StepRecord &record, const Rows &rows)
+    /// At the times of @p rows, filtered up to @p end [s].
+    std::vector<Histories> histories(const StepRecord &record, const Rows &rows, const double end)
     {
-      const Rows             own = rows_of(record, rows);
+      const Rows             own = rows_of(record, end);
       std::vector<Histories> result(record.monitors.size());
       for (std::size_t m = 0; m < result.size(); ++m)
         for (std::size_t q = 0; q < 3; ++q)
@@ -244,7 +245,9 @@ namespace hybrid::output
     const Rows         rows = common_rows(longer, shorter);
     if (!have_the_same_monitors(longer, shorter) || rows.count < 2)
       return result;
-    const std::vector<Histories> before = histories(longer, rows), now = histories(shorter, rows);
+    const double                 end    = std::min(longer.time.back(), shorter.time.back());
+    const std::vector<Histories> before = histories(longer, rows, end),
+                                 now    = histories(shorter, rows, end);
     for (int q = 0; q < 3; ++q)
       {
         double largest = 0.;
@@ -319,7 +322,7 @@ namespace hybrid::output
                           const double                   highest_order,
                           Summary::MeshError            &error)
   {
-    constexpr double         unknown_order = 1., lowest_order = 0.5;
+    constexpr double         unknown_order = 1.45, lowest_order = 0.5;
     const Summary::ErrorPart near = step_difference(coarser.front(), run);
     Summary::ErrorPart       far =
       coarser.size() > 1 ? step_difference(coarser[1], coarser[0]) : Summary::ErrorPart();
@@ -334,6 +337,8 @@ namespace hybrid::output
     for (std::size_t q = 0; q < size.size(); ++q)
       {
         const double near_by = *size[q], found = std::log2(*other[q] / near_by);
+        if (std::isnan(near_by))
+          continue; // no slip is left, or a joint failed
         const double p = std::isnan(found) ? unknown_order : std::min(found, highest_order);
         if (p < lowest_order)
           continue;

@@ -11,9 +11,7 @@ namespace hybrid::output
                                               const std::complex<double> s)
     {
       const std::complex<double> turn = s * scheme.dt, square = turn * turn;
-      const double               cell = scheme.node_time > 0. ? scheme.dt / scheme.node_time : 0.;
-      const double               q    = 0.5 * std::pow(cell, 4);
-      return -s * (square * square / 480. + square / 12. * q / (1. + q));
+      return -s * (square * square / 480. + square / 12. * scheme.uncorrected);
     }
   } // namespace
 

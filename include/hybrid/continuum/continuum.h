@@ -271,6 +271,17 @@ namespace hybrid::continuum
 
     Resolution resolution() const;
 
+    /**
+     * What the corrected inertia of the fourth order leaves of the trapezoidal rule's error, on
+     * average over a wave's way up: q / (1 + q) in a cell with q = (dt / t)^4 / 2 and t a wave's
+     * way from node to node [-]. It is the term tau^3 M X^3 of inertia_correction.h with the
+     * tractions on the cell's ends. The factor 1/2 is that of one element in one dimension, degrees
+     * 1 to 4 (0.25 to 0.6).
+     *
+     * @param pressure P waves, else S waves
+     */
+    double uncorrected_part(double dt, bool pressure) const;
+
     /// What steps take beside the model itself [B]: the factor of one step size and the condensed
     /// matrices; each further step size (cut steps, at most two) takes about as much.
     double estimated_memory() const;

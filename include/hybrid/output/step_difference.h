@@ -45,8 +45,8 @@ namespace hybrid::output
    *
    * The order p is that of the three meshes, at most @p highest_order: beyond, the difference of
    * the coarser two counts, as the finer two may be close by luck. Below 1/2 the meshes do not
-   * converge: d tells how far they scatter, and half the size would leave as much. p is 1 without a
-   * third mesh.
+   * converge: d tells how far they scatter, and half the size would leave as much. Without a
+   * third mesh 2^p - 1 is sqrt(3), in the middle between first and second order.
    *
    * @param coarser runs with meshes twice and four times as coarse, or the first of them alone
    */

@@ -14,7 +14,7 @@ namespace hybrid::output
     double  dt           = 0.; ///< [s]
     double  late_damping = 0.; ///< beta_K of what follows the mean rate of the step: blocks on the
                                ///< way, or explicit rock [s]
-    double node_time = 0.;     ///< a wave's from node to node of the elements [s]
+    double uncorrected = 0.;   ///< see Continuum::uncorrected_part() [-]
   };
 
 
@@ -33,10 +33,8 @@ namespace hybrid::output
    * - The damping of blocks, and of rock in explicit steps, follows the mean rate of the step,
    * which is that of half a step before: 1 + beta_K (1 - e) / dt in place of 1 + beta_K s. What
    * that makes softer or stiffer counts as frequency.
-   * - The corrected inertia of the fourth order leaves (w dt)^4 / 480, and of its elements
-   *   (w dt)^2 / 12 q / (1 + q), q = (dt / node_time)^4 / 2: the term tau^3 M X^3 of
-   *   inertia_correction.h with the tractions on the elements' ends. The factor 1/2 is that of one
-   *   element in one dimension, degrees 1 to 4 (0.25 to 0.6).
+   * - The corrected inertia of the fourth order leaves (w dt)^4 / 480, and of its elements the
+   *   uncorrected part of (w dt)^2 / 12.
    */
   std::complex<double> frequency_error(const StepScheme &scheme, std::complex<double> s);
 } // namespace hybrid::output

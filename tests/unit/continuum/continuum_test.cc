@@ -101,6 +101,17 @@ TEST(Continuum, resolution_counts_nodes_per_wave_length)
 }
 
 
+TEST(Continuum, what_the_corrected_inertia_leaves_hangs_on_the_way_between_nodes)
+{
+  const Continuum continuum(box(), test::rock_scene(), {}, MPI_COMM_WORLD);
+  const double    way = 1. / continuum.resolution().highest_frequency / 10.; // cells are squares
+  EXPECT_NEAR(continuum.uncorrected_part(way, false), 1. / 3., 1e-6);        // q = 1/2
+  EXPECT_NEAR(continuum.uncorrected_part(way, true), 4.5 / 5.5, 1e-6);       // q = 9/2
+  EXPECT_LT(continuum.uncorrected_part(0.1 * way, false), 1e-4);
+  EXPECT_GT(continuum.uncorrected_part(10. * way, false), 0.999);
+}
+
+
 TEST(Continuum, mistakes_are_refused)
 {
   const auto make = [](const scene::SectionMesh &mesh, const scene::SceneParameters &scene) {

@@ -211,12 +211,12 @@ namespace hybrid::output
 
 
 
-    TEST(MeshError, of_one_coarser_mesh_is_of_first_order)
+    TEST(MeshError, of_one_coarser_mesh_is_between_first_and_second_order)
     {
       Summary::MeshError error;
       measure_mesh_error(run_with(2e-3, 0.02), {run_with(2e-3, 0.04)}, 2., error);
-      EXPECT_NEAR(error.size.part[0], 0.02, 5e-4);
-      EXPECT_NEAR(error.half_size.part[0], 0.01, 3e-4);
+      EXPECT_NEAR(error.size.part[0], 0.02 / std::sqrt(3.), 5e-4);
+      EXPECT_NEAR(error.half_size.part[0], 0.02 / std::sqrt(3.) / (1. + std::sqrt(3.)), 3e-4);
     }
 
 
