@@ -17,7 +17,7 @@ import sys
 
 import probable_error_test as steps
 
-SHORT = ("bedrock_triangles", "soft_layer_blocks", "wave_packet")
+SHORT = ("soft_layer_blocks", "wave_packet")
 # name: how many times as fine the reference is
 SCENES = {"wave_packet": 3, "free_field": 3, "constant_q_layer": 3, "opening_plane": 3, "oblique_joints": 2, "step": 2, "canyon": 2, "lamb": 2,
           "bonded_bar": 3, "bedrock_triangles": 3, "block_decrement": 3, "constant_q_blocks": 3, "time_order": 3, "coupled_column": 3,

@@ -8,7 +8,10 @@ HEAD = ["error", "displacement [%]", "velocity [%]", "acceleration [%]", "slip l
 
 
 def percent(part):
-    return "–" if part is None or not math.isfinite(part) else "%.2g" % (100 * part) if part < 0.995 else "over 100"
+    """As the run says it."""
+    if part is None or not math.isfinite(part):
+        return "–"
+    return "below 0.05" if part < 5e-4 else "%.2g" % (100 * part) if part < 0.995 else "over 100"
 
 
 def cells(found):
@@ -32,6 +35,12 @@ def row(what, found, part, by):
     return [what] + cells(found.get(part, {})) + [by + until(found)]
 
 
+def halved(found, part, half):
+    """What is left with half of it."""
+    as_much = all(found[part].get(q) == found[half].get(q) for q in QUANTITIES)
+    return ["with half of it"] + cells(found[half]) + ["no order is seen" if as_much else ""]
+
+
 def rows_of(run):
     """[[error, displacement, velocity, acceleration, slip, how it is known]] as text; empty of a run that is not over."""
     step, mesh = run.summary.get("probable_error"), run.summary.get("mesh_error")
@@ -41,7 +50,7 @@ def rows_of(run):
         by = "the run itself" if other is None else "a run in steps of %.4g s" % other
         found.append(row("of the time step", step, "time_step", by))
         if step.get("estimated"):
-            found.append(row("with half of it", step, "half_the_step", ""))
+            found.append(halved(step, "time_step", "half_the_step"))
             bedrock = step.get("bedrock_mesh", {})
             if bedrock.get("velocity", {}).get("part_of_peak") is not None:
                 found.append(row("of the bedrock's mesh", step, "bedrock_mesh", "the run itself"))
@@ -49,5 +58,5 @@ def rows_of(run):
         by = "meshes twice and four times as coarse" if mesh.get("coarser_meshes", 1) > 1 else "a mesh twice as coarse"
         found.append(row("of the mesh", mesh, "mesh", by))
         if mesh.get("estimated"):
-            found.append(row("with half of it", mesh, "half_the_size", ""))
+            found.append(halved(mesh, "mesh", "half_the_size"))
     return found
