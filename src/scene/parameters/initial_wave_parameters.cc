@@ -73,7 +73,7 @@ namespace hybrid::scene
       return;
     if (!scene.has_continuum())
       throw table.error("Initial wave/Type",
-                        "it travels in the continuum, and Model/Bedrock = rigid has none");
+                        "it travels in the continuum: Model/Bedrock = continuum is needed");
     if (wave.width != 0. && wave.width < 0.5)
       throw table.error(
         "Initial wave/Width",

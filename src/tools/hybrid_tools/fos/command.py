@@ -114,8 +114,8 @@ def warn_of_edges(bracket, results):
     results["blocks_yield"] = figure.plastic_strain(bracket) is not None
     if part > APART and not results["blocks_yield"] and is_bonded(bracket):
         print("warning: the mass fails through itself, along the edges of its blocks (they part by %.0f %% of the largest motion):\n"
-              "  this is too strong, for a homogeneous slope by a fifth to a third; give it a sliding surface, or let its blocks yield\n"
-              "  (Blocks/Yielding=true)" % (100 * part))
+              "  this is too strong, for a homogeneous slope by a fifth to a third; give it a sliding surface (one that bends less, if it\n"
+              "  has one), or let its blocks yield (Blocks/Yielding=true)" % (100 * part))
 
 
 def warn_of_kink(bracket, results):
