@@ -310,10 +310,7 @@ namespace hybrid::output
       begin + ", by " +
       (error.meshes > 1 ? "those twice and four times as large" : "one twice as large") + until +
       ": " + peaks_text(error.size) +
-      half_text(error.size,
-                error.half_size,
-                "size",
-                "no order is seen, this is how far the next mesh is off");
+      half_text(error.size, error.half_size, "size", "no order is seen in these meshes");
     const std::string cost = std::isfinite(error.cost) && error.size.part != error.half_size.part
                                ? " in at least " +
                                    format(error.cost < 100. ? "%.2g s" : "%.0f s", error.cost) +

@@ -338,13 +338,12 @@ namespace hybrid::output
       {
         const double near_by = *size[q], found = std::log2(*other[q] / near_by);
         if (std::isnan(near_by))
-          continue; // no slip is left, or a joint failed
-        const double p = std::isnan(found) ? unknown_order : std::min(found, highest_order);
-        if (p < lowest_order)
-          continue;
-        const double gain = std::exp2(p);
-        *size[q]          = std::fmax(near_by, *other[q] / gain) / (gain - 1.);
-        *half[q]          = *size[q] / gain;
+          continue;                                   // no slip is left, or a joint failed
+        const bool   is_seen = found >= lowest_order; // NaN: there is no third mesh
+        const double p       = is_seen ? std::min(found, highest_order) : unknown_order;
+        const double gain    = std::exp2(p);
+        *size[q] = (is_seen ? std::fmax(near_by, *other[q] / gain) : near_by) / (gain - 1.);
+        *half[q] = is_seen || std::isnan(found) ? *size[q] / gain : *size[q];
       }
   }
 } // namespace hybrid::output

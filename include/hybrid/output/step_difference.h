@@ -44,9 +44,10 @@ namespace hybrid::output
    * 1911).
    *
    * The order p is that of the three meshes, at most @p highest_order: beyond, the difference of
-   * the coarser two counts, as the finer two may be close by luck. Below 1/2 the meshes do not
-   * converge: d tells how far they scatter, and half the size would leave as much. Without a
-   * third mesh 2^p - 1 is sqrt(3), in the middle between first and second order.
+   * the coarser two counts, as the finer two may be close by luck. Below 1/2 no order
+   * is seen: the coarsest mesh resolves nothing, or the meshes do not converge. Then, and without a
+   * third mesh, 2^p - 1 is sqrt(3), in the middle between first and second order. What half the
+   * size leaves is not known where no order is seen: as much.
    *
    * @param coarser runs with meshes twice and four times as coarse, or the first of them alone
    */

@@ -128,8 +128,7 @@ namespace hybrid::output
       EXPECT_EQ(mesh_error_text(error).on_screen,
                 line + "; with half the size 10, 15, 20 % in at least 200 s of processor time");
       error.half_size.part = error.size.part;
-      EXPECT_EQ(mesh_error_text(error).on_screen,
-                line + "; no order is seen, this is how far the next mesh is off");
+      EXPECT_EQ(mesh_error_text(error).on_screen, line + "; no order is seen in these meshes");
       error.reason = "the next mesh is hardly coarser";
       EXPECT_EQ(mesh_error_text(error).on_screen,
                 "Error     of the mesh: not known, the next mesh is hardly coarser");
