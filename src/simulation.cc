@@ -16,6 +16,10 @@ namespace hybrid
 {
   namespace
   {
+    constexpr double least_steps_to_compare = 20.;
+
+
+
     /// Largest resident memory so far [MB].
     double peak_memory()
     {
@@ -326,14 +330,15 @@ namespace hybrid
 
   std::optional<double> Simulation::end_of_further_run(const double step) const
   {
-    constexpr double least_steps = 20., filter_periods = 3.;
+    constexpr double filter_periods = 3.;
     if (!record || !found.finished || has_error_target())
       return {};
     const double corner = model.scene.monitors.filter_frequency; // it looks ahead
     const double ahead  = corner > 0. ? filter_periods / corner : step;
     const double end    = std::fmin(record->until, found.simulated_time);
-    return end >= least_steps * step ? std::optional(std::min(end + ahead, found.simulated_time))
-                                     : std::nullopt;
+    return end >= least_steps_to_compare * step
+             ? std::optional(std::min(end + ahead, found.simulated_time))
+             : std::nullopt;
   }
 
 
@@ -456,6 +461,12 @@ namespace hybrid
     found = summary;
     if (end_of_second_run())
       summary.probable_error.second_step = second_time_step();
+    else if (summary.probable_error.runs_would_do && !has_error_target() && record &&
+             record->until < least_steps_to_compare * time_step())
+      {
+        summary.probable_error.reason        = "a joint failed in the first steps";
+        summary.probable_error.runs_would_do = false;
+      }
     summary.mesh_error.follows       = end_of_coarser_runs().has_value();
     summary.mesh_error.runs_would_do = may_tell_mesh_error();
     output::write_summary(summary, model.scene.output.directory + "/summary.json");

@@ -49,12 +49,18 @@ namespace hybrid::output
 
 
 
-    /// Steepest friction of blocks on the ground, tan phi [-].
+    /// Steepest friction of the mass on the ground, tan phi [-]: of its belts, or without any of
+    /// contacts.
     double friction_on_ground(const dda::Model &model)
     {
+      double result = 0.;
+      for (const dda::Joint &joint : model.joints)
+        if (joint.kind == dda::JointKind::belt)
+          result = std::max(result, joint.law.friction({}));
+      if (result > 0.)
+        return result;
       std::set<int> surfaces(model.contacts.segment.begin(), model.contacts.segment.end());
       surfaces.insert(model.contacts.edge.begin(), model.contacts.edge.end());
-      double result = 0.;
       for (const int surface : surfaces)
         if (surface >= 0)
           for (const dda::ContactLaw &contact : model.contacts.of[surface])
