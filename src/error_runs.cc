@@ -181,11 +181,7 @@ namespace hybrid
       else if (other->step > run.record.step)
         output::measure_error(*other, run.record, error);
       else
-        {
-          output::measure_error_by_shorter_steps(run.record, *other, error);
-          if (std::isnan(run.record.until)) // both are whole
-            error.cost = std::max(runs.processor_time() - run.summary.stages["steps"], 0.);
-        }
+        output::measure_error_by_shorter_steps(run.record, *other, error);
       say(output::error_text(run.summary), run, log);
     }
 
