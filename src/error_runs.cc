@@ -18,8 +18,7 @@ namespace hybrid
     /// Of the blocks, or without any of the unknowns, in a mesh twice as coarse; a quarter is
     /// ideal.
     constexpr double most_blocks_left = 0.5, most_unknowns_left = 0.65;
-    constexpr double order_of_blocks = 2.;  ///< in the mesh, at most
-    constexpr double least_time      = 0.1; ///< of steps, that tells what finer ones take [s]
+    constexpr double least_time = 0.1; ///< of steps, that tells what finer ones take [s]
 
 
 
@@ -261,7 +260,7 @@ namespace hybrid
     const bool        has_blocks  = simulation->n_blocks() > 0;
     const double      most_left   = has_blocks ? most_blocks_left : most_unknowns_left;
     FinishedRun       run{simulation->directory(),
-                    has_blocks ? order_of_blocks : simulation->order_of_waves(),
+                    simulation->mesh_order(),
                     simulation->step_record().value_or(output::StepRecord()),
                     simulation->summary()};
     simulation.reset(); // its memory

@@ -8,6 +8,7 @@
 #include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/simulation_run.h>
 
+#include <algorithm>
 #include <iostream>
 #include <stdexcept>
 #include <sys/resource.h>
@@ -402,6 +403,14 @@ namespace hybrid
 
 
 
+  double Simulation::mesh_order() const
+  {
+    constexpr double of_blocks = 2., at_corners = 4.;
+    return n_blocks() > 0 ? of_blocks : std::min(model.scene.continuum.degree + 1., at_corners);
+  }
+
+
+
   int Simulation::n_blocks() const
   {
     return model.blocks != nullptr ? model.blocks->n_blocks() : 0;
@@ -458,15 +467,15 @@ namespace hybrid
     summary.peak_memory    = peak_memory();
     summary.probable_error.cost =
       summary.stages["steps"]; // twice as many, which need not be harder
-    found = summary;
-    if (end_of_second_run())
-      summary.probable_error.second_step = second_time_step();
-    else if (summary.probable_error.runs_would_do && !has_error_target() && record &&
-             record->until < least_steps_to_compare * time_step())
+    if (summary.probable_error.runs_would_do && !has_error_target() && record &&
+        record->until < least_steps_to_compare * std::max(time_step(), second_time_step()))
       {
         summary.probable_error.reason        = "a joint failed in the first steps";
         summary.probable_error.runs_would_do = false;
       }
+    found = summary;
+    if (end_of_second_run())
+      summary.probable_error.second_step = second_time_step();
     summary.mesh_error.follows       = end_of_coarser_runs().has_value();
     summary.mesh_error.runs_would_do = may_tell_mesh_error();
     output::write_summary(summary, model.scene.output.directory + "/summary.json");

@@ -37,7 +37,7 @@ namespace hybrid
    *
    * - Where slip, flight or cracks decide, the error of the step: the scene once more with half or
    *   twice the step (Time/Error estimate).
-   * - Where there are blocks, that of their mesh: with meshes twice and four times as coarse
+   * - Where the mesh can be made coarser, that of the mesh: with it twice and four times as coarse
    *   (Mesh/Error estimate).
    *
    * Each goes up to the first failed joint. One that is interrupted or fails is told, and does no

@@ -12,8 +12,6 @@
 #include <hybrid/scene_model.h>
 #include <hybrid/step_choice.h>
 
-#include <algorithm>
-
 namespace hybrid
 {
   /**
@@ -79,11 +77,8 @@ namespace hybrid
     /// Blocks, or without any the unknowns of the bedrock: what a coarser mesh has fewer of.
     double mesh_count() const;
 
-    /// Order of the error of the bedrock's mesh, at most: that of the elements, but for corners.
-    double order_of_waves() const
-    {
-      return std::min(model.scene.continuum.degree + 1., 4.);
-    }
+    /// Order of the error of the mesh, at most: of blocks, or without any of the elements.
+    double mesh_order() const;
 
     bool has_error_target() const
     {

@@ -233,8 +233,9 @@ namespace hybrid::output
         error.runs_would_do =
           times.size() >= least_rows && !monitors.empty() && !is_damped && !error.may_flutter;
         if (error.may_flutter)
-          error.reason = "blocks without damping slide, and flutter in steps that resolve it: set "
-                         "Blocks/Damping ratio";
+          error.reason =
+            "blocks without damping slide, and may flutter in steps that resolve it: set "
+            "Blocks/Damping ratio";
         return;
       }
     error.until = record.until;

@@ -91,6 +91,8 @@ def check_flutter(words, work, require):
     require("flutter in steps that resolve it: set Blocks/Damping ratio" in output and "by the run in steps" not in output,
             "blocks that may flutter: no error is told, and what helps is", output)
     require("by the run in steps" in damped, "damped ones have theirs", damped)
+    _, flat = run(*words, "direct_shear", work / "flat", "Materials/joint/Friction angle=10")
+    require("by the run in steps" in flat, "so have those on a belt of 10 degrees", flat)
 
 
 def check_interruption(words, work, require):

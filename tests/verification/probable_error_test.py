@@ -175,12 +175,8 @@ def compare_meshes(binary, source, work, name):
         yield cells, true_errors(run(cells), run(finest), cells / finest, 4, None), [said[q]["part_of_peak"] for q in QUANTITIES]
 
 
-def ratio(estimated, true):
-    return max(estimated, FLOOR) / max(true, FLOOR)
-
-
 def judge(name, what, true, estimated):
-    ratios = [ratio(e, t) for e, t in zip(estimated, true)]
+    ratios = [e / t for e, t in zip(estimated, true)]
     good = all(1 / FACTOR < r < FACTOR for r in ratios)
     print("%-20s %s: true %s, estimated over true %s%s" % (name, what, " ".join("%.2g" % t for t in true),
           " ".join("%.2f" % r for r in ratios), "" if good else "  <-- not within %g" % FACTOR))
@@ -228,8 +224,9 @@ def percent(values):
 
 
 def row(label, size_of_it, true, estimated):
-    ratios = [ratio(e, t) for e, t in zip(estimated, true)]
-    ratios = [("%.2g" if 1 / FACTOR <= r <= FACTOR else "**%.2g**") % r for r in ratios]
+    ratios = ["%.2g" % (e / t) if t > 1e-8 else "-" for e, t in zip(estimated, true)]  # less is round-off
+    told = [max(e, FLOOR) / max(t, FLOOR) for e, t in zip(estimated, true)]
+    ratios = [r if 1 / FACTOR <= as_told <= FACTOR else "**%s**" % r for r, as_told in zip(ratios, told)]
     return "| %s | %g | %s | %s | %s |" % (label, size_of_it, percent(true), percent(estimated), ", ".join(ratios))
 
 

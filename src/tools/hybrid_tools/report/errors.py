@@ -38,7 +38,7 @@ def row(what, found, part, by):
 def halved(found, part, half):
     """What is left with half of it."""
     as_much = all(found[part].get(q) == found[half].get(q) for q in QUANTITIES)
-    return ["with half of it"] + cells(found[half]) + ["no order is seen" if as_much else ""]
+    return ["with half of it"] + cells(found[half]) + ["as much" if as_much else ""]
 
 
 def rows_of(run):
