@@ -116,6 +116,12 @@ namespace hybrid::dda
       }
     for (BlockProperties &block : copy.blocks)
       block.damping_time = block.loose_damping_time = 0.;
+    // The steps' sizes say nothing of time, so neither do their rates of slip.
+    for (Joint &joint : copy.joints)
+      joint.law = joint.law.without_rate_effect();
+    for (std::vector<ContactLaw> &laws : copy.contacts.of)
+      for (ContactLaw &contact : laws)
+        contact.law = contact.law.without_rate_effect();
     copy.newmark             = Newmark::preset("shi");
     copy.dynamic_coefficient = 1.;
     copy.iteration.tolerance = 0.1 * static_target;

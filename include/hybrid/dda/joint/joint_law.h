@@ -80,6 +80,14 @@ namespace hybrid::dda
       return law;
     }
 
+    /// The same without an effect of the rate of slip: that of rest.
+    JointLaw without_rate_effect() const
+    {
+      JointLaw law                  = *this;
+      law.strength.rate_coefficient = 0.;
+      return law;
+    }
+
     /// The same with a bond that no tension tears.
     JointLaw without_tensile_failure() const
     {

@@ -395,8 +395,8 @@ namespace
     DdaState     state;
     StaticResult result;
 
-    LeaningBlock(const bool resets, const double tensile_strength)
-      : model(make(tensile_strength))
+    LeaningBlock(const bool resets, const double tensile_strength, const double rate_effect = 0.)
+      : model(make(tensile_strength, rate_effect))
       , state(initial_state(model))
       , result(settle(model, state, false, {}, resets))
     {}
@@ -410,7 +410,7 @@ namespace
     }
 
   private:
-    static Model make(const double tensile_strength)
+    static Model make(const double tensile_strength, const double rate_effect)
     {
       const double           angle     = 20. * M_PI / 180.;
       scene::SceneParameters p         = strong(30.);
@@ -419,6 +419,8 @@ namespace
       weak.friction_angle              = 5.;
       weak.cohesion                    = 0.;
       weak.tensile_strength            = tensile_strength;
+      weak.rate_coefficient            = rate_effect;
+      weak.reference_rate              = 1e-6;
       p.materials["weak"]              = weak;
       p.blocks.saturated_belt_material = "rock";
       p.blocks.belt_material           = "weak";
@@ -430,6 +432,20 @@ namespace
     }
   };
 } // namespace
+
+
+
+TEST(StaticStage, its_steps_are_no_rates_of_slip)
+{
+  const LeaningBlock slow(false, 1e6);
+  for (const double effect : {-0.5, 0.5})
+    {
+      const LeaningBlock rated(false, 1e6, effect);
+      EXPECT_TRUE(rated.result.equilibrium);
+      for (std::size_t b = 0; b < slow.state.blocks.size(); ++b)
+        EXPECT_EQ(rated.state.blocks[b].centroid, slow.state.blocks[b].centroid);
+    }
+}
 
 
 
