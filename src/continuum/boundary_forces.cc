@@ -33,6 +33,39 @@ namespace hybrid::continuum
     {
       return std::sqrt(m.density * (m.lame_lambda() + 2. * m.shear_modulus()));
     }
+
+    /// The plane that lies between two nodes at one place, where it ends; none if nothing parts
+    /// them, or more than one plane.
+    std::optional<ColumnJoint>
+    plane_between(const RockMesh &rock, const int node, const int other, const int degree)
+    {
+      for (std::size_t f = 0; f < rock.joints.size() && node != other; ++f)
+        {
+          const RockFace &first = rock.joints[f].first, &second = rock.joints[f].second;
+          for (const auto &[one, two, far] : {std::array<int, 3>{first.a, second.a, first.b},
+                                              std::array<int, 3>{first.b, second.b, first.a}})
+            if ((one == node && two == other) || (one == other && two == node))
+              {
+                // Tangents run to +x, points along them (BeddingPlanes).
+                const Vec2 inwards = (rock.nodes[far] - rock.nodes[node]).normalized();
+                const bool starts  = inwards.x() > 0.;
+                const int  points  = degree + 1;
+                return ColumnJoint{0,
+                                   starts ? inwards : Vec2(-inwards),
+                                   static_cast<int>(f) * points + (starts ? 0 : points - 1)};
+              }
+        }
+      return std::nullopt;
+    }
+
+    std::optional<PlaneStrength> strength_of(const scene::BeddingParameters &bedding)
+    {
+      if (!bedding.slips)
+        return std::nullopt;
+      return PlaneStrength{std::tan(bedding.friction_angle * M_PI / 180.),
+                           bedding.cohesion,
+                           bedding.tensile_strength};
+    }
   } // namespace
 
 
@@ -144,7 +177,11 @@ namespace hybrid::continuum
     std::sort(side.begin(), side.end(), [&](const RockFace &f, const RockFace &g) {
       return middle(f) < middle(g);
     });
-    FreeFieldColumn::Model column;
+    const bool      named = !scene.continuum.half_space_material.empty();
+    const Material &below = named ? half_space : cell_material[side.front().cell];
+
+    FreeFieldColumn::Model column = column_model(below, scene);
+    int                    end    = -1; ///< of the face before
     for (auto &rock_face : side)
       {
         if (rock.nodes[rock_face.a].y() > rock.nodes[rock_face.b].y())
@@ -166,18 +203,35 @@ namespace hybrid::continuum
                                std::to_string(rock.nodes[rock_face.a].x()) + ", " +
                                std::to_string(bottom) +
                                ") is not; viscous sides may have any shape");
-            face.column      = static_cast<int>(columns.size());
-            face.column_node = static_cast<int>(column.elements.size()) * line.degree();
-            face.lambda      = material.lame_lambda();
+            const int element = static_cast<int>(column.elements.size());
+            auto      joint =
+              end < 0 ? std::nullopt : plane_between(rock, end, rock_face.a, line.degree());
+            if (joint.has_value())
+              {
+                joint->element = element;
+                column.joints.joints.push_back(*joint);
+              }
+            end         = rock_face.b;
+            face.column = static_cast<int>(columns.size());
+            face.column_node =
+              element * line.degree() + static_cast<int>(column.joints.joints.size());
+            face.lambda = material.lame_lambda();
             column.elements.push_back({bottom, top, material.density, face.lambda, face.shear});
           }
         faces.push_back(face);
       }
     if (!free_field)
       return;
+    column_offset.push_back(static_cast<int>(n_column_unknowns()));
+    columns.emplace_back(line, column);
+  }
+
+
+  FreeFieldColumn::Model BoundaryForces::column_model(const Material               &below,
+                                                      const scene::SceneParameters &scene) const
+  {
+    FreeFieldColumn::Model column;
     column.foot               = compliant ? Foot::impedance : Foot::prescribed;
-    const bool      named     = !scene.continuum.half_space_material.empty();
-    const Material &below     = named ? half_space : cell_material[side.front().cell];
     column.foot_impedance     = Vec2(s_impedance(below), p_impedance(below));
     column.newmark            = scene.time.newmark;
     column.rayleigh_mass      = scene.continuum.rayleigh_mass;
@@ -185,8 +239,9 @@ namespace hybrid::continuum
     column.maxwell            = maxwell_body(scene.maxwell.bedrock_ratio,
                                   {scene.maxwell.lowest, scene.maxwell.highest},
                                   scene.maxwell.branches);
-    column_offset.push_back(static_cast<int>(n_column_unknowns()));
-    columns.emplace_back(line, column);
+    column.joints.stiffness   = {scene.bedding.normal_stiffness, scene.bedding.shear_stiffness};
+    column.joints.strength    = strength_of(scene.bedding);
+    return column;
   }
 
 
@@ -254,11 +309,13 @@ namespace hybrid::continuum
   }
 
 
-  void BoundaryForces::step_columns(const FreeFieldColumn::ConstMotion &old,
+  bool BoundaryForces::step_columns(const FreeFieldColumn::ConstMotion &old,
                                     const FreeFieldColumn::Motion      &next,
                                     const double                        time,
-                                    const double                        dt)
+                                    const double                        dt,
+                                    const std::vector<SlipState>       &slip)
   {
+    bool                   found = true;
     FreeFieldColumn::Input input;
     if (compliant)
       input.wave_velocity = motion.upgoing_velocity(time + dt);
@@ -268,21 +325,52 @@ namespace hybrid::continuum
       {
         const int  o     = column_offset[c];
         const bool keeps = next.change != nullptr, damped = next.branch != nullptr;
-        columns[c].step({old.u + o,
-                         old.v + o,
-                         old.a + o,
-                         keeps ? old.change + o : nullptr,
-                         old.last_step,
-                         damped ? old.branch + o : nullptr,
-                         old.stride},
-                        {next.u + o,
-                         next.v + o,
-                         next.a + o,
-                         keeps ? next.change + o : nullptr,
-                         damped ? next.branch + o : nullptr},
-                        dt,
-                        input);
+        found &= columns[c].step({old.u + o,
+                                  old.v + o,
+                                  old.a + o,
+                                  keeps ? old.change + o : nullptr,
+                                  old.last_step,
+                                  damped ? old.branch + o : nullptr,
+                                  old.stride},
+                                 {next.u + o,
+                                  next.v + o,
+                                  next.a + o,
+                                  keeps ? next.change + o : nullptr,
+                                  damped ? next.branch + o : nullptr},
+                                 dt,
+                                 input,
+                                 slip.empty() ? nullptr : &slip[c]);
       }
+    return found;
+  }
+
+
+  std::vector<SlipState> BoundaryForces::column_slip_at_rest() const
+  {
+    std::vector<SlipState> result;
+    bool                   any = false;
+    for (const auto &column : columns)
+      {
+        result.push_back(column.plane_joints().initial_state());
+        any |= column.plane_joints().slips();
+      }
+    return any ? result : std::vector<SlipState>();
+  }
+
+
+  void BoundaryForces::keep_column_slip(std::vector<SlipState> &slip) const
+  {
+    for (std::size_t c = 0; c < slip.size(); ++c)
+      if (columns[c].plane_joints().slips())
+        columns[c].plane_joints().keep(slip[c]);
+  }
+
+
+  void BoundaryForces::set_column_rest(const std::vector<double> &traction,
+                                       const std::vector<char>   &failed)
+  {
+    for (auto &column : columns)
+      column.plane_joints().set_rest(traction, failed);
   }
 
 

@@ -266,7 +266,10 @@ namespace hybrid::continuum
       state.acceleration_change.assign(n, 0.);
     state.surface_force.assign(2 * impl->surface.size(), 0.);
     if (impl->slip != nullptr)
-      state.slip = impl->slip->initial_state();
+      {
+        state.slip        = impl->slip->initial_state();
+        state.column_slip = impl->boundary->column_slip_at_rest();
+      }
     state.maxwell =
       impl->waves != nullptr ? impl->maxwell.strains_at_rest() : impl->maxwell.at_rest();
     return state;

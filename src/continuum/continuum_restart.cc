@@ -45,10 +45,11 @@ namespace hybrid::continuum
            force,
            contact,
            slip,
+           column_slip,
            maxwell,
            energy] = state;
     archive(time, last_step, displacement, velocity, acceleration, of_contacts, change, force);
-    archive(contact, slip, maxwell, energy);
+    archive(contact, slip, column_slip, maxwell, energy);
   }
 
 

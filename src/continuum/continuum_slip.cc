@@ -61,6 +61,8 @@ namespace hybrid::continuum
 
   SlipStatus Continuum::Implementation::update_slip(const ContinuumState &state, const double dt)
   {
+    if (!columns_settled)
+      return SlipStatus::failed;
     StepMatrix &matrix = step_matrix(dt);
     take_displacement(state, dt);
     const SlipStatus status = slip->solve(matrix.slip_relaxation, state.slip, u1);

@@ -120,20 +120,24 @@ namespace hybrid::continuum
   {
     const std::size_t n     = n_dofs();
     const bool        keeps = newmark.filter > 0.;
-    boundary->step_columns({state.displacement.data() + n,
-                            state.velocity.data() + n,
-                            state.acceleration.data() + n,
-                            keeps ? state.acceleration_change.data() + n : nullptr,
-                            state.last_step,
-                            maxwell.is_on() ? state.maxwell.strain.data() + n : nullptr,
-                            n + column_u.size()},
-                           {column_u.data(),
-                            column_v.data(),
-                            column_a.data(),
-                            keeps ? column_change.data() : nullptr,
-                            maxwell.is_on() ? maxwell1.strain.data() + n : nullptr},
-                           state.time,
-                           dt);
+    if (slip != nullptr)
+      boundary->set_column_rest(slip->rest_tractions(), slip->rest_failures());
+    columns_settled =
+      boundary->step_columns({state.displacement.data() + n,
+                              state.velocity.data() + n,
+                              state.acceleration.data() + n,
+                              keeps ? state.acceleration_change.data() + n : nullptr,
+                              state.last_step,
+                              maxwell.is_on() ? state.maxwell.strain.data() + n : nullptr,
+                              n + column_u.size()},
+                             {column_u.data(),
+                              column_v.data(),
+                              column_a.data(),
+                              keeps ? column_change.data() : nullptr,
+                              maxwell.is_on() ? maxwell1.strain.data() + n : nullptr},
+                             state.time,
+                             dt,
+                             state.column_slip);
     boundary->incoming(state.time + dt,
                        column_u.data(),
                        column_v.data(),
@@ -269,7 +273,10 @@ namespace hybrid::continuum
       take_maxwell(state, dt);
     add_energy(state, dt, force);
     if (slip != nullptr)
-      add_slip_energy(state);
+      {
+        add_slip_energy(state);
+        boundary->keep_column_slip(state.column_slip);
+      }
     std::swap(state.maxwell, maxwell1);
     if (newmark.filter > 0.)
       keep_change(state, dt);

@@ -42,6 +42,18 @@ namespace hybrid::continuum
     SlipStatus solve_rest(const Eigen::MatrixXd &relaxation, const std::vector<double> &u);
     StaticSlip keep_rest(const std::vector<double> &u);
 
+    /// Tractions at rest on the points [Pa].
+    const std::vector<double> &rest_tractions() const
+    {
+      return rest;
+    }
+
+    /// Points that failed at rest.
+    const std::vector<char> &rest_failures() const
+    {
+      return rest_failed;
+    }
+
     /// What keep_rest() kept, for the checkpoint.
     void serialize_rest(restart::Archive &archive);
 

@@ -8,6 +8,7 @@
 #include <hybrid/scene/motion/ground_motion.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
+#include <optional>
 #include <vector>
 
 namespace hybrid::continuum
@@ -29,8 +30,9 @@ namespace hybrid::continuum
    * and velocity of the free-field column on a free-field side; k = 0 unless the scene asks for
    * springs (boundary_springs.h). Their free field is the column's on a free-field side, at rest on
    * a viscous one; on the base it is that of the columns' feet, linear between them, and without
-   * columns the upgoing wave. All integrals are consistent with the element's edge basis, so a
-   * corner takes each dashpot once.
+   * columns the upgoing wave. Where a bedding plane meets a free-field side its column has the
+   * plane's joint (ColumnJoints); two planes that meet there are welded in it. All integrals are
+   * consistent with the element's edge basis, so a corner takes each dashpot once.
    */
   class BoundaryForces
   {
@@ -82,11 +84,23 @@ namespace hybrid::continuum
     std::size_t n_column_unknowns() const;
 
     /// One step of the free-field columns; @p u, v, a: their unknowns at the start, the others
-    /// receive the end.
-    void step_columns(const FreeFieldColumn::ConstMotion &old,
+    /// receive the end. @param slip of each column's joints at the start, if planes may slip
+    /// @return false if the slip of a column was not found.
+    bool step_columns(const FreeFieldColumn::ConstMotion &old,
                       const FreeFieldColumn::Motion      &next,
                       double                              time,
-                      double                              dt);
+                      double                              dt,
+                      const std::vector<SlipState>       &slip = {});
+
+    /// Slip of each column's joints; empty unless planes that may slip meet a free-field side.
+    std::vector<SlipState> column_slip_at_rest() const;
+
+    /// Write the slip of the last step_columns() into the state.
+    void keep_column_slip(std::vector<SlipState> &slip) const;
+
+    /// Tractions at rest on the points of BeddingPlanes [Pa], and which have failed: a column's
+    /// joint begins with those of the point next to it.
+    void set_column_rest(const std::vector<double> &traction, const std::vector<char> &failed);
 
     /// The motion of the columns as seen from the boundary, and the tractions they and the base
     /// send in.
@@ -152,6 +166,10 @@ namespace hybrid::continuum
                   const std::vector<Material> &,
                   std::vector<RockFace>,
                   const scene::SceneParameters &);
+
+    /// What columns of this scene have in common; below: the rock under the foot.
+    FreeFieldColumn::Model column_model(const Material               &below,
+                                        const scene::SceneParameters &scene) const;
 
     Face make_face(const RockMesh &,
                    const ElementNodes &,

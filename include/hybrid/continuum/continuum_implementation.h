@@ -93,6 +93,7 @@ namespace hybrid::continuum
     std::vector<double>      du, da, u1, v1, a0, a1, c1;  ///< da: what makes the scheme's loss
     double                   filter = 0.;                 ///< Newmark::filter_in() of this step [-]
     std::vector<double>      slip_work, excess0, excess1; ///< with slipping planes only
+    bool                     columns_settled = true; ///< the slip of the columns' joints was found
     MaxwellState             maxwell1;        ///< at the end of the step, with Maxwell damping only
     std::vector<double>      column_stressed; ///< the columns' MaxwellMemory::stressed(), likewise
     Eigen::VectorXd          surface_load, surface_motion;

@@ -44,8 +44,10 @@ namespace hybrid::continuum
     std::vector<double> surface_force;        ///< lambda of the last step [N/m]; empty: zero
     std::vector<double> surface_contact; ///< its part that ended with the step [N/m]; empty: zero
     SlipState           slip;            ///< of bedding planes
-    MaxwellState        maxwell;         ///< of Maxwell damping
-    ContinuumEnergy     energy;
+    std::vector<SlipState> column_slip;  ///< of the planes' joints in each free-field column; empty
+                                         ///< where none slips
+    MaxwellState    maxwell;             ///< of Maxwell damping
+    ContinuumEnergy energy;
   };
 
   // All members, for the checkpoint (restart/archive.h).

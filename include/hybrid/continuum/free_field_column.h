@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/continuum/column_joints.h>
 #include <hybrid/continuum/lagrange_line.h>
 #include <hybrid/scene/maxwell_body.h>
 #include <hybrid/scene/newmark.h>
@@ -24,7 +25,8 @@ namespace hybrid::continuum
    * varies along x, so that u_x(y) is a shear wave and u_y(y) a P wave,
    *   rho u_x'' = (G u_x,y),y   rho u_y'' = ((lambda + 2 G) u_y,y),y,
    * with the same elements along y, the same Newmark scheme, inertia and damping as the model's
-   * side. Free on top.
+   * side. Where a bedding plane meets the side two nodes lie at one place, held together by the
+   * joint of the plane (ColumnJoints). Free on top.
    */
   class FreeFieldColumn
   {
@@ -45,6 +47,7 @@ namespace hybrid::continuum
       Newmark              newmark;
       double               rayleigh_mass = 0., rayleigh_stiffness = 0.;
       MaxwellBody          maxwell;
+      ColumnJoints::Model  joints;
     };
 
     /// What acts on the foot at the end of a step.
@@ -59,6 +62,22 @@ namespace hybrid::continuum
     int n_nodes() const
     {
       return n;
+    }
+
+    /// The first node of element @p e.
+    int first_node(const int e) const
+    {
+      return e * width + joints.below(e);
+    }
+
+    ColumnJoints &plane_joints()
+    {
+      return joints;
+    }
+
+    const ColumnJoints &plane_joints() const
+    {
+      return joints;
     }
 
     const Model &description() const
@@ -85,7 +104,13 @@ namespace hybrid::continuum
 
     /// One Newmark step; with beta = 0 one of central differences, which takes a basis whose mass
     /// is by Lobatto's quadrature.
-    void step(const ConstMotion &old, const Motion &next, double dt, const Input &input);
+    /// @param slip of the joints at the start, if they may slip
+    /// @return false if their slip was not found.
+    bool step(const ConstMotion &old,
+              const Motion      &next,
+              double             dt,
+              const Input       &input,
+              const SlipState   *slip = nullptr);
 
   private:
     /// The matrix A = K + M/(beta dt^2) + gamma/(beta dt) C of a step; shear, P.
@@ -94,25 +119,39 @@ namespace hybrid::continuum
       double                         dt = 0.;
       std::array<Eigen::MatrixXd, 2> matrix; ///< its Cholesky factor
       std::array<Eigen::VectorXd, 2> foot;   ///< its first column, of the foot
+      ColumnJoints::Response         response;
     };
 
     const Factor &factor_for(double dt);
 
+    /// By damping, of the stiffness in a step [-].
+    double excess(double dt) const;
+
+    /// Motion of component @p c in an implicit step without the joints, into u.
+    void step_alone(const ConstMotion &old, double dt, const Input &input, int c);
+
+    /// Write component @p c of an implicit step, whose end is u.
+    void finish(const ConstMotion &old, const Motion &next, double dt, int c) const;
+
     void step_explicitly(const ConstMotion &old, const Motion &next, double dt, const Input &input);
 
-    /// Less the force of the branches in a step in which component @p c goes to zero, into rhs.
-    void add_past(const ConstMotion &old, double dt, int c);
+    /// What strains component @p c in an explicit step, into past; its branches move on.
+    void strain_explicitly(const ConstMotion &old, const Motion &next, double dt, int c);
+
+    /// Less the strain of the branches in a step in which component @p c goes to zero, into past.
+    void find_past(const ConstMotion &old, double dt, int c);
 
     /// Branches of component @p c at the end of a step.
     void advance(const ConstMotion &old, const Motion &next, double dt, int c) const;
 
     // Matrices are in LAPACK's lower band storage: band(r, j) = A(j + r, j).
     Model                          model;
-    int                            n, width;
+    ColumnJoints                   joints;
+    int                            width, n;
     Eigen::MatrixXd                mass;
-    std::array<Eigen::MatrixXd, 2> stiffness;          ///< shear, P
-    std::array<Eigen::MatrixXd, 2> inertia_correction; ///< shear, P; see inertia_correction.h
-    std::vector<Factor>            factors;            ///< the last few step sizes
-    Eigen::VectorXd                predicted, rate, rhs, past;
+    std::array<Eigen::MatrixXd, 2> stiffness;                ///< shear, P
+    std::array<Eigen::MatrixXd, 2> inertia_correction;       ///< shear, P; see inertia_correction.h
+    std::vector<Factor>            factors;                  ///< the last few step sizes
+    ColumnJoints::Nodal            predicted, rate, u, past; ///< u: forces before
   };
 } // namespace hybrid::continuum
