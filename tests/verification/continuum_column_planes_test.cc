@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Level ground with a horizontal bedding plane from side to side under a wave from below: with the
-// plane's joint in the free-field columns it stays one-dimensional, however narrow the section is.
+// Level ground with horizontal bedding planes from side to side under a wave from below: with the
+// planes' joints in the free-field columns it stays one-dimensional, however narrow the section is.
 #include <gtest/gtest.h>
 
 #include "continuum_check.h"
@@ -16,10 +16,10 @@ namespace
   using namespace hybrid;
   using namespace hybrid::continuum;
 
-  constexpr double height = 100., plane_at = 60., dt = 1e-3, seconds = 0.7;
-  constexpr int    rows = 10, plane_row = 6;
+  constexpr double height = 100., dt = 1e-3, seconds = 0.7;
+  constexpr int    rows = 10, plane_row = 6, deep_row = 3;
 
-  /// 500 m/s above the plane, 1000 m/s below.
+  /// 500 m/s above the upper plane, 1000 m/s below.
   scene::SectionMesh layers(scene::SectionMesh mesh, const int columns, const bool along_x)
   {
     for (std::size_t c = 0; c < mesh.bedrock_cells.size(); ++c)
@@ -28,16 +28,20 @@ namespace
     return mesh;
   }
 
-  scene::SectionMesh level_ground(const double width)
+  /// @param slope of the planes, by which all but base and ground is bent [-]
+  scene::SectionMesh level_ground(const double width, const double slope = 0.)
   {
     const int columns = static_cast<int>(width / 10.);
     auto      mesh    = layers(test::rectangle_mesh(test::equal_spacing(0., width, columns),
                                             test::equal_spacing(0., height, rows)),
                        columns,
                        false);
+    for (Vec2 &node : mesh.nodes)
+      node.y() +=
+        slope * (node.x() - 0.5 * width) * 4. * node.y() / height * (1. - node.y() / height);
     for (int i = 0; i < columns; ++i)
-      mesh.lines["bedding_1"].push_back(
-        {plane_row * (columns + 1) + i, plane_row * (columns + 1) + i + 1});
+      for (const auto &[name, row] : {std::pair{"bedding_1", plane_row}, {"bedding_2", deep_row}})
+        mesh.lines[name].push_back({row * (columns + 1) + i, row * (columns + 1) + i + 1});
     return mesh;
   }
 
@@ -49,8 +53,8 @@ namespace
                        rows,
                        true);
     for (int i = 0; i < 2; ++i)
-      mesh.lines["bedding_1"].push_back(
-        {i * (rows + 1) + plane_row, (i + 1) * (rows + 1) + plane_row});
+      for (const auto &[name, row] : {std::pair{"bedding_1", plane_row}, {"bedding_2", deep_row}})
+        mesh.lines[name].push_back({i * (rows + 1) + row, (i + 1) * (rows + 1) + row});
     const auto turned    = mesh.lines;
     mesh.lines["base"]   = turned.at("left");
     mesh.lines["ground"] = turned.at("right");
@@ -68,7 +72,8 @@ namespace
     scene.continuum.region_material["bedrock_upper"] = "upper";
     scene.continuum.sides                            = scene::free_field_side();
     scene.motion.angle                               = 90. * component;
-    scene.bedding.names                              = {"bedding_1"};
+    scene.environment.gravity                        = 0.;
+    scene.bedding.names                              = {"bedding_1", "bedding_2"};
     scene.bedding.normal_stiffness                   = 4e8;
     scene.bedding.shear_stiffness                    = 1e8;
     return scene;
@@ -86,8 +91,7 @@ namespace
 
   struct Result
   {
-    std::vector<std::vector<double>> top;  ///< velocity along the wave's motion
-    std::vector<double>              slip; ///< at the end, of all points [m]
+    std::vector<std::vector<double>> top; ///< velocity along the wave's motion
     ContinuumEnergy                  energy;
   };
 
@@ -101,6 +105,9 @@ namespace
     for (const Vec2 &place : places)
       points.push_back(continuum.point(place));
     continuum.watch(points);
+    const double gravity = scene.environment.gravity;
+    EXPECT_TRUE(gravity == 0. ||
+                continuum.solve_static_state(Eigen::VectorXd(), gravity).equilibrium);
     auto   state = continuum.initial_state();
     Result result;
     result.top.resize(points.size());
@@ -110,26 +117,17 @@ namespace
         for (std::size_t i = 0; i < points.size(); ++i)
           result.top[i].push_back(continuum.sample(state, points[i]).velocity[component]);
       }
-    for (const auto &plane : continuum.slipping_planes())
-      {
-        const auto  values = continuum.bedding_values(state, plane);
-        const auto &moved =
-          component == 0 || mesh.lines.at("base").front()[1] > 1 ? values.slip : values.opening;
-        result.slip.insert(result.slip.end(), moved.begin(), moved.end());
-      }
     continuum.collect(state, {});
     result.energy = continuum.audit_energy(state);
     return result;
   }
 
-  /// Narrow level ground, mirror images of places among those asked for.
   Result box(const scene::SceneParameters &scene, const int component, const double width = 20.)
   {
-    return run(
-      level_ground(width),
-      scene,
-      {{0., height}, {3., height}, {0.5 * width, height}, {width - 3., height}, {width, height}},
-      component);
+    std::vector<Vec2> places;
+    for (const double part : {0., 0.15, 0.5, 0.85, 1.})
+      places.emplace_back(part * width, height);
+    return run(level_ground(width), scene, places, component);
   }
 
   Result column(scene::SceneParameters scene, const int component)
@@ -202,4 +200,58 @@ TEST(ColumnPlanes, planes_that_slip_or_open_leave_it_in_one_dimension)
       scene.bedding.slips = false;
       EXPECT_GT(error(box(scene, component), expected), 0.1) << component; // the strength counts
     }
+}
+
+
+TEST(ColumnPlanes, so_does_a_wide_section_and_one_under_its_own_weight)
+{
+  auto scene = parameters(0);
+  weaken(scene.bedding);
+  const auto expected = column(scene, 0);
+  EXPECT_LT(error(box(scene, 0, 200.), expected), 1e-8);
+
+  // 40 m of rock weigh 10 kPa on the upper plane, 70 m 17.5 kPa on the lower one.
+  scene.environment.gravity           = 0.125;
+  scene.bedding.initial_normal_stress = 0.;
+  const auto narrow = box(scene, 0), wide = box(scene, 0, 200.);
+  EXPECT_LT(error(narrow, wide), 1e-8);
+  EXPECT_LT(residual(narrow.energy), 1e-9);
+  EXPECT_GT(error(narrow, expected), 1e-3); // the lower plane slips less
+}
+
+
+TEST(ColumnPlanes, steps_without_a_matrix_have_them_as_well)
+{
+  for (const int component : {0, 1})
+    for (const bool is_explicit : {false, true})
+      {
+        auto scene                         = parameters(component);
+        scene.continuum.is_explicit        = is_explicit;
+        scene.continuum.linear_solver      = scene::LinearSolver::conjugate_gradients;
+        scene.continuum.rayleigh_mass      = 0.4;
+        scene.continuum.rayleigh_stiffness = 1e-4;
+        scene.maxwell.bedrock_ratio        = 0.05;
+        scene.time.newmark                 = Newmark::preset("trapezoidal");
+        if (is_explicit)
+          scene.time.newmark.beta = 0.;
+        EXPECT_LT(error(box(scene, component), column(scene, component)), 1e-8)
+          << component << is_explicit;
+      }
+}
+
+
+TEST(ColumnPlanes, inclined_planes_move_like_their_mirror_image)
+{
+  const std::vector<Vec2> places = {{0., height}, {5., height}, {35., height}, {40., height}};
+  auto                    scene  = parameters(0);
+  weaken(scene.bedding);
+  scene.environment.gravity = 0.125;
+  const auto one            = run(level_ground(40., 0.2), scene, places, 0);
+  scene.motion.angle        = 180.;
+  const auto other          = run(level_ground(40., -0.2), scene, places, 0);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t k = 0; k < one.top[i].size(); ++k)
+      ASSERT_NEAR(one.top[i][k], -other.top[3 - i][k], 1e-9 * test::largest(one.top[i])) << k;
+  EXPECT_LT(residual(one.energy), 1e-9);
+  EXPECT_GT(one.energy.bedding_loss, 1e-3 * one.energy.input_work);
 }
