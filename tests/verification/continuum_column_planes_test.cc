@@ -6,7 +6,9 @@
 #include "continuum_check.h"
 #include "rectangle_mesh.h"
 
+#include <hybrid/restart/archive.h>
 #include <hybrid/scene/boundary/free_field_side.h>
+#include <hybrid/scene/boundary/rigid_base.h>
 #include <hybrid/scene/boundary/roller_side.h>
 
 #include <string>
@@ -203,6 +205,15 @@ TEST(ColumnPlanes, planes_that_slip_or_open_leave_it_in_one_dimension)
 }
 
 
+TEST(ColumnPlanes, so_they_do_on_a_rigid_base)
+{
+  auto scene = parameters(0);
+  weaken(scene.bedding);
+  scene.continuum.base = scene::rigid_base();
+  EXPECT_LT(error(box(scene, 0), column(scene, 0)), 1e-8);
+}
+
+
 TEST(ColumnPlanes, so_does_a_wide_section_and_one_under_its_own_weight)
 {
   auto scene = parameters(0);
@@ -254,4 +265,75 @@ TEST(ColumnPlanes, inclined_planes_move_like_their_mirror_image)
       ASSERT_NEAR(one.top[i][k], -other.top[3 - i][k], 1e-9 * test::largest(one.top[i])) << k;
   EXPECT_LT(residual(one.energy), 1e-9);
   EXPECT_GT(one.energy.bedding_loss, 1e-3 * one.energy.input_work);
+}
+
+
+TEST(ColumnPlanes, a_state_that_was_kept_goes_on_to_the_same_bits)
+{
+  auto scene = parameters(0);
+  weaken(scene.bedding);
+  const auto                mesh = level_ground(20.);
+  const scene::GroundMotion motion(test::ricker(6., dt), scene.motion);
+  Continuum                 one(mesh, scene, motion, MPI_COMM_WORLD);
+  auto                      state = one.initial_state();
+  const auto                steps = [&state](Continuum &continuum, const int count) {
+    for (int k = 0; k < count; ++k)
+      EXPECT_TRUE(continuum.step(state, dt));
+  };
+  steps(one, 350);
+  const std::vector<double> slipped = state.column_slip[0].jump;
+  EXPECT_GT(std::abs(slipped[1]), 1e-5);
+  auto writer = restart::Archive::writer();
+  writer(state);
+  steps(one, 200);
+  const auto expected = state;
+  EXPECT_NE(expected.column_slip[0].jump, slipped);
+
+  Continuum other(mesh, scene, motion, MPI_COMM_WORLD);
+  state       = other.initial_state();
+  auto reader = restart::Archive::reader(writer.content());
+  reader(state);
+  steps(other, 200);
+  EXPECT_EQ(state.displacement, expected.displacement);
+  EXPECT_EQ(state.column_slip[0].jump, expected.column_slip[0].jump);
+}
+
+
+TEST(ColumnPlanes, planes_that_meet_at_a_side_are_welded_in_its_column)
+{
+  // A lens between the planes, from side to side.
+  scene::SectionMesh mesh;
+  mesh.nodes          = {{0., 0.},
+                         {10., 0.},
+                         {20., 0.},
+                         {0., 50.},
+                         {10., 45.},
+                         {20., 50.},
+                         {10., 55.},
+                         {0., 100.},
+                         {10., 100.},
+                         {20., 100.}};
+  mesh.bedrock_cells  = {{0, 1, 4, 3}, {1, 2, 5, 4}, {3, 4, 5, 6}, {3, 6, 8, 7}, {6, 5, 9, 8}};
+  mesh.bedrock_region = {0, 0, 0, 0, 0};
+  mesh.bedrock_region_names = {"bedrock"};
+  mesh.lines["base"]        = {{0, 1}, {1, 2}};
+  mesh.lines["left"]        = {{0, 3}, {3, 7}};
+  mesh.lines["right"]       = {{2, 5}, {5, 9}};
+  mesh.lines["ground"]      = {{7, 8}, {8, 9}};
+  mesh.lines["bedding_1"]   = {{3, 4}, {4, 5}};
+  mesh.lines["bedding_2"]   = {{3, 6}, {6, 5}};
+  auto scene                = parameters(0);
+  weaken(scene.bedding);
+  for (const int planes : {1, 2})
+    {
+      scene.bedding.names = {"bedding_1", "bedding_2"};
+      scene.bedding.names.resize(planes);
+      Continuum  continuum(mesh, scene, {test::ricker(6., dt), scene.motion}, MPI_COMM_WORLD);
+      auto       state   = continuum.initial_state();
+      const auto columns = state.displacement.size() - continuum.n_unknowns();
+      EXPECT_EQ(columns, planes == 1 ? 2u * 2u * 6u : 2u * 2u * 5u);
+      EXPECT_EQ(state.column_slip.size(), planes == 1 ? 2u : 0u);
+      for (int k = 0; k < 300; ++k)
+        ASSERT_TRUE(continuum.step(state, dt));
+    }
 }

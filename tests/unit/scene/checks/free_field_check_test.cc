@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "expect_warning.h"
 
+#include <hybrid/scene/bedrock/triangles_bedrock.h>
 #include <hybrid/scene/boundary/fixed_base.h>
 #include <hybrid/scene/boundary/fixed_side.h>
 #include <hybrid/scene/boundary/free_field_side.h>
@@ -78,21 +79,61 @@ namespace hybrid::scene
     }
 
 
-    TEST(FreeFieldCheck, PlanesThatReachASideAreNamed)
+    /// With a plane from the side, 30 m up, by so much up or down to x = 100 m.
+    SectionMesh with_plane(const double rise)
     {
-      SectionMesh mesh        = section(100.);
-      mesh.lines["bedding_1"] = {mesh.lines.at("left").front()};
-      SceneParameters scene   = free_field();
+      SectionMesh mesh = section(100.);
+      mesh.nodes.emplace_back(0., 30.);
+      mesh.nodes.emplace_back(100., 30. + rise);
+      mesh.lines["left"]      = {{0, 8}, {8, 4}};
+      mesh.lines["bedding_1"] = {{8, 9}};
+      return mesh;
+    }
+
+
+    TEST(FreeFieldCheck, PlanesThatReachASideWithoutAJointAreNamed)
+    {
+      const SectionMesh mesh  = with_plane(0.);
+      SceneParameters   scene = free_field();
       scene.motion.type       = "ricker";
       scene.bedding.slips     = true;
       expect_warning(free_field_warnings(mesh, scene), {}); // welded
       scene.bedding.names = {"bedding_1"};
+      expect_warning(free_field_warnings(mesh, scene), {}); // the column has its joint
+      scene.bedrock = triangles_bedrock();
       expect_warning(free_field_warnings(mesh, scene),
                      {"bedding_1: a plane that reaches a side", "slips too little"});
       scene.bedding.slips = false;
       expect_warning(free_field_warnings(mesh, scene), {"bedding_1", "a little wrong"});
       scene.motion.type = "none";
       expect_warning(free_field_warnings(mesh, scene), {});
+    }
+
+
+    TEST(FreeFieldCheck, PlanesThatMeetAtASideAreNamed)
+    {
+      SectionMesh mesh        = with_plane(0.);
+      mesh.lines["bedding_2"] = {{8, 1}};
+      mesh.lines["bedding_3"] = {{8, 4}}; // along the side
+      SceneParameters scene   = free_field();
+      scene.motion.type       = "ricker";
+      scene.bedding.names     = {"bedding_1", "bedding_3"};
+      expect_warning(free_field_warnings(mesh, scene), {});
+      scene.bedding.names = {"bedding_1", "bedding_2"};
+      expect_warning(free_field_warnings(mesh, scene),
+                     {"bedding_1, bedding_2: planes that meet each other", "a little wrong"});
+    }
+
+
+    TEST(FreeFieldCheck, PlanesThatMeetAColumnAtAnAngleAreNamed)
+    {
+      SceneParameters scene = free_field();
+      scene.motion.type     = "ricker";
+      scene.bedding.names   = {"bedding_1"};
+      expect_warning(free_field_warnings(with_plane(3.), scene), {});
+      for (const double rise : {-20., 20.})
+        expect_warning(free_field_warnings(with_plane(rise), scene),
+                       {"bedding_1 meets a side at 11 degrees", "as in level ground"});
     }
 
 
