@@ -255,7 +255,7 @@ namespace hybrid::scene
       text
         << steepest->name << " meets a side at " << steepest->inclination
         << " degrees: the free-field column there has its joint, but as in level ground, and what "
-           "it sends in is a little wrong (of the peak some 5 % at 10 degrees, 15 % at 20, less "
+           "it sends in is a little wrong (6 to 10 % of the peak at 10 degrees, 12 to 22 at 20, less "
            "with the side farther away); let the sides be far away";
       return text.str();
     }
