@@ -152,9 +152,12 @@ namespace hybrid::output
       };
       if (std::isnan(base.mobilised_left))
         return "";
-      return indent + "shear strength of the sliding surface: " + percent(base.mobilised_at_rest) +
-             " mobilised at rest, at most " + percent(base.mobilised) + ", at the end " +
-             percent(base.mobilised_left);
+      const std::string most = "at most " + percent(base.mobilised);
+      return indent + "shear strength of the sliding surface: " +
+             (std::isnan(base.mobilised_at_rest)
+                ? most + " mobilised"
+                : percent(base.mobilised_at_rest) + " mobilised at rest, " + most) +
+             ", at the end " + percent(base.mobilised_left);
     }
 
 

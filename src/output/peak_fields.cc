@@ -132,7 +132,7 @@ namespace hybrid::output
                      peaks.peak_displacement().data(),
                      n,
                      2,
-                     "largest of each component, relative to the base");
+                     "largest of each component, relative to the base monitor if there is one");
     file.write_table(path + "peak_slip", "m", slip.data(), n, 1, "largest magnitude");
   }
 

@@ -377,13 +377,13 @@ namespace hybrid::output
                      displacement.data(),
                      displacement.size() / 2,
                      2,
-                     "of centroids at the end, relative to the base");
+                     "of centroids at the end, relative to the base monitor if there is one");
     file.write_table("section/blocks_peak_displacement",
                      "m",
                      peak_displacement.data(),
                      peak_displacement.size(),
                      1,
-                     "largest magnitude relative to the base");
+                     "largest magnitude, relative to the base monitor if there is one");
     const scene::EnvironmentParameters &around = parts.scene.environment;
     if (around.has_level())
       file.set_attribute("section", "water_level", std::vector<double>{around.water_level});

@@ -328,17 +328,27 @@ namespace hybrid::output
 
 
 
+    std::size_t joints_of_mass(const dda::Model &model)
+    {
+      return std::count_if(model.joints.begin(), model.joints.end(), [](const dda::Joint &joint) {
+        return !joint.within_bedrock();
+      });
+    }
+
+
+
     void describe(const Resolution             &r,
                   const scene::SceneParameters &scene,
                   const dda::Model             *blocks,
                   const continuum::Continuum   *continuum,
                   std::string                  &text)
     {
+      const std::size_t n_joints = blocks == nullptr ? 0 : joints_of_mass(*blocks);
       switch (r.part)
         {
           case ModelPart::continuum:
             text += line(
-              "Continuum  %d cells of degree %d, %zu unknowns, %zu on the contact surface; S %.4g, P %.4g m/s: resolves %.3g Hz",
+              "Continuum  %d cells of degree %d, %zu unknowns, %zu on the contact surface; slowest S %.4g, fastest P %.4g m/s: resolves %.3g Hz",
               continuum->resolution().cells,
               scene.continuum.degree,
               continuum->n_unknowns(),
@@ -357,8 +367,8 @@ namespace hybrid::output
             text += line("Blocks     %d block%s, %zu joint%s, %s",
                          blocks->n_mass(),
                          blocks->n_mass() == 1 ? "" : "s",
-                         blocks->joints.size(),
-                         blocks->joints.size() == 1 ? "" : "s",
+                         n_joints,
+                         n_joints == 1 ? "" : "s",
                          in_words(r).c_str());
         }
     }

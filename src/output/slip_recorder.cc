@@ -74,7 +74,8 @@ namespace hybrid::output
       return;
     slip.set_reference(state);
     const dda::SurfaceForce &rest = state.surface_force;
-    mobilised_at_rest             = mobilised(rest);
+    const bool               held = !std::isfinite(rest.strength);
+    mobilised_at_rest             = held ? MonitorSummary::unknown : mobilised(rest);
     file.set_attribute("base_shear",
                        "force_at_rest",
                        std::vector<double>{rest.force.x(), rest.force.y()});
@@ -154,7 +155,7 @@ namespace hybrid::output
                                        sign * force.shear,
                                        force.normal,
                                        mobilised_at_rest,
-                                       largest_mobilised,
+                                       std::max(largest_mobilised, mobilised(force)),
                                        mobilised(force)};
   }
 

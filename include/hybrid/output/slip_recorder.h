@@ -5,6 +5,8 @@
 #include <hybrid/output/sole_slip.h>
 #include <hybrid/output/summary.h>
 
+#include <limits>
+
 namespace hybrid::output
 {
   /// Slip on the sliding surface and the force on it, in run.h5 and in the summary; a run without
@@ -48,7 +50,8 @@ namespace hybrid::output
     Vec2   where = Vec2::Zero();                ///< the largest, as drawn [m]
     std::vector<double> farthest;               ///< of each sole, the size of its slip so far [m]
     double              largest_shear     = 0.; ///< so far, with its sign [N/m]
-    double              mobilised_at_rest = 0., largest_mobilised = 0.; ///< downhill [-]
+    double              mobilised_at_rest = MonitorSummary::unknown; ///< downhill [-]
+    double              largest_mobilised = -std::numeric_limits<double>::infinity(); ///< the same
 
     /// Shear over strength, downhill positive [-].
     double mobilised(const dda::SurfaceForce &force) const;

@@ -59,7 +59,7 @@ namespace hybrid::output
       double shear             = MonitorSummary::unknown; ///< of largest size, downhill + [N/m]
       double shear_left        = MonitorSummary::unknown; ///< at the end [N/m]
       double normal_left       = MonitorSummary::unknown; ///< likewise, compression positive [N/m]
-      double mobilised_at_rest = MonitorSummary::unknown; ///< before the motion
+      double mobilised_at_rest = MonitorSummary::unknown; ///< before the motion; NaN: held
       double mobilised         = MonitorSummary::unknown; ///< largest downhill during the run
       double mobilised_left    = MonitorSummary::unknown; ///< at the end
     };

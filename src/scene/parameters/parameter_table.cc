@@ -170,8 +170,10 @@ namespace hybrid::scene
     Entry     &entry      = implementation->entries[found->second];
     const bool is_variant = line.depth < entry.line.depth; // of a file that it includes
     if (entry.is_set && !line.is_override && !is_variant)
-      throw line.error("parameter '" + line.path() + "' is set a second time; the first is at " +
-                       entry.line.file + ":" + std::to_string(entry.line.line));
+      throw line.error(
+        "parameter '" + line.path() + "' is set a second time; the first is at " + entry.line.file +
+        ":" + std::to_string(entry.line.line) +
+        (line.depth > entry.line.depth ? "; include a file before what differs from it" : ""));
     entry.is_set = true;
     entry.line   = line;
 

@@ -52,6 +52,17 @@ namespace hybrid::output
 
 
 
+    TEST(EndText, AMassThatIsHeldHasMobilisedNothingAtRest)
+    {
+      Summary run                      = a_run();
+      run.base_shear.mobilised_at_rest = MonitorSummary::unknown;
+      EXPECT_NE(end_text(run, {}).in_file.find(
+                  "sliding surface: at most 100 % mobilised, at the end 65 %"),
+                std::string::npos);
+    }
+
+
+
     TEST(EndText, LeavesOutWhatARunDoesNotHave)
     {
       Summary run;

@@ -47,7 +47,7 @@ TEST_F(SceneErrors, DuplicateInAnIncludedFileNamesBothFiles)
 {
   write("more.prm", "subsection Blocks\n  set Material = rock\nend\n");
   expect_error(write_scene("include more.prm\n"),
-               {"more.prm:2: ", "a second time", "scene.prm:17"});
+               {"more.prm:2: ", "a second time", "scene.prm:17", "include a file before"});
 }
 
 TEST_F(SceneErrors, ValueThatIsNoNumberIsShownWithRangeAndUnit)

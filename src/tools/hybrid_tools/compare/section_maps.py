@@ -42,7 +42,7 @@ def draw(comparison, directory):
     bar = figure.colorbar(collection, ax=axes, shrink=0.7, aspect=30, pad=0.015)
     bar.set_label("displacement [%s]" % unit)
     bar.outline.set_linewidth(0.5)
-    style.title(figure, "Largest displacement relative to the base (blocks at their initial place)")
+    style.title(figure, "Largest displacement%s (blocks at their initial place)" % next(iter(sections.values())).reference)
     style.save(figure, directory, "section_maps")
 
 

@@ -28,6 +28,7 @@ class Section:
             self.final_blocks = np.split(run.get("section/blocks_points_final"), offsets[1:-1])
         self.final = self.magnitude(run, "section/blocks_displacement")
         self.peak = self.magnitude(run, "section/blocks_peak_displacement")
+        self.reference = " relative to the base" if run.base else ""
         self.outline = run.get("section/outline") if run.has("section/outline") else None
         self.surface = run.get("section/surface") if run.has("section/surface") else None
         self.water_line = run.get("section/water_line") if run.has("section/water_line") else None
@@ -232,7 +233,7 @@ def draw_main(section, axes):
         label = "largest displacement" if section.peak is not None else "displacement at the end"
         place = "\n" if len(section.blocks) <= 20 else " "
         place += "(blocks at their initial place)"
-        draw_blocks(axes, section.blocks, values, label + " relative to the base" + place, scale_of(values))
+        draw_blocks(axes, section.blocks, values, label + section.reference + place, scale_of(values))
     set_view(axes, section.low, section.high, margin_of(section))
     make_room_for_names(section, axes)
     draw_water(section, axes)

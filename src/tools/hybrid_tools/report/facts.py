@@ -11,6 +11,7 @@ from hybrid_run import MissingData
 from hybrid_run.parameters import changed_parameters
 
 GRAVITY = 9.81  # m/s2
+MUCH_MORE = 3.0  # times the slip: a mass that leans or yields, of which slip is no measure
 
 
 @dataclass
@@ -60,6 +61,15 @@ def farthest(run):
     return best
 
 
+def leaning(run):
+    """(monitor, mean displacement over the end of the run [m]) of the one that stays farthest from its place; None without monitors."""
+    if run.n < 2:
+        return None
+    end = run.time >= run.time[-1] - min(2.0, 0.1 * run.time[-1])
+    left = {name: float(np.hypot(*monitor.displacement[end].mean(axis=0))) for name, monitor in run.monitors.items() if name != run.base}
+    return max(left.items(), key=lambda item: item[1], default=None)
+
+
 def strongest(run):
     """(monitor, peak acceleration [m/s2] of both components): the largest, below the low-pass; the base counts if it is alone."""
     peaks = {name: monitor.peak() for name, monitor in run.monitors.items() if run.n >= 2}
@@ -100,6 +110,10 @@ def failed_joints(run):
     return joints.get("tensile", 0), joints.get("shear", 0), static.get("tensile", 0) + static.get("shear", 0)
 
 
+def listed(words):
+    return words[0] if len(words) == 1 else ", ".join(words[:-1]) + ", and " + words[-1]
+
+
 def headline(run):
     """One or two sentences: what the earthquake did."""
     peak, words = outcrop_peaks(run).max(), []
@@ -109,14 +123,18 @@ def headline(run):
     found = slip(run)
     if found is not None:
         mean = "" if run.is_level else ", by %s %s on average" % length(found[0])  # on level ground left and right cancel
-        words.append("the mass has slipped for good by up to %s %s%s" % (length(found[1]) + (mean,)))
+        way = " uphill" if found[1] < 0 and not run.is_level else ""
+        words.append("the mass has slipped for good by up to %s %s%s%s" % (length(abs(found[1])) + (way, mean)))
+        leans = leaning(run)
+        if leans and leans[1] > MUCH_MORE * abs(found[1]):
+            words.append("%s stays %s %s from where it was" % (leans[0], *length(leans[1])))
     elif run.has("section/blocks_displacement"):
         words.append("blocks lie up to %s %s from where they were" % length(np.hypot(*run.blocks.displacement[run.blocks.mass].T).max(initial=0)))
     joints = failed_joints(run)
     if joints is not None and is_bonded(run):
         n = joints[0] + joints[1]
         words.append("%s failed" % ("no joint has" if n == 0 else "one joint has" if n == 1 else "%d joints have" % n))
-    return subject + ("; " + ", and ".join(words) if words else "") + "."
+    return subject + ("; " + listed(words) if words else "") + "."
 
 
 def most_of_blocks(run):
