@@ -2,6 +2,7 @@
 #include <hybrid/error_runs.h>
 #include <hybrid/output/end_text.h>
 #include <hybrid/output/step_difference.h>
+#include <hybrid/output/told_errors.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/parameters/parameter_values.h>
@@ -9,6 +10,7 @@
 #include <hybrid/voice.h>
 
 #include <cmath>
+#include <cstdio>
 #include <iostream>
 
 namespace hybrid
@@ -24,6 +26,16 @@ namespace hybrid
 
     const std::string was_interrupted =
       "the further run did not come to its end, --resume begins it anew";
+
+
+
+    /// Of a time step: 0.0005 s.
+    std::string step_text(const double step)
+    {
+      char text[32];
+      std::snprintf(text, sizeof(text), "%.6g s", step);
+      return text;
+    }
 
 
 
@@ -154,6 +166,8 @@ namespace hybrid
       double             mesh_order; ///< at most
       output::StepRecord record;
       output::Summary    summary;
+
+      output::ToldErrors::Asked asked; ///< of further runs
     };
 
 
@@ -202,6 +216,36 @@ namespace hybrid
         error.cost = own * std::max(1., own / time_of_coarser);
       say(output::mesh_error_text(error), run, log);
     }
+
+
+
+    /// A run that is resumed after its end: what further runs have told. @return false: nothing.
+    bool tell_again(FinishedRun &run, output::Log &log)
+    {
+      const auto told = output::read_told_errors(told_errors_file(run.directory));
+      if (!told || !(told->asked == run.asked))
+        return false;
+      run.summary.probable_error = told->step;
+      run.summary.mesh_error     = told->mesh;
+      if (run.asked.second_step > 0.)
+        say(output::error_text(run.summary), run, log);
+      if (run.asked.of_mesh)
+        say(output::mesh_error_text(run.summary.mesh_error), run, log);
+      return true;
+    }
+
+
+
+    /// For the run that is resumed after its end, unless it is to try again.
+    void keep(const FinishedRun &run)
+    {
+      const output::Summary &summary = run.summary;
+      if ((run.asked.second_step > 0. && summary.probable_error.reason == was_interrupted) ||
+          (run.asked.of_mesh && summary.mesh_error.reason == was_interrupted))
+        return;
+      output::write_told_errors(told_errors_file(run.directory),
+                                {run.asked, summary.probable_error, summary.mesh_error});
+    }
   } // namespace
 
 
@@ -209,18 +253,21 @@ namespace hybrid
   RunStatus meet_error_target(std::unique_ptr<Simulation> simulation,
                               const SimulationMaker      &make,
                               const Processes            &processes,
+                              const output::Log          &log,
                               DirectoryLock              &lock,
                               const Interruption         &interruption)
   {
-    const std::string directory = simulation->directory();
-    StepChoice        choice    = simulation->next_step_size();
-    const auto        wanted    = [&] { return processes.from_first(choice.step.value_or(0.)); };
+    const std::string        directory = simulation->directory();
+    std::vector<std::string> said      = log.warnings();
+    StepChoice               choice    = simulation->next_step_size();
+    const auto wanted = [&] { return processes.from_first(choice.step.value_or(0.)); };
     for (double step = wanted(); step > 0.; step = wanted())
       {
-        const std::string            size = scene::number_text(step);
         const scene::SceneParameters scene =
-          read_scene_of_run(directory, {"Time/Time step=" + size});
+          read_scene_of_run(directory, {"Time/Time step=" + scene::number_text(step)});
         Voice voice(processes);
+        voice.log.info("Repeated in steps of " + step_text(step) + ": " + choice.why);
+        voice.log.be_quiet(said);
         processes.on_first([&] {
           if (simulation->step_record())
             output::write_step_record(step_record_file(directory), *simulation->step_record());
@@ -228,8 +275,9 @@ namespace hybrid
         simulation.reset(); // its memory
         simulation = make(directory, scene, voice.log);
         processes.on_first([&] { prepare_directory(scene, true, voice.log, lock); });
-        voice.log.info("Repeated in steps of " + size + " s: " + choice.why);
         simulation->report().card();
+        said = voice.log.warnings();
+        voice.log.speak();
         const RunStatus status = simulation->run(interruption);
         if (status != RunStatus::finished)
           return status;
@@ -262,8 +310,17 @@ namespace hybrid
     FinishedRun       run{simulation->directory(),
                     simulation->mesh_order(),
                     simulation->step_record().value_or(output::StepRecord()),
-                    simulation->summary()};
+                    simulation->summary(),
+                    {}};
+    run.asked = {run.summary.steps,
+                 run.summary.simulated_time,
+                 end_of_second > 0. ? simulation->second_time_step() : 0.,
+                 end_of_coarser > 0.};
     simulation.reset(); // its memory
+    bool is_told = false;
+    processes.on_first([&] { is_told = tell_again(run, log); });
+    if (processes.from_first(is_told ? 1. : 0.) != 0.)
+      return;
     FurtherRuns runs(run.directory, make, processes, interruption);
     if (end_of_second > 0.)
       {
@@ -288,5 +345,6 @@ namespace hybrid
         processes.on_first([&] { tell_mesh_error(coarser, runs, time, run, log); });
       }
     runs.leave_nothing();
+    processes.on_first([&] { keep(run); });
   }
 } // namespace hybrid

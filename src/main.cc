@@ -195,7 +195,7 @@ namespace
       return make_simulation(file, scene, processes, scene_log);
     };
     if (simulation->has_error_target())
-      return meet_error_target(std::move(simulation), make, processes, lock, interruption);
+      return meet_error_target(std::move(simulation), make, processes, log, lock, interruption);
     tell_errors_by_further_runs(std::move(simulation), make, processes, log, interruption);
     return status;
   }

@@ -26,7 +26,8 @@ namespace hybrid
                                            "joints.pvd",
                                            "continuum.pvd",
                                            "peaks.vtu",
-                                           "checkpoint/state.bin"};
+                                           "checkpoint/state.bin",
+                                           "checkpoint/told_errors.bin"};
 
 
 
@@ -128,6 +129,13 @@ namespace hybrid
   {
     std::error_code ignored; // all of it is the program's own
     fs::remove_all(further_run_directory(directory), ignored);
+  }
+
+
+
+  std::string told_errors_file(const std::string &directory)
+  {
+    return directory + "/checkpoint/told_errors.bin";
   }
 
 

@@ -22,11 +22,15 @@ namespace hybrid
 
   /**
    * Repeat a run that has finished, with shorter steps, until Time/Error target is met. Each
-   * repetition is a run of its own: it can be resumed, and looks at the target at its end.
+   * repetition is a run of its own: it can be resumed, and looks at the target at its end. Its
+   * card is in its log.txt only.
+   *
+   * @param log of the run that has finished: warnings that it has said are not said again
    */
   RunStatus meet_error_target(std::unique_ptr<Simulation> simulation,
                               const SimulationMaker      &make,
                               const Processes            &processes,
+                              const output::Log          &log,
                               DirectoryLock              &lock,
                               const Interruption         &interruption);
 

@@ -19,6 +19,9 @@ namespace hybrid
   /// Nothing of it is left.
   void forget_further_runs(const std::string &directory);
 
+  /// What further runs have told of its errors: a run that is resumed after its end says it again.
+  std::string told_errors_file(const std::string &directory);
+
   /// What a repetition of the run in @p directory is compared with (Time/Error target).
   std::string step_record_file(const std::string &directory);
 

@@ -2,7 +2,9 @@
 #include <hybrid/output/log.h>
 #include <hybrid/scene/input_error.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace hybrid::output
 {
@@ -52,32 +54,59 @@ namespace hybrid::output
 
   void Log::info(const std::string &text)
   {
-    write(text, text);
+    info(text, text);
   }
 
 
 
   void Log::info(const std::string &on_screen, const std::string &in_file)
   {
-    write(on_screen, in_file);
+    if (!known_warnings)
+      write_on_screen(on_screen);
+    write_in_file(in_file);
   }
 
 
 
   void Log::warning(const std::string &text)
   {
+    const bool is_known =
+      known_warnings &&
+      std::find(known_warnings->begin(), known_warnings->end(), text) != known_warnings->end();
     all_warnings.push_back(text);
-    write("warning: " + text, "warning: " + text);
+    if (!is_known)
+      write_on_screen("warning: " + text);
+    write_in_file("warning: " + text);
   }
 
 
 
-  void Log::write(const std::string &on_screen, const std::string &in_file)
+  void Log::be_quiet(std::vector<std::string> known)
   {
-    screen << (is_terminal ? "\r\033[K" : "") << on_screen << std::endl;
+    known_warnings = std::move(known);
+  }
+
+
+
+  void Log::speak()
+  {
+    known_warnings.reset();
+  }
+
+
+
+  void Log::write_on_screen(const std::string &text)
+  {
+    screen << (is_terminal ? "\r\033[K" : "") << text << std::endl;
+  }
+
+
+
+  void Log::write_in_file(const std::string &text)
+  {
     if (file.is_open())
-      file << in_file << std::endl;
+      file << text << std::endl;
     else
-      before_file += in_file + "\n";
+      before_file += text + "\n";
   }
 } // namespace hybrid::output

@@ -72,6 +72,8 @@ def check_slip(binary, scene, work, run_hybrid, require):
     code, output, errors, _ = run_hybrid(binary, scene, work / "slip", target)
     step = step_of(work / "slip")
     require(code == 0 and not errors and output.count("Repeated") == 1 and step == 0.002, "repeated once", output + errors)
+    log = (work / "slip/log.txt").read_text(encoding="utf-8")
+    require(output.count("Effects") == 1 and log.count("Effects") == 1, "the card is on the screen once, and in log.txt", output)
     error = probable_error(work / "slip")
     require(error["measured_from_time_step_s"] == 0.004 and error["time_step"]["displacement"]["part_of_peak"] <= 0.01,
             "the difference of both runs meets the target", output)
@@ -85,6 +87,8 @@ def check_slip(binary, scene, work, run_hybrid, require):
     subprocess.run([binary, scene, "--force", "-s", "Output/Directory=%s" % (work / "slip"), "-s", "Time/End time=0.1"], check=True,
                    capture_output=True)
     require(not record.exists(), "a new run forgets it", output)
+    _, output, _, _ = run_hybrid(binary, scene, work / "short", [*target, "Time/Time step=0.001"])
+    require("Repeated in steps of 0.0005 s:" in output, "a short step is printed as others are", output)
     _, output, errors, _ = run_hybrid(binary, scene, work / "damped", [*target, "Time/Dynamic coefficient=0.99"])
     require("Error target is not known to be met" in errors, "where runs in other steps would not tell it, it says so", output + errors)
 

@@ -63,6 +63,20 @@ def check_error(words, work, same_bits, require):
             "a run that tells its error has no second one", output)
 
 
+def check_resumed(words, work, require):
+    """A run that is resumed after its end says what further runs have told; one that goes on asks them anew."""
+    binary, place = str(words[0]), work / "two"
+    before = summary_of(place)["probable_error"]
+    said = (place / "log.txt").read_text(encoding="utf-8").splitlines()[-1]
+    done = subprocess.run([binary, "--resume", str(place)], capture_output=True, text=True, check=False)
+    log = (place / "log.txt").read_text(encoding="utf-8")
+    require(done.returncode == 0 and "iterations/step" not in done.stdout, "it is not computed again", done.stdout + done.stderr)
+    require(summary_of(place)["probable_error"] == before and log.splitlines()[-1] == said, "and says the same", done.stdout)
+    subprocess.run([binary, "--resume", str(place), "-s", "Time/End time=14"], capture_output=True, check=True)
+    after = summary_of(place)["probable_error"]
+    require(after["estimated"] and after["time_step"] != before["time_step"], "two seconds more have errors of their own", log)
+
+
 def check_mesh(words, work, same_bits, require):
     """A bar of bonded blocks: two meshes that are coarser tell the error of its own."""
     code, output = run(*words, "bonded_bar", work / "mesh")
@@ -110,7 +124,8 @@ def check_interruption(words, work, require):
     summary = summary_of(directory)
     require(in_time and process.returncode == 0 and summary["finished"] and not summary["probable_error"]["estimated"],
             "an interruption leaves a complete run", output)
-    require("the further run did not come to its end" in output and nothing_left(directory), "and says so", output)
+    require("the further run did not come to its end" in output and nothing_left(directory)
+            and not (directory / "checkpoint/told_errors.bin").exists(), "and says so; --resume tries again", output)
 
 
 def main():
@@ -124,6 +139,7 @@ def main():
     os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
     words = (binary, root)
     check_error(words, work, same_bits, require)
+    check_resumed(words, work, require)
     check_mesh(words, work, same_bits, require)
     check_failure(words, work, require)
     check_flutter(words, work, require)

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -40,6 +41,13 @@ namespace hybrid::output
     /// The same with "warning: " before it; warnings are counted.
     void warning(const std::string &text);
 
+    /// From now on lines go to the file only, but for warnings that are not among those @p known:
+    /// what the screen has said already.
+    void be_quiet(std::vector<std::string> known);
+
+    /// Lines go to the screen again.
+    void speak();
+
     /// All warnings so far.
     const std::vector<std::string> &warnings() const
     {
@@ -47,7 +55,9 @@ namespace hybrid::output
     }
 
   private:
-    void write(const std::string &on_screen, const std::string &in_file);
+    void write_on_screen(const std::string &text);
+
+    void write_in_file(const std::string &text);
 
     void catch_up(const std::string &file_name);
 
@@ -56,5 +66,7 @@ namespace hybrid::output
     std::ofstream            file;
     std::string              before_file; ///< what was said before open_file()
     std::vector<std::string> all_warnings;
+
+    std::optional<std::vector<std::string>> known_warnings; ///< quiet, but for others than these
   };
 } // namespace hybrid::output

@@ -35,6 +35,24 @@ namespace hybrid::output
     }
 
 
+    TEST(Log, QuietOneTellsTheScreenNewWarningsOnly)
+    {
+      const std::string  name = test::make_directory("quiet_log") + "/log.txt";
+      std::ostringstream screen;
+      Log                log(screen);
+      log.open_file(name);
+      log.be_quiet({"known"});
+      log.info("card");
+      log.warning("known");
+      log.warning("new");
+      log.speak();
+      log.info("end");
+      EXPECT_EQ(screen.str(), "warning: new\nend\n");
+      EXPECT_EQ(test::read_text(name), "card\nwarning: known\nwarning: new\nend\n");
+      EXPECT_EQ(log.warnings(), (std::vector<std::string>{"known", "new"}));
+    }
+
+
     TEST(Log, ProgressLineIsWipedOnATerminalOnly)
     {
       std::ostringstream screen;

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/told_errors.h>
+#include <hybrid/restart/archive.h>
+#include <hybrid/restart/checkpoint_file.h>
+
+#include <filesystem>
+
+namespace hybrid::output
+{
+  namespace
+  {
+    std::uint64_t layout_of_told_errors()
+    {
+      restart::Archive description = restart::Archive::describer();
+      ToldErrors       told;
+      description(told);
+      return restart::checksum(description.content());
+    }
+  } // namespace
+
+
+
+  bool operator==(const ToldErrors::Asked &one, const ToldErrors::Asked &other)
+  {
+    return one.steps == other.steps && one.end_time == other.end_time &&
+           one.second_step == other.second_step && one.of_mesh == other.of_mesh;
+  }
+
+
+
+  void serialize(restart::Archive &archive, Summary::ErrorPart &error)
+  {
+    auto &[part, where, slip_left] = error;
+    archive(part, where, slip_left);
+  }
+
+
+
+  void serialize(restart::Archive &archive, Summary::ProbableError &error)
+  {
+    auto &[reason,
+           runs_would_do,
+           may_flutter,
+           second_step,
+           assumed_order,
+           measured_from,
+           until,
+           failed_in_other,
+           step,
+           half_step,
+           parts,
+           mesh,
+           cost] = error;
+    archive(reason, runs_would_do, may_flutter, second_step, assumed_order, measured_from, until);
+    archive(failed_in_other, step, half_step, parts, mesh, cost);
+  }
+
+
+
+  void serialize(restart::Archive &archive, Summary::MeshError &error)
+  {
+    auto &[runs_would_do, follows, reason, meshes, until, failed_in_other, size, half_size, cost] =
+      error;
+    archive(runs_would_do, follows, reason, meshes, until, failed_in_other, size, half_size, cost);
+  }
+
+
+
+  void serialize(restart::Archive &archive, ToldErrors::Asked &asked)
+  {
+    auto &[steps, end_time, second_step, of_mesh] = asked;
+    archive(steps, end_time, second_step, of_mesh);
+  }
+
+
+
+  void serialize(restart::Archive &archive, ToldErrors &told)
+  {
+    auto &[asked, step, mesh] = told;
+    archive(asked, step, mesh);
+  }
+
+
+
+  void write_told_errors(const std::string &file_name, const ToldErrors &told)
+  {
+    restart::write_checkpoint(file_name, layout_of_told_errors(), [&](restart::Archive &archive) {
+      archive.put(told);
+    });
+  }
+
+
+
+  std::optional<ToldErrors> read_told_errors(const std::string &file_name)
+  {
+    if (!std::filesystem::exists(file_name))
+      return {};
+    const restart::CheckpointContent content = restart::read_checkpoint(file_name);
+    if (content.layout != layout_of_told_errors())
+      return {};
+    ToldErrors told;
+    restart::Archive::reader(content.state)(told);
+    return told;
+  }
+} // namespace hybrid::output
