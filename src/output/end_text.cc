@@ -243,15 +243,17 @@ namespace hybrid::output
         return "Error     of the time step: not estimated, " + error.reason + who_finds_it(summary);
       const std::string until   = until_text(error.until, error.failed_in_other);
       const bool        of_runs = !std::isnan(error.measured_from);
+      const std::string as_much = !of_runs || error.blocks_strike
+                                    ? "half the step leaves as much"
+                                    : "the runs do not come closer to each other, this is how far "
+                                      "they scatter";
+      const std::string strikes =
+        error.blocks_strike ? "; blocks strike each other, runs in other steps may go another way"
+                            : "";
       const std::string source =
         of_runs ? format("by the run in steps of %.4g s", error.measured_from) : "probably";
       return "Error     of the time step, " + source + until + ": " + peaks_text(error.step) +
-             half_text(error.step,
-                       error.half_step,
-                       "step",
-                       of_runs ? "the runs do not come closer to each other, this is how far they "
-                                 "scatter"
-                               : "half the step leaves as much");
+             half_text(error.step, error.half_step, "step", as_much) + strikes;
     }
 
 

@@ -156,9 +156,19 @@ namespace hybrid::output
       }
     scheme_total += std::abs(integration);
     scheme_sum += integration;
-    in_play = std::max(in_play, physical + std::abs(weight));
-    largest = std::max(largest, std::abs(imbalance));
+    in_play         = std::max(in_play, physical + std::abs(weight));
+    largest_kinetic = std::max(largest_kinetic, state.blocks.energy.kinetic);
+    largest         = std::max(largest, std::abs(imbalance));
     return terms;
+  }
+
+
+
+  double EnergyLedger::value(const std::string &name) const
+  {
+    const std::vector<std::string> all   = names();
+    const auto                     found = std::find(all.begin(), all.end(), name);
+    return found == all.end() || terms.empty() ? 0. : terms[found - all.begin()];
   }
 
 
@@ -193,5 +203,6 @@ namespace hybrid::output
   void EnergyLedger::serialize(restart::Archive &archive)
   {
     archive(start, terms, before, in_play, imbalance, scheme_total, scheme_sum, largest);
+    archive(largest_kinetic);
   }
 } // namespace hybrid::output

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/block_strikes.h>
 #include <hybrid/output/mesh_dispersion.h>
 #include <hybrid/output/probable_error.h>
 #include <hybrid/output/run_recorder.h>
@@ -21,10 +22,7 @@ namespace hybrid::output
     /// Parts of what a run lost, by name; 0 if it has none.
     double lost(const EnergyLedger &ledger, const std::string &name)
     {
-      const std::vector<std::string> names = ledger.names();
-      const auto                     found = std::find(names.begin(), names.end(), name);
-      const double value = found == names.end() ? 0. : ledger.values()[found - names.begin()];
-      return std::max(value, 0.);
+      return std::max(ledger.value(name), 0.);
     }
 
 
@@ -80,6 +78,16 @@ namespace hybrid::output
                                         (model->bonded[b] || !model->damps_loose));
       return any_undamped && !model->maxwell.is_on() &&
              friction_on_ground(*model) > std::tan(flutter_friction * M_PI / 180.);
+    }
+
+
+
+    int count_loose(const dda::Model *model)
+    {
+      int result = 0;
+      for (int b = 0; model != nullptr && b < model->n_mass(); ++b)
+        result += model->bonded[b] ? 0 : 1;
+      return result;
     }
 
 
@@ -223,6 +231,7 @@ namespace hybrid::output
       }
     Summary::ProbableError &error = summary.probable_error;
     error.reason                  = why_no_error(!record.monitors.empty());
+    error.blocks_strike           = blocks_strike(count_loose(parts.blocks), ledger);
     if (parts.scene.time.newmark.corrected_step > 0.)
       error.assumed_order = 2.; // of joints; waves have more
     if (!error.reason.empty())

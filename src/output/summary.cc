@@ -96,6 +96,7 @@ namespace hybrid::output
       return {{"estimated", true},
               {"measured_from_time_step_s", error.measured_from},
               {"until_s", error.until},
+              {"blocks_strike", error.blocks_strike},
               {"time_step", error_part(error.step)},
               {"half_the_step", error_part(error.half_step)},
               {"bedrock_mesh", error_part(error.mesh)}};

@@ -41,6 +41,7 @@ namespace hybrid::output
     auto &[reason,
            runs_would_do,
            may_flutter,
+           blocks_strike,
            second_step,
            assumed_order,
            measured_from,
@@ -51,8 +52,8 @@ namespace hybrid::output
            parts,
            mesh,
            cost] = error;
-    archive(reason, runs_would_do, may_flutter, second_step, assumed_order, measured_from, until);
-    archive(failed_in_other, step, half_step, parts, mesh, cost);
+    archive(reason, runs_would_do, may_flutter, blocks_strike, second_step, assumed_order);
+    archive(measured_from, until, failed_in_other, step, half_step, parts, mesh, cost);
   }
 
 

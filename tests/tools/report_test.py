@@ -281,3 +281,5 @@ def test_errors_are_those_of_the_summary():
     assert rows[0] == ["of the time step"] + ["1.2 (crest)"] * 3 + ["3", "a run in steps of 0.002 s, until a joint failed at 1.25 s"]
     assert rows[1][0] == "with half of it" and rows[1][1] == "0.3 (crest)"
     assert rows[2][-1] == "not known: the next mesh is hardly coarser"
+    Finished.summary["probable_error"].update(half_the_step=error(0.012), blocks_strike=True)
+    assert errors.rows_of(Finished)[1][-1] == "as much; blocks strike each other, runs in other steps may go another way"

@@ -68,6 +68,15 @@ namespace hybrid::output
       return terms;
     }
 
+    /// A term now [J/m]; 0 if there is none of that name.
+    double value(const std::string &name) const;
+
+    /// Largest kinetic energy that the blocks had at an audit so far [J/m].
+    double largest_kinetic_of_blocks() const
+    {
+      return largest_kinetic;
+    }
+
     /// Sum of the terms now over the energy in play so far [-].
     double residual() const
     {
@@ -126,5 +135,6 @@ namespace hybrid::output
     std::vector<double> start, terms, before;
     double              in_play   = 1e-300; ///< see exchanged() [J/m]
     double              imbalance = 0., scheme_total = 0., scheme_sum = 0., largest = 0.; ///< [J/m]
+    double              largest_kinetic = 0.; ///< of the blocks [J/m]
   };
 } // namespace hybrid::output

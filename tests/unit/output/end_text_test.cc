@@ -123,6 +123,26 @@ namespace hybrid::output
 
 
 
+    TEST(EndText, SaysThatBlocksStrikeEachOther)
+    {
+      Summary                 run   = a_run();
+      Summary::ProbableError &error = run.probable_error;
+      error.reason                  = "";
+      error.measured_from           = 5e-4;
+      error.step.part = error.half_step.part = {{0.04, 0.1, 0.5}};
+      error.step.where                       = {{"a", "b", "b"}};
+      error.blocks_strike                    = true;
+      EXPECT_EQ(
+        error_text(run).in_file,
+        "Error     of the time step, by the run in steps of 0.0005 s: displacement 4 % of the "
+        "peak (a), velocity 10 % (b), acceleration 50 % (b); half the step leaves as much; "
+        "blocks strike each other, runs in other steps may go another way");
+      error.blocks_strike = false;
+      EXPECT_NE(error_text(run).in_file.find("this is how far they scatter"), std::string::npos);
+    }
+
+
+
     TEST(EndText, SaysTheErrorOfTheMeshAndThatItsRunsScatter)
     {
       Summary::MeshError error;

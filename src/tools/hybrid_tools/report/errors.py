@@ -38,7 +38,10 @@ def row(what, found, part, by):
 def halved(found, part, half):
     """What is left with half of it."""
     as_much = all(found[part].get(q) == found[half].get(q) for q in QUANTITIES)
-    return ["with half of it"] + cells(found[half]) + ["as much" if as_much else ""]
+    notes = ["as much"] if as_much else []
+    if found.get("blocks_strike"):
+        notes.append("blocks strike each other, runs in other steps may go another way")
+    return ["with half of it"] + cells(found[half]) + ["; ".join(notes)]
 
 
 def rows_of(run):
