@@ -12,8 +12,9 @@ namespace hybrid::output
   {
     constexpr double least_motion = 1e-3; ///< of the largest [-]
     constexpr double least_slip   = 1e-2; ///< of the largest displacement [-]
-    constexpr double least_order  = 0.25;
-    constexpr double least_ratio  = 1.5; ///< of steps that were taken, for a difference that tells
+    constexpr double least_order  = 0.25; ///< of differences; below, runs scatter
+    constexpr double first_order  = 1.;   ///< differences that fall more slowly do so by chance
+    constexpr double least_ratio  = 1.5;  ///< of steps that were taken, for a difference that tells
 
     using History = std::vector<double>;
 
@@ -292,7 +293,7 @@ namespace hybrid::output
         const double found = q < 3 ? std::log(longer.difference[q] / *step[q]) / std::log(ratio)
                                    : MonitorSummary::unknown;
         const double p     = std::isnan(found) ? error.assumed_order
-                                               : std::clamp(found, least_order, error.assumed_order);
+                                               : std::clamp(found, first_order, error.assumed_order);
         *step[q] /= std::pow(ratio, p) - 1.;
         *half[q] = *step[q] * std::pow(0.5, p);
       }

@@ -22,9 +22,11 @@ namespace hybrid::output
    * d / (r^p - 1), with r the ratio of the steps and p the order (Richardson 1911).
    *
    * p is error.assumed_order, 1.45 as a rule, for which d is divided by sqrt(3) where r is 2: what
-   * is of first order is underestimated by that, what is of second overestimated. p is less if the
-   * difference to a third run says so. If the differences fall by less than a factor of r^(1/4) the
-   * runs do not converge: d tells how far they scatter, and half the step would leave as much.
+   * is of first order is underestimated by that, what is of second overestimated. p is less, down
+   * to 1, if the difference to a third run says so: differences that fall more slowly do so by
+   * chance, as slip and contacts begin within steps, and p below 1 told three to ten times too
+   * much. If the differences fall by less than a factor of r^(1/4) the runs do not converge: d
+   * tells how far they scatter, and half the step would leave as much.
    *
    * @param shorter its difference is set.
    */

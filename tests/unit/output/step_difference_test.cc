@@ -130,16 +130,29 @@ namespace hybrid::output
 
 
 
-    TEST(StepDifference, of_three_runs_tells_an_order_below_one)
+    TEST(StepDifference, of_three_runs_tells_first_order)
     {
-      const double p      = 0.5;
+      const double p      = 1.;
       const auto   at     = [&](const double step) { return 0.01 * std::pow(step / 2e-3, p); };
       StepRecord   middle = run_with(4e-3, at(4e-3)), shorter = run_with(2e-3, at(2e-3));
       Summary::ProbableError error = unknown_error();
       measure_error(run_with(8e-3, at(8e-3)), middle, error);
       measure_error(middle, shorter, error);
       EXPECT_NEAR(error.step.part[0], 0.01, 1e-3);
-      EXPECT_NEAR(error.half_step.part[0], 0.01 * std::sqrt(0.5), 1e-3);
+      EXPECT_NEAR(error.half_step.part[0], 0.005, 1e-3);
+    }
+
+
+
+    TEST(StepDifference, that_falls_more_slowly_is_the_error_itself)
+    {
+      StepRecord             middle = run_with(4e-3, 0.024), shorter = run_with(2e-3, 0.01);
+      Summary::ProbableError error = unknown_error();
+      measure_error(run_with(8e-3, 0.044), middle, error);
+      error = unknown_error();
+      measure_error(middle, shorter, error);
+      EXPECT_NEAR(error.step.part[0], 0.014, 1e-3); // 0.032 with the order of 0.020 and 0.014
+      EXPECT_NEAR(error.half_step.part[0], 0.007, 1e-3);
     }
 
 
