@@ -264,7 +264,11 @@ namespace hybrid::output
       const Summary::ProbableError &error = summary.probable_error;
       if (summary.monitors.empty() || !error.reason.empty() || std::isnan(error.mesh.part[1]))
         return "";
-      return indent + "of the bedrock's mesh, waves alone: " + peaks_text(error.mesh);
+      const bool tells_less = error.mesh_has_corners && !summary.mesh_error.follows;
+      return indent + "of the bedrock's mesh, waves alone: " + peaks_text(error.mesh) +
+             (tells_less
+                ? "; what its corners and bends leave is not in it, and may be ten times as much"
+                : "");
     }
 
 

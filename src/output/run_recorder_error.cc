@@ -3,6 +3,7 @@
 #include <hybrid/output/mesh_dispersion.h>
 #include <hybrid/output/probable_error.h>
 #include <hybrid/output/run_recorder.h>
+#include <hybrid/scene/mesh/reentrant_corner.h>
 
 #include <algorithm>
 #include <cmath>
@@ -273,7 +274,10 @@ namespace hybrid::output
       scheme.newmark.corrected_step *= 0.5;
     error.half_step = estimate.of_steps(scheme);
     if (parts.continuum != nullptr && parts.scene.point_loads.loads.empty())
-      error.mesh = mesh_error(parts, estimate);
+      {
+        error.mesh             = mesh_error(parts, estimate);
+        error.mesh_has_corners = scene::has_reentrant_corner(parts.mesh);
+      }
     if (std::isnan(error.step.part[1]))
       error.reason = "nothing moves";
   }

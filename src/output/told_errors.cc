@@ -51,9 +51,11 @@ namespace hybrid::output
            half_step,
            parts,
            mesh,
+           mesh_has_corners,
            cost] = error;
     archive(reason, runs_would_do, may_flutter, blocks_strike, second_step, assumed_order);
-    archive(measured_from, until, failed_in_other, step, half_step, parts, mesh, cost);
+    archive(measured_from, until, failed_in_other, step, half_step, parts, mesh);
+    archive(mesh_has_corners, cost);
   }
 
 

@@ -123,6 +123,7 @@ namespace hybrid::output
       ErrorPart half_step;               ///< what would be left of it with half the step
       int       parts = 1;               ///< into which an explicit step is divided
       ErrorPart mesh; ///< of the finite elements, at monitors in them; NaN: none are
+      bool      mesh_has_corners = false;       ///< or bends: what these leave is not in it
       double    cost = MonitorSummary::unknown; ///< of half the step: processor time that comes on
                                                 ///< top, at most [s]
     };

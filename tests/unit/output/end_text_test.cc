@@ -106,6 +106,12 @@ namespace hybrid::output
             "\n          of the bedrock's mesh, waves alone: displacement 0.1 % of the peak (base), "
             "velocity 0.2 % (base)"),
         std::string::npos);
+      const std::string corners = "; what its corners and bends leave is not in it";
+      EXPECT_EQ(end_text(run, scene).in_file.find(corners), std::string::npos);
+      error.mesh_has_corners = true;
+      EXPECT_NE(end_text(run, scene).in_file.find("0.2 % (base)" + corners), std::string::npos);
+      run.mesh_error.follows = true; // and tells them
+      EXPECT_EQ(end_text(run, scene).in_file.find(corners), std::string::npos);
       error.until = 2.345;
       EXPECT_NE(end_text(run, scene).in_file.find("probably, until a joint failed at 2.35 s: dis"),
                 std::string::npos);
