@@ -122,6 +122,7 @@ namespace hybrid::output
     Motion motion;
     motion.name    = monitor.name;
     motion.in_rock = monitor.in_rock;
+    motion.is_led  = monitor.is_led;
     for (int c = 0; c < 2; ++c)
       {
         Interpolation position(time, *monitor.displacement);
@@ -252,7 +253,8 @@ namespace hybrid::output
         for (int q = 0; q < 3; ++q)
           {
             const double peak = motions[m].peak[q];
-            if ((q == 0 && int(m) == base) || !(peak > least_motion * largest[q]))
+            if ((q == 0 && int(m) == base) || (q == 2 && motions[m].is_led) ||
+                !(peak > least_motion * largest[q]))
               continue;
             const double part = largest_size(filtered(errors[0][q]), filtered(errors[1][q])) / peak;
             if (!(part <= result.part[q])) // NaN: none yet

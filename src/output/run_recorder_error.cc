@@ -122,6 +122,26 @@ namespace hybrid::output
 
 
 
+    /// Accelerations, pairs at the ends of steps, are those of the motion but for round-off.
+    bool are_led(const std::vector<double> &times,
+                 const std::vector<double> &accelerations,
+                 const scene::GroundMotion &motion)
+    {
+      constexpr double round_off = 1e-9;
+      double           largest = 0., difference = 0.;
+      for (std::size_t i = 0; !motion.empty() && i < times.size(); ++i)
+        {
+          const Vec2 led = motion.outcrop_acceleration(times[i]);
+          largest        = std::max(largest, led.norm());
+          difference =
+            std::max(difference,
+                     (Vec2(accelerations[2 * i], accelerations[2 * i + 1]) - led).norm());
+        }
+      return difference < round_off * largest;
+    }
+
+
+
     /// The waves of the bedrock are P waves: shaken steeply, or begun as such.
     bool shakes_p_waves(const RunParts &parts)
     {
@@ -228,7 +248,10 @@ namespace hybrid::output
           continue;
         if (static_cast<int>(m) == base_monitor)
           record.base = static_cast<int>(record.monitors.size());
-        record.monitors.push_back({monitors[m].name, &monitors[m].histories[0], block < 0});
+        record.monitors.push_back({monitors[m].name,
+                                   &monitors[m].histories[0],
+                                   block < 0,
+                                   are_led(times, monitors[m].histories[2], parts.motion)});
       }
     Summary::ProbableError &error = summary.probable_error;
     error.reason                  = why_no_error(!record.monitors.empty());

@@ -159,7 +159,8 @@ def failure_time(place):
 
 
 def parts_of(said):
-    return [said["time_step"][q]["part_of_peak"] for q in QUANTITIES]
+    """NaN: nothing is told."""
+    return [float("nan") if said["time_step"][q]["part_of_peak"] is None else said["time_step"][q]["part_of_peak"] for q in QUANTITIES]
 
 
 def compare_meshes(binary, source, work, name):
@@ -220,13 +221,15 @@ def short(binary, source, work):
 
 
 def percent(values):
-    return ", ".join("%.2g" % (100 * value) for value in values)
+    return ", ".join("-" if np.isnan(value) else "%.2g" % (100 * value) for value in values)
 
 
 def row(label, size_of_it, true, estimated):
-    ratios = ["%.2g" % (e / t) if t > 1e-8 else "-" for e, t in zip(estimated, true)]  # less is round-off
-    told = [max(e, FLOOR) / max(t, FLOOR) for e, t in zip(estimated, true)]
-    ratios = [r if 1 / FACTOR <= as_told <= FACTOR else "**%s**" % r for r, as_told in zip(ratios, told)]
+    ratios = []
+    for e, t in zip(estimated, true):
+        ratio = "%.2g" % (e / t) if t > 1e-8 and not np.isnan(e) else "-"  # less is round-off; NaN: it has none
+        within = np.isnan(e) or 1 / FACTOR <= max(e, FLOOR) / max(t, FLOOR) <= FACTOR
+        ratios.append(ratio if within else "**%s**" % ratio)
     return "| %s | %g | %s | %s | %s |" % (label, size_of_it, percent(true), percent(estimated), ", ".join(ratios))
 
 

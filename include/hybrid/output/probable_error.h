@@ -20,6 +20,9 @@ namespace hybrid::output
       std::string                name;
       const std::vector<double> *displacement;   ///< absolute, pairs, one per time [m]
       bool                       in_rock = true; ///< in finite elements
+      /// On a base that has the accelerations of the motion at the end of each step, which have no
+      /// error.
+      bool is_led = false;
     };
 
     std::vector<double>  time; ///< end of each step [s]
@@ -54,7 +57,8 @@ namespace hybrid::output
     explicit ProbableError(const ErrorRecord &record);
 
     /// Largest error at any time over the peak of the same monitor, of those in finite elements.
-    /// Monitors that move less than a thousandth of the one that moves most are left out.
+    /// Monitors that move less than a thousandth of the one that moves most are left out, and so
+    /// are accelerations of those that are led.
     /// @param highest angular frequency that is asked about [1/s]; errors fade above half of it.
     Summary::ErrorPart in_rock(const FrequencyError &error, double highest) const;
 
@@ -68,7 +72,7 @@ namespace hybrid::output
     struct Motion
     {
       std::string             name;
-      bool                    in_rock;
+      bool                    in_rock, is_led;
       History                 velocity[2];
       History                 relative[2]; ///< displacement less that of the base, filtered
       ResponseDelay::Spectrum delay[2];

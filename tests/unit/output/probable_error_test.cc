@@ -58,6 +58,21 @@ namespace hybrid::output
     }
 
 
+    TEST(ProbableError, LeavesOutAccelerationsThatAreLed)
+    {
+      Section section(0.8);
+      section.record.monitors[1].is_led = true;
+      const Summary::ErrorPart error =
+        ProbableError(section.record).of_steps({Newmark::preset("trapezoidal"), dt, 0., 0.});
+      EXPECT_EQ(error.where[1], "top");
+      EXPECT_EQ(error.where[2], "ground");
+      section.record.monitors[0].is_led = section.record.monitors[2].is_led = true;
+      EXPECT_TRUE(std::isnan(ProbableError(section.record)
+                               .of_steps({Newmark::preset("trapezoidal"), dt, 0., 0.})
+                               .part[2]));
+    }
+
+
     TEST(ProbableError, LateDampingThatCancelsTheSchemeLeavesWhatIsLeftOut)
     {
       const Section section(0.8);
