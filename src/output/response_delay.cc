@@ -13,7 +13,7 @@ namespace hybrid::output
   {
     constexpr double water_level   = 1e-4; ///< of the source's largest power [-]
     constexpr double given_back    = 2.;   ///< at most, of what the window takes [-]
-    constexpr double tapered_end   = 0.05; ///< of a record without a source [-]
+    constexpr double tapered_end   = 0.05; ///< of a record [-]
     constexpr double least_window  = 0.25; ///< of the record [-]
     constexpr double duration_tail = 0.05; ///< of the energy at both ends of the duration [-]
     constexpr double shared_lags   = 0.1;  ///< of L, to both sides: one mean square of h [-]
@@ -131,13 +131,13 @@ namespace hybrid::output
   std::vector<double> ResponseDelay::answer(const std::vector<double> &velocity) const
   {
     std::vector<double> pulse = velocity;
+    fade_out(pulse, rows);
     if (is_set_off)
       {
-        fade_out(pulse, rows);
         pulse.resize(length, 0.);
         return pulse;
       }
-    Spectrum correlation = forward(velocity);
+    Spectrum correlation = forward(pulse);
     for (std::size_t k = 0; k < s.size(); ++k)
       correlation[k] *= std::conj(source_spectrum[k]);
     correlation = windowed(correlation);

@@ -18,7 +18,9 @@ namespace hybrid::output
    * U/F is found from the correlations of both, windowed at the lag L (Blackman & Tukey 1958) by
    * exp(-2 (t/L)^2): what is no answer to F (slip, cracks) averages out over the record. L is the
    * record less the 5 to 95 % duration of F, at least a quarter of the record. Up to twice of what
-   * the window takes from a lag is given back.
+   * the window takes from a lag is given back. U fades out over the last twentieth of the record:
+   * what still rings at its end would jump there, and a jump has all frequencies, F hardly any of
+   * the high ones.
    *
    * What has not averaged out is as large before a pulse, where nothing can answer it, as after it.
    * So h is multiplied by 1 - N/A, A its mean square about the lag t and N that about -t (Wiener

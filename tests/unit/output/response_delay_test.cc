@@ -114,6 +114,50 @@ namespace hybrid::output
     }
 
 
+    /// A pulse with little of high frequencies: (1 + (w/20)^2)^-1.5.
+    double soft_pulse(const double t)
+    {
+      return t > 0. ? t * t * std::exp(-20. * t) : 0.;
+    }
+
+
+    /// An oscillator of 1.5 Hz with 1 % of damping that it sets off.
+    std::vector<double> ringing(const std::size_t rows)
+    {
+      constexpr double           w    = 2. * M_PI * 1.5;
+      const std::complex<double> turn = std::exp(spacing * w * std::complex<double>(-0.01, 1.));
+      std::complex<double>       z    = 0.;
+      std::vector<double>        result;
+      for (const double pulse : sampled(soft_pulse, rows))
+        {
+          z = turn * z + pulse;
+          result.push_back(z.imag());
+        }
+      return result;
+    }
+
+
+    /// Largest change of it in the first 10 s by d = s^3, up to 25 Hz.
+    double change_of_ringing(const std::size_t rows)
+    {
+      const ResponseDelay     response(spacing, sampled(soft_pulse, rows));
+      ResponseDelay::Spectrum cubes;
+      for (const std::complex<double> &s : response.frequencies())
+        cubes.push_back(s * s * s * std::clamp(2. - s.imag() / (2. * M_PI * 12.5), 0., 1.));
+      std::vector<double> change = response.change(response.delay(ringing(rows)), cubes);
+      change.resize(2000);
+      return largest_difference(change, std::vector<double>(2000, 0.));
+    }
+
+
+    TEST(ResponseDelay, ARecordThatEndsWhileItRingsHasTheErrorOfALongerOne)
+    {
+      const double whole = change_of_ringing(16000), ratio = change_of_ringing(2000) / whole;
+      EXPECT_GT(ratio, 0.3);
+      EXPECT_LT(ratio, 2.);
+    }
+
+
     TEST(ResponseDelay, WhatIsNoAnswerHardlyCountsAsOne)
     {
       const std::vector<double> source = noise(1), other = noise(2);
