@@ -40,10 +40,17 @@ namespace hybrid::output
 
 
 
+    std::size_t tapered_rows(const std::size_t rows)
+    {
+      return std::max<std::size_t>(1, tapered_end * rows);
+    }
+
+
+
     /// To nothing at the end of a record.
     void fade_out(std::vector<double> &x, const std::size_t rows)
     {
-      const std::size_t taper = std::max<std::size_t>(1, tapered_end * rows);
+      const std::size_t taper = tapered_rows(rows);
       for (std::size_t i = 0; i < std::min(taper, rows); ++i)
         x[rows - 1 - i] *= std::pow(std::sin(0.5 * M_PI * (i + 0.5) / taper), 2);
     }
@@ -67,6 +74,13 @@ namespace hybrid::output
       source_spectrum.assign(s.size(), 1.);
     else
       make_window(source);
+  }
+
+
+
+  std::size_t ResponseDelay::known_rows() const
+  {
+    return rows - std::min(rows, tapered_rows(rows));
   }
 
 
@@ -131,13 +145,12 @@ namespace hybrid::output
   std::vector<double> ResponseDelay::answer(const std::vector<double> &velocity) const
   {
     std::vector<double> pulse = velocity;
-    fade_out(pulse, rows);
     if (is_set_off)
       {
         pulse.resize(length, 0.);
         return pulse;
       }
-    Spectrum correlation = forward(pulse);
+    Spectrum correlation = forward(velocity);
     for (std::size_t k = 0; k < s.size(); ++k)
       correlation[k] *= std::conj(source_spectrum[k]);
     correlation = windowed(correlation);
@@ -198,12 +211,14 @@ namespace hybrid::output
   ResponseDelay::Spectrum ResponseDelay::delay(const std::vector<double> &velocity) const
   {
     assert(velocity.size() == rows);
-    std::vector<double> pulse = answer(velocity);
+    std::vector<double> faded = velocity;
+    fade_out(faded, rows);
+    std::vector<double> pulse = answer(faded);
     Spectrum            rest(s.size(), 0.);
     if (!is_set_off)
       {
         std::vector<double> clear = without_noise(pulse);
-        rest                      = no_answer(velocity, pulse, clear);
+        rest                      = no_answer(faded, pulse, clear);
         pulse.swap(clear);
       }
     for (std::size_t i = 0; i < length; ++i)

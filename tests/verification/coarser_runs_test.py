@@ -8,6 +8,7 @@ writes the table of the page (half an hour, most of it Badong); runs that are in
 """
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -99,6 +100,8 @@ def short(binary, source, work):
 def main():
     binary, source, work = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
     sys.path.insert(0, str(source / "src/tools"))
+    if "--write" not in sys.argv:
+        shutil.rmtree(work, ignore_errors=True)  # of an earlier program
     work.mkdir(parents=True, exist_ok=True)
     if "--write" not in sys.argv:
         short(binary, source, work)

@@ -12,6 +12,7 @@ that are in WORK_DIR already are kept.
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -72,6 +73,8 @@ def write(binary, source, work, page):
 def main():
     binary, source, work = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
     sys.path.insert(0, str(source / "src/tools"))
+    if "--write" not in sys.argv:
+        shutil.rmtree(work, ignore_errors=True)  # of an earlier program
     work.mkdir(parents=True, exist_ok=True)
     if "--write" in sys.argv:
         write(binary, source, work, pathlib.Path(sys.argv[sys.argv.index("--write") + 1]))

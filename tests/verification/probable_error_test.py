@@ -14,6 +14,7 @@ Badong another ten); runs that are in WORK_DIR already are kept. --left-out writ
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -270,6 +271,8 @@ def put(page, tables):
 def main():
     binary, source, work = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
     sys.path.insert(0, str(source / "src/tools"))
+    if "--write" not in sys.argv and "--left-out" not in sys.argv:
+        shutil.rmtree(work, ignore_errors=True)  # of an earlier program
     work.mkdir(parents=True, exist_ok=True)
     if "--left-out" in sys.argv:
         put(pathlib.Path(sys.argv[sys.argv.index("--left-out") + 1]), ((left_out(binary, source, work), "left out"),))

@@ -43,6 +43,9 @@ namespace hybrid::output
       return s;
     }
 
+    /// Rows before the record fades out: what is later is not known.
+    std::size_t known_rows() const;
+
     /// H' F of a velocity, as many rows as the source.
     Spectrum delay(const std::vector<double> &velocity) const;
 
