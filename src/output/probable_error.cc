@@ -16,7 +16,6 @@ namespace hybrid::output
     constexpr double      at_rest         = 1e-9; ///< round-off moves by as much [m/s]
     constexpr double      highest_turn    = 1.5;  ///< w dt that a step is asked about [-]
     constexpr double      fades_from      = 0.5;  ///< of the highest frequency [-]
-    constexpr double      filter_periods  = 3.;   ///< of the corner, that the low-pass looks ahead
     /// Of the sum of what scheme and late damping make: that they cancel at some step says nothing
     /// of all that is left out. With 0.5 Badong's velocity leaves the factor of 3 [-].
     constexpr double least_of_both = 0.3;
@@ -111,10 +110,6 @@ namespace hybrid::output
     if (std::isfinite(record.until))
       rows_until = static_cast<std::size_t>(
         std::clamp((record.until - record.time.front()) / spacing, 0., double(rows)));
-    const double ahead = corner > 0. ? filter_periods / (corner * spacing) : 0.;
-    const auto   known = static_cast<std::size_t>(
-      std::max(static_cast<double>(response.known_rows()) - ahead, 0.5 * rows));
-    rows_until = std::min(rows_until, known);
     for (const ErrorRecord::Monitor &monitor : record.monitors)
       add(monitor, record.time);
     find_peaks();

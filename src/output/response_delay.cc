@@ -11,12 +11,13 @@ namespace hybrid::output
 {
   namespace
   {
-    constexpr double water_level   = 1e-4; ///< of the source's largest power [-]
-    constexpr double given_back    = 2.;   ///< at most, of what the window takes [-]
-    constexpr double tapered_end   = 0.05; ///< of a record [-]
-    constexpr double least_window  = 0.25; ///< of the record [-]
-    constexpr double duration_tail = 0.05; ///< of the energy at both ends of the duration [-]
-    constexpr double shared_lags   = 0.1;  ///< of L, to both sides: one mean square of h [-]
+    constexpr double water_level = 1e-4;     ///< of the source's largest power [-]
+    constexpr double given_back  = 2.;       ///< at most, of what the window takes [-]
+    constexpr double tapered_end = 0.05;     ///< of a record: where it fades out, or goes on to [-]
+    constexpr std::size_t least_taper   = 8; ///< [rows]
+    constexpr double      least_window  = 0.25; ///< of the record [-]
+    constexpr double      duration_tail = 0.05; ///< of the energy at both ends of the duration [-]
+    constexpr double      shared_lags   = 0.1;  ///< of L, to both sides: one mean square of h [-]
 
 
 
@@ -40,19 +41,33 @@ namespace hybrid::output
 
 
 
-    std::size_t tapered_rows(const std::size_t rows)
+    /// To nothing at the end of a record.
+    void fade_out(std::vector<double> &x, const std::size_t rows)
     {
-      return std::max<std::size_t>(1, tapered_end * rows);
+      const std::size_t taper = std::max<std::size_t>(1, tapered_end * rows);
+      for (std::size_t i = 0; i < std::min(taper, rows); ++i)
+        x[rows - 1 - i] *= std::pow(std::sin(0.5 * M_PI * (i + 0.5) / taper), 2);
     }
 
 
 
-    /// To nothing at the end of a record.
-    void fade_out(std::vector<double> &x, const std::size_t rows)
+    /// What goes on beyond the end of a record: it turned about its last row, and to nothing.
+    std::size_t rows_beyond(const std::size_t rows)
     {
-      const std::size_t taper = tapered_rows(rows);
-      for (std::size_t i = 0; i < std::min(taper, rows); ++i)
-        x[rows - 1 - i] *= std::pow(std::sin(0.5 * M_PI * (i + 0.5) / taper), 2);
+      return std::min(std::max<std::size_t>(least_taper, tapered_end * rows), rows - 1);
+    }
+
+
+
+    /// A record and rows_beyond() it: value and slope do not jump at its end.
+    std::vector<double> continued(std::vector<double> x)
+    {
+      assert(!x.empty());
+      const std::size_t rows = x.size(), beyond = rows_beyond(rows);
+      for (std::size_t i = 1; i <= beyond; ++i)
+        x.push_back((2. * x[rows - 1] - x[rows - 1 - i]) *
+                    std::pow(std::cos(0.5 * M_PI * i / (beyond + 1.)), 2));
+      return x;
     }
   } // namespace
 
@@ -64,7 +79,7 @@ namespace hybrid::output
     , length(2)
     , is_set_off(std::all_of(source.begin(), source.end(), [](double f) { return f == 0.; }))
   {
-    while (length < 2 * rows)
+    while (length < 2 * (rows + rows_beyond(rows)))
       length *= 2;
     for (std::size_t k = 0; k <= length / 2; ++k)
       s.emplace_back(0., 2. * M_PI * k / (length * spacing));
@@ -78,20 +93,13 @@ namespace hybrid::output
 
 
 
-  std::size_t ResponseDelay::known_rows() const
-  {
-    return rows - std::min(rows, tapered_rows(rows));
-  }
-
-
-
   void ResponseDelay::make_window(const std::vector<double> &source)
   {
     const double duration = rows * spacing;
     reach = std::max(duration - strong_rows(source) * spacing, least_window * duration);
     for (const double t : lag)
       window.push_back(std::exp(-2. * t * t / (reach * reach)));
-    source_spectrum = forward(source);
+    source_spectrum = forward(continued(source));
     Spectrum power(s.size());
     double   largest = 0., sum = 0., moment = 0.;
     for (std::size_t k = 0; k < s.size(); ++k)
@@ -147,10 +155,11 @@ namespace hybrid::output
     std::vector<double> pulse = velocity;
     if (is_set_off)
       {
+        fade_out(pulse, rows);
         pulse.resize(length, 0.);
         return pulse;
       }
-    Spectrum correlation = forward(velocity);
+    Spectrum correlation = forward(continued(velocity));
     for (std::size_t k = 0; k < s.size(); ++k)
       correlation[k] *= std::conj(source_spectrum[k]);
     correlation = windowed(correlation);
@@ -211,14 +220,12 @@ namespace hybrid::output
   ResponseDelay::Spectrum ResponseDelay::delay(const std::vector<double> &velocity) const
   {
     assert(velocity.size() == rows);
-    std::vector<double> faded = velocity;
-    fade_out(faded, rows);
-    std::vector<double> pulse = answer(faded);
+    std::vector<double> pulse = answer(velocity);
     Spectrum            rest(s.size(), 0.);
     if (!is_set_off)
       {
         std::vector<double> clear = without_noise(pulse);
-        rest                      = no_answer(faded, pulse, clear);
+        rest                      = no_answer(velocity, pulse, clear);
         pulse.swap(clear);
       }
     for (std::size_t i = 0; i < length; ++i)

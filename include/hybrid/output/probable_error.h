@@ -48,8 +48,7 @@ namespace hybrid::output
    * Velocities are means over rows, as far apart as an eighth of the period of the corner, at
    * least a step. The error of the displacement relative to the base and that of the acceleration
    * are the integral and the derivative of that of the velocity. All pass the low-pass that peaks
-   * are taken after. The last twentieth of a record, where it fades out, and three periods of the
-   * corner before it are left out, at most half of it.
+   * are taken after.
    */
   class ProbableError
   {

@@ -18,9 +18,9 @@ namespace hybrid::output
    * U/F is found from the correlations of both, windowed at the lag L (Blackman & Tukey 1958) by
    * exp(-2 (t/L)^2): what is no answer to F (slip, cracks) averages out over the record. L is the
    * record less the 5 to 95 % duration of F, at least a quarter of the record. Up to twice of what
-   * the window takes from a lag is given back. U fades out over the last twentieth of the record:
-   * what still rings at its end would jump there, and a jump has all frequencies, F hardly any of
-   * the high ones.
+   * the window takes from a lag is given back. Both go on beyond the end of the record, to nothing
+   * over a twentieth of it: what still rings there would jump, and a jump has all frequencies, F
+   * hardly any of the high ones.
    *
    * What has not averaged out is as large before a pulse, where nothing can answer it, as after it.
    * So h is multiplied by 1 - N/A, A its mean square about the lag t and N that about -t (Wiener
@@ -42,9 +42,6 @@ namespace hybrid::output
     {
       return s;
     }
-
-    /// Rows before the record fades out: what is later is not known.
-    std::size_t known_rows() const;
 
     /// H' F of a velocity, as many rows as the source.
     Spectrum delay(const std::vector<double> &velocity) const;
