@@ -44,6 +44,25 @@ namespace hybrid
 
 
 
+  void Partners::gather_shares(void *things, const std::size_t n, const std::size_t bytes) const
+  {
+    for (int p = 0; p < size; ++p)
+      {
+        places[p] = static_cast<int>(bytes * share_begin(n, p));
+        counts[p] = static_cast<int>(bytes * share_begin(n, p + 1)) - places[p];
+      }
+    MPI_Allgatherv(MPI_IN_PLACE,
+                   0,
+                   MPI_DATATYPE_NULL,
+                   things,
+                   counts.data(),
+                   places.data(),
+                   MPI_BYTE,
+                   communicator);
+  }
+
+
+
   void Partners::spread(const int from, double *values, const std::size_t n) const
   {
     constexpr std::size_t most = std::size_t{1} << 27; // at once: MPI counts by int

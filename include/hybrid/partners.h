@@ -25,6 +25,7 @@ namespace hybrid
 
     bool all(bool mine) const override;
     void gather(std::vector<double> &values, const std::vector<std::size_t> &begin) const override;
+    void gather_shares(void *things, std::size_t n, std::size_t bytes) const override;
     void spread(int from, double *values, std::size_t n) const override;
 
   private:

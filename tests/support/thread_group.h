@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <cstring>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -80,6 +81,18 @@ namespace hybrid::test
         group.wait();
       }
 
+      void gather_shares(void *things, const std::size_t n, const std::size_t bytes) const override
+      {
+        group.wait([&] { group.bytes.assign(n * bytes, 0); });
+        const auto [first, last] = dda::own_share(n, this);
+        std::memcpy(group.bytes.data() + first * bytes,
+                    static_cast<char *>(things) + first * bytes,
+                    (last - first) * bytes);
+        group.wait();
+        std::memcpy(things, group.bytes.data(), n * bytes);
+        group.wait();
+      }
+
       void spread(const int from, double *values, const std::size_t n) const override
       {
         group.wait([&] { group.board.resize(n); });
@@ -117,6 +130,7 @@ namespace hybrid::test
     int                     here = 0, rounds = 0;
     bool                    agreed = true;
     std::vector<double>     board;
+    std::vector<char>       bytes;
     std::size_t             n_received = 0;
   };
 } // namespace hybrid::test

@@ -80,7 +80,7 @@ namespace hybrid::dda
 
   void Springs::narrow(const std::vector<int> &blocks, const std::vector<int> &nodes)
   {
-    is_narrow = true;
+    chosen = &narrow_ones;
     narrow_ones.clear();
     is_marked.assign(springs.size(), 0);
     const auto add = [&](const int s) {
@@ -93,7 +93,7 @@ namespace hybrid::dda
         add(entry / 2);
     if (nodes.empty())
       return;
-    for (const int s : foundation_springs)
+    for (const int s : on_foundation())
       for (const int node : bodies[s].node)
         if (std::binary_search(nodes.begin(), nodes.end(), node))
           add(s);
@@ -323,7 +323,7 @@ namespace hybrid::dda
 
   void Springs::add_forces_on_foundation(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts) const
   {
-    for (const int s : foundation_springs)
+    for (const int s : on_foundation())
       {
         const Role role = bearing[s].role;
         if (role == Role::none)

@@ -7,7 +7,6 @@
 #include <hybrid/dda/springs/springs.h>
 
 #include <algorithm>
-#include <numeric>
 
 namespace hybrid::dda
 {
@@ -45,35 +44,11 @@ namespace hybrid::dda
     bodies.resize(n);
     collect_joints(model, state);
     collect_contacts(model, state);
-    if (bodies_changed || block_begin.size() != model.blocks.size() + 2)
+    if (bodies_changed || by_block.n_blocks() != model.n_blocks())
       {
-        sort_by_block(model.n_blocks());
+        by_block.sort(bodies, model.n_blocks());
         connected_pattern = -1;
       }
-  }
-
-
-
-  void Springs::sort_by_block(const int n_blocks)
-  {
-    foundation_springs.clear();
-    for (std::size_t s = 0; s < bodies.size(); ++s)
-      if (bodies[s].other == foundation_body)
-        foundation_springs.push_back(static_cast<int>(s));
-    block_begin.assign(n_blocks + 2, 0); // one place later while counting and filling
-    const auto for_each = [&](const auto &act) {
-      for (std::size_t s = 0; s < bodies.size(); ++s)
-        {
-          act(bodies[s].block, 2 * static_cast<int>(s));
-          if (bodies[s].other != foundation_body)
-            act(bodies[s].other, 2 * static_cast<int>(s) + 1);
-        }
-    };
-    for_each([&](const int block, int) { ++block_begin[block + 2]; });
-    std::partial_sum(block_begin.begin(), block_begin.end(), block_begin.begin());
-    block_springs.resize(block_begin.back());
-    for_each(
-      [&](const int block, const int entry) { block_springs[block_begin[block + 1]++] = entry; });
   }
 
 
@@ -216,7 +191,7 @@ namespace hybrid::dda
   {
     const bool same_size =
       matrix.n_blocks() == model.n_blocks() && matrix.n_nodes() == model.n_foundation_nodes();
-    const std::size_t n_of_blocks = bodies.size() - foundation_springs.size();
+    const std::size_t n_of_blocks = bodies.size() - on_foundation().size();
     if (same_size && matrix.pairs.size() <= 2 * n_of_blocks + 64 &&
         (connected_pattern == matrix.pattern_version() || find_slots(matrix)))
       return;

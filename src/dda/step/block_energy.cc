@@ -95,8 +95,9 @@ namespace hybrid::dda
       const bool   changes = step.model.water.changes();
       const Water  before  = step.model.water.at(step.before.time),
                   after    = step.model.water.at(step.before.time + step.trial.dt);
-      energy +=
-        shared_sum<BlockEnergy>(step.model.n_mass(), [&](const std::size_t n, BlockEnergy &sum) {
+      energy += shared_sum<BlockEnergy>(
+        step.model.n_mass(),
+        [&](const std::size_t n, BlockEnergy &sum) {
           const int       b     = static_cast<int>(n);
           const Vec6     &d     = step.trial.increment[b];
           const WaterLoad start = load_at_start(step, before, b), end = load_at_end(step, after, b);
@@ -114,7 +115,8 @@ namespace hybrid::dda
               sum.gravity += change;
             }
           sum.integration_loss -= change + d.dot((1. - gamma) * start.force + gamma * end.force);
-        });
+        },
+        step.model.processes.get());
     }
 
 
@@ -227,14 +229,15 @@ namespace hybrid::dda
 
   BlockEnergy audit_step(const StepAudit &step)
   {
-    BlockEnergy change =
-      shared_sum<BlockEnergy>(step.model.blocks.size(), [&](const std::size_t b, BlockEnergy &sum) {
-        audit_block(step, b, sum);
-      });
-    BlockEnergy of_springs = shared_sum<BlockEnergy>(step.springs.springs.size(),
-                                                     [&](const std::size_t s, BlockEnergy &sum) {
-                                                       audit_spring(step, s, sum);
-                                                     });
+    const ProcessGroup *group  = step.model.processes.get();
+    BlockEnergy         change = shared_sum<BlockEnergy>(
+      step.model.blocks.size(),
+      [&](const std::size_t b, BlockEnergy &sum) { audit_block(step, b, sum); },
+      group);
+    BlockEnergy of_springs = shared_sum<BlockEnergy>(
+      step.springs.springs.size(),
+      [&](const std::size_t s, BlockEnergy &sum) { audit_spring(step, s, sum); },
+      group);
     of_springs.spring_replacement_loss += step.before.energy.springs;
     change += of_springs;
 

@@ -58,6 +58,7 @@ namespace hybrid::dda
     // search goes on where this ends, if that is closer to balance.
     constexpr Patience most{24, 24};
     const double       first = result.residual;
+    problem.complete();
     for (std::size_t s = 0; s < conditions.size(); ++s)
       conditions[s] = problem.springs.condition(s);
     const Attempt attempt = iterate_conditions(result, most);
@@ -82,7 +83,7 @@ namespace hybrid::dda
         if (!may_go_on(result))
           return result.stopped ? Attempt::stopped : Attempt::failed;
         double norm = result.residual;
-        if (problem.springs.prescribe(model, *problem.before, problem.trial, conditions))
+        if (problem.prescribe(conditions))
           norm = problem.balance();
         const bool served    = !was_local && (k > 0 ? result.residual <= well_done * previous
                                                     : conditions == tangent_conditions);
@@ -91,6 +92,8 @@ namespace hybrid::dda
           tangent.secant.first(update);
         else if (k > 0)
           tangent.secant.reset();
+        if (!tangent.serves(served))
+          problem.complete(&conditions);
         tangent.repair(problem, served, result.residual <= previous);
         tangent_conditions.resize(conditions.size());
         std::copy(conditions.begin(), conditions.end(), tangent_conditions.begin());
@@ -140,14 +143,27 @@ namespace hybrid::dda
     const auto slides = [](const Condition c) {
       return c == Condition::slides_forward || c == Condition::slides_backward;
     };
+    const auto renewed = [&](const std::size_t s) {
+      const Condition now = problem.springs.condition(s), last = conditions[s];
+      const bool      slides_back = slides(last) && slides(now) && now != last;
+      const bool      to_and_fro =
+        (last == Condition::open && slides(now)) || (slides(last) && now == Condition::open);
+      return slides_back || (goes_round && to_and_fro) ? Condition::sticks : now;
+    };
+    if (problem.is_shared())
+      {
+        const std::vector<int> &own  = problem.share().springs();
+        const bool              stay = std::all_of(own.begin(), own.end(), [&](const int s) {
+          return renewed(s) == conditions[s];
+        });
+        if (problem.share().all(stay))
+          return;
+        problem.complete();
+      }
     for (std::size_t k = 0; k < problem.springs.n_at_work(); ++k)
       {
-        const std::size_t s   = problem.springs.at_work(k);
-        const Condition   now = problem.springs.condition(s), last = conditions[s];
-        const bool        slides_back = slides(last) && slides(now) && now != last;
-        const bool        to_and_fro =
-          (last == Condition::open && slides(now)) || (slides(last) && now == Condition::open);
-        conditions[s] = slides_back || (goes_round && to_and_fro) ? Condition::sticks : now;
+        const std::size_t s = problem.springs.at_work(k);
+        conditions[s]       = renewed(s);
       }
   }
 } // namespace hybrid::dda

@@ -77,6 +77,7 @@ namespace hybrid::dda
 
   Attempt OpenCloseIteration::follow_path(StepResult &result, const Stride stride)
   {
+    problem.evaluate_alone();
     result.residual       = problem.go_back(problem.is_narrow() ? local.start : at_start);
     is_on_path            = !problem.is_narrow();
     const Attempt attempt = go_to_end_of_path(result, stride);

@@ -67,6 +67,7 @@ namespace hybrid::dda
     constexpr double stalled_fraction = 0.3;
     const Model     &model            = *problem.model;
     const int        first            = result.iterations;
+    problem.evaluate_alone();
     tangent_conditions.clear(); // it is one of the laws from now on
     double window_start = std::numeric_limits<double>::infinity();
     // The first linear system is solved to the end where that may be all.

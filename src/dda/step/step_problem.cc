@@ -13,9 +13,55 @@ namespace hybrid::dda
     move_blocks();
     {
       const Stopwatch timer(times.springs);
+      if (is_shared())
+        springs.choose(shared.springs());
       springs.evaluate(*model, *before, trial);
+      if (is_shared())
+        springs.widen();
     }
+    is_complete = !is_shared();
     return balance();
+  }
+
+
+
+  bool StepProblem::prescribe(const std::vector<Condition> &conditions)
+  {
+    if (!is_shared())
+      return springs.prescribe(*model, *before, trial, conditions);
+    springs.choose(shared.springs());
+    const bool any = springs.prescribe(*model, *before, trial, conditions);
+    springs.widen();
+    return !shared.all(!any);
+  }
+
+
+
+  void StepProblem::complete(const std::vector<Condition> *conditions)
+  {
+    if (!is_shared())
+      return;
+    const Stopwatch timer(times.springs);
+    springs.choose(shared.other_springs());
+    if (!is_complete)
+      springs.evaluate(*model, *before, trial);
+    if (conditions != nullptr)
+      springs.prescribe(*model, *before, trial, *conditions);
+    springs.widen();
+    for (int b = 0; b < model->n_blocks() && model->blocks_yield && !is_complete; ++b)
+      if (!shared.owns(b))
+        block_stress(b);
+    is_complete = true;
+  }
+
+
+
+  void StepProblem::evaluate_alone()
+  {
+    if (is_narrow())
+      return; // all do so anyway
+    complete();
+    shared.stop();
   }
 
 
@@ -66,6 +112,7 @@ namespace hybrid::dda
 
   void StepProblem::narrow(const LocalSystem &bodies)
   {
+    complete();
     blocks_at_work.narrow(bodies.changing_blocks());
     springs.narrow(bodies.blocks(), bodies.nodes());
     few = &bodies;
@@ -113,13 +160,14 @@ namespace hybrid::dda
     clear_forces();
     {
       const Stopwatch timer(times.springs);
-      springs.add_forces(residual, contact_force, absolute, &at_work());
+      springs.add_forces(residual, contact_force, absolute, &summed());
     }
     add_block_forces();
     if (model->water.action != Water::Action::none)
       add_water();
     if (!model->edge_loads.edges.empty())
       add_edge_loads();
+    exchange_sums();
     if (model->n_bedrock > 0)
       {
         for (const BoundaryEdge &edge : model->boundary)
@@ -143,7 +191,7 @@ namespace hybrid::dda
     contact_force.resize(6 * n + 2 * m);
     absolute.resize(n);
     // What is held keeps its part of the forces and of the residual.
-    for (const int b : at_work())
+    for (const int b : summed())
       {
         residual.segment<6>(6 * b).setZero();
         contact_force.segment<6>(6 * b).setZero();
@@ -155,9 +203,34 @@ namespace hybrid::dda
 
 
 
+  void StepProblem::exchange_sums()
+  {
+    if (is_shared())
+      {
+        const Stopwatch timer(times.springs);
+        shared.exchange(residual, &absolute);
+        lacks_contacts = true;
+      }
+    else if (!is_narrow())
+      lacks_contacts = false;
+  }
+
+
+
+  Eigen::Vector3d StepProblem::block_stress(const int block)
+  {
+    return stresses.evaluate(model->blocks[block],
+                             before->blocks[block],
+                             trial.increment[block].tail<3>(),
+                             damping_time[block] / trial.dt,
+                             block);
+  }
+
+
+
   void StepProblem::add_block_forces()
   {
-    const std::vector<int> &moving = at_work();
+    const std::vector<int> &moving = summed();
     const double            dt = trial.dt, weight = StepKinematics::contact_weight(model->newmark);
 #pragma omp parallel for schedule(static) if (is_worth_sharing(moving.size()))
     for (std::size_t k = 0; k < moving.size(); ++k)
@@ -168,9 +241,8 @@ namespace hybrid::dda
           mass[b] * (kinematics.inertia(b) * (trial.increment[b] - kinematics.predicted(b)));
         // The damping follows the mean strain rate of the step: with the rate at its end it would
         // feed what it damps while a contact holds (doc/theory.md).
-        const Eigen::Vector3d stress = stresses.evaluate(
-          p, before->blocks[b], trial.increment[b].tail<3>(), damping_time[b] / dt, b);
-        Eigen::Map<Vec6> r(residual.data() + 6 * b);
+        const Eigen::Vector3d stress = block_stress(b);
+        Eigen::Map<Vec6>      r(residual.data() + 6 * b);
         r += weight * contact_force.segment<6>(6 * b) - inertial_force;
         r[0] += p.pushed_mass * model->horizontal;
         r[1] -= p.weight * model->gravity;
@@ -191,7 +263,7 @@ namespace hybrid::dda
   {
     const Geometry         &g      = before->geometry;
     const Water             water  = model->water.at(before->time + trial.dt);
-    const std::vector<int> &moving = at_work();
+    const std::vector<int> &moving = summed();
 #pragma omp parallel for schedule(static) if (is_worth_sharing(moving.size()))
     for (std::size_t k = 0; k < moving.size(); ++k)
       {
@@ -215,7 +287,7 @@ namespace hybrid::dda
     const double factor = model->edge_loads.factor(before->time + trial.dt);
     for (const EdgeLoads::Edge &edge : model->edge_loads.edges)
       {
-        if (blocks_at_work.is_held(edge.block))
+        if (is_shared() ? !shared.owns(edge.block) : blocks_at_work.is_held(edge.block))
           continue;
         const Vec6 force =
           factor *
@@ -263,6 +335,10 @@ namespace hybrid::dda
   void StepProblem::finish(const bool rests)
   {
     at_rest = rests;
+    complete();
+    if (lacks_contacts)
+      shared.exchange(contact_force, nullptr);
+    lacks_contacts = false;
 #pragma omp parallel for schedule(static) if (is_worth_sharing(model->n_blocks()))
     for (int b = 0; b < model->n_blocks(); ++b)
       {

@@ -129,7 +129,7 @@ namespace hybrid::dda
 
 
 
-  void StepProblem::accept(DdaState &state) const
+  void StepProblem::accept(DdaState &state)
   {
     const double dt = trial.dt;
     accept_energy(state);
@@ -140,6 +140,8 @@ namespace hybrid::dda
       state.last_step = dt;
     const bool any_tears = accept_joints(kept, state);
     const int  n         = model->n_blocks();
+    if (model->newmark.filter > 0.)
+      find_turned(state);
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       accept_block(b, kept, state);
@@ -189,6 +191,21 @@ namespace hybrid::dda
 
 
 
+  void StepProblem::find_turned(const DdaState &state)
+  {
+    const ProcessGroup *group = model->processes.get();
+    const int           n     = model->n_blocks();
+    turned.resize(n);
+    const auto [first, last] = own_share(n, group);
+#pragma omp parallel for schedule(static) if (is_worth_sharing(last - first))
+    for (std::size_t b = first; b < last; ++b)
+      turned[b] = turned_beyond_bonds(springs, trial, state, static_cast<int>(b));
+    if (group != nullptr)
+      group->gather_shares(turned.data(), n, sizeof(Vec2));
+  }
+
+
+
   void StepProblem::accept_block(const int b, const double kept, DdaState &state) const
   {
     BlockState        &block = state.blocks[b];
@@ -209,8 +226,7 @@ namespace hybrid::dda
                             (acceleration[b] - (block.acceleration - block.contact_acceleration)),
                         move.cosine,
                         move.sine);
-        block.acceleration_change.head<2>() -=
-          turned_beyond_bonds(springs, trial, state, b) / model->blocks[b].mass;
+        block.acceleration_change.head<2>() -= turned[b] / model->blocks[b].mass;
       }
     block.viscous_stress =
       rotated_stress(damping_time[b] / trial.dt * stress, move.cosine, move.sine);

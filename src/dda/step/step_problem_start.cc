@@ -16,15 +16,18 @@ namespace hybrid::dda
                           const FoundationResponse &response,
                           const double              dt)
   {
-    model      = &block_model;
-    before     = &state;
-    foundation = &response;
-    incoming   = response.boundary_force;
-    few        = nullptr;
-    at_rest    = false;
+    model          = &block_model;
+    before         = &state;
+    foundation     = &response;
+    incoming       = response.boundary_force;
+    few            = nullptr;
+    at_rest        = false;
+    is_complete    = true;
+    lacks_contacts = false;
     {
       const Stopwatch timer(times.springs);
       springs.collect(*model, state);
+      shared.begin(*model, state, springs);
     }
     stresses.begin(*model, state, dt);
     blocks_at_work.begin(model->n_blocks());

@@ -36,7 +36,7 @@ namespace hybrid::dda
   StepTangent::repair(const StepProblem &problem, const bool served, const bool follow_softening)
   {
     constexpr int whole_every = 3; ///< of a step's tangents is made of all rows
-    if (!stale && served)
+    if (serves(served))
       return;
     const bool all = stale || (!problem.is_narrow() && ++repairs % whole_every == 0);
     assemble(problem, {follow_softening, all});

@@ -4,10 +4,10 @@
 #include <hybrid/dda/block/block_motion.h>
 #include <hybrid/dda/joint/contact_state.h>
 #include <hybrid/dda/linear/block_matrix.h>
-#include <hybrid/dda/linear/index_range.h>
 #include <hybrid/dda/model/model.h>
 #include <hybrid/dda/model/state.h>
 #include <hybrid/dda/springs/bonded_area.h>
+#include <hybrid/dda/springs/springs_of_blocks.h>
 
 #include <Eigen/Core>
 
@@ -142,20 +142,26 @@ namespace hybrid::dda
     /// of all others stay.
     void narrow(const std::vector<int> &blocks, const std::vector<int> &nodes);
 
+    /// Likewise only these.
+    void choose(const std::vector<int> &numbers)
+    {
+      chosen = &numbers;
+    }
+
     void widen()
     {
-      is_narrow = false;
+      chosen = nullptr;
     }
 
     std::size_t n_at_work() const
     {
-      return is_narrow ? narrow_ones.size() : springs.size();
+      return chosen != nullptr ? chosen->size() : springs.size();
     }
 
     /// Number of the spring at work at place @p k.
     std::size_t at_work(const std::size_t k) const
     {
-      return is_narrow ? static_cast<std::size_t>(narrow_ones[k]) : k;
+      return chosen != nullptr ? static_cast<std::size_t>((*chosen)[k]) : k;
     }
 
     /// Bring the forces of one spring up to date with tractions that were set.
@@ -179,33 +185,27 @@ namespace hybrid::dda
 
     int n_blocks() const
     {
-      return static_cast<int>(block_begin.size()) - 2;
+      return by_block.n_blocks();
     }
 
-    /// Springs of a block: twice the spring's number, plus 1 if the block is its other.
+    /// See SpringsOfBlocks.
     IndexRange of_block(const int block) const
     {
-      return {block_springs.data() + block_begin[block],
-              block_springs.data() + block_begin[block + 1]};
+      return by_block.of_block(block);
     }
 
-    /// Springs between a block and the foundation, ascending.
     const std::vector<int> &on_foundation() const
     {
-      return foundation_springs;
+      return by_block.on_foundation();
     }
 
-    /// Whom a spring connects.
-    struct Bodies
+    /// Another number where the springs connect others than before.
+    int list_version() const
     {
-      int                block, other; ///< of P and Q
-      std::array<int, 2> node;         ///< foundation nodes of Q
+      return by_block.version();
+    }
 
-      bool operator==(const Bodies &second) const
-      {
-        return block == second.block && other == second.other && node == second.node;
-      }
-    };
+    using Bodies = SpringBodies;
 
     /// The number of the first contact; joints come before.
     std::size_t first_contact() const
@@ -257,9 +257,6 @@ namespace hybrid::dda
     /// @return whether the matrix has them all.
     bool find_slots(const BlockMatrix &matrix);
 
-    /// List the springs of each block and of the foundation.
-    void sort_by_block(int n_blocks);
-
     void add_force_on_foundation(std::size_t s, const Forces &force, Eigen::VectorXd &sum) const;
 
     void add_forces_on_foundation(Eigen::VectorXd &bonds, Eigen::VectorXd &contacts) const;
@@ -281,15 +278,13 @@ namespace hybrid::dda
                                  const JointKinematics &kinematics,
                                  const JointDamping    &damping);
 
-    BondedArea                      bonded_area;        ///< when the step began
-    bool                            is_narrow = false;  ///< not all are at work
-    std::vector<int>                narrow_ones;        ///< at work while it is
-    std::vector<char>               is_marked;          ///< springs, work
-    std::vector<int>                collected;          ///< joints that are springs
-    std::vector<int>                block_begin;        ///< CSR over blocks of block_springs
-    std::vector<int>                block_springs;      ///< of_block(), one after the other
-    std::vector<int>                foundation_springs; ///< on_foundation()
-    std::vector<Bearing>            bearing;            ///< of each spring
+    BondedArea                      bonded_area;      ///< when the step began
+    const std::vector<int>         *chosen = nullptr; ///< at work, if not all
+    std::vector<int>                narrow_ones;      ///< of narrow()
+    std::vector<char>               is_marked;        ///< springs, work
+    std::vector<int>                collected;        ///< joints that are springs
+    SpringsOfBlocks                 by_block;
+    std::vector<Bearing>            bearing; ///< of each spring
     std::vector<std::array<int, 2>> slots;
     bool                            bodies_changed    = true; ///< since the step before
     int                             connected_pattern = -1; ///< of the matrix, for slots; -1: none

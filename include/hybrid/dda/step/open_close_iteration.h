@@ -52,7 +52,7 @@ namespace hybrid::dda
 
     /// Make the solved step the new state: move bodies, remember contacts, count failures and
     /// energy.
-    void accept(DdaState &state) const
+    void accept(DdaState &state)
     {
       problem.accept(state);
     }

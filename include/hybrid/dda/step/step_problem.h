@@ -9,6 +9,7 @@
 #include <hybrid/dda/step/blocks_at_work.h>
 #include <hybrid/dda/step/foundation_response.h>
 #include <hybrid/dda/step/part_times.h>
+#include <hybrid/dda/step/shared_trial.h>
 #include <hybrid/dda/step/step_kinematics.h>
 #include <hybrid/dda/step/step_result.h>
 
@@ -39,8 +40,10 @@ namespace hybrid::dda
    * beta_K: block_damping_times().
    *
    * The residual depends on the trial alone, and on what springs were told to bear
-   * (Springs::prescribe). All bodies but few may be held for a while (narrow()). The state is
-   * changed only by accept(); it, the model and the foundation must outlive the step.
+   * (prescribe()). All bodies but few may be held for a while (narrow()). Several processes share
+   * the evaluations (SharedTrial): all have the residual then, but each only the springs of its own
+   * blocks, until complete(). The state is changed only by accept(); it, the model and the
+   * foundation must outlive the step.
    */
   class StepProblem
   {
@@ -60,6 +63,28 @@ namespace hybrid::dda
 
     /// What is left of the balance with what springs bear now. @return relative_residual()
     double balance();
+
+    /// See Springs::prescribe().
+    bool prescribe(const std::vector<Condition> &conditions);
+
+    /// Evaluations are shared with other processes now.
+    bool is_shared() const
+    {
+      return shared.is_on() && !is_narrow();
+    }
+
+    /// The numbers of the springs whose responses this process has while trials are shared.
+    const SharedTrial &share() const
+    {
+      return shared;
+    }
+
+    /// Find what springs of others' blocks do in the trial, too, as the laws say or
+    /// @p conditions prescribe.
+    void complete(const std::vector<Condition> *conditions = nullptr);
+
+    /// Let every process evaluate everything, in this step.
+    void evaluate_alone();
 
     /// Norm of what is left of the balance, of the bodies that are not held, over forces() [-].
     double relative_residual() const;
@@ -101,7 +126,7 @@ namespace hybrid::dda
     void judge(StepResult &result) const;
 
     /// Make the solution the new state: move bodies, remember contacts, count failures and energy.
-    void accept(DdaState &state) const;
+    void accept(DdaState &state);
 
     /// Blocks that are not held, ascending.
     const std::vector<int> &at_work() const
@@ -180,7 +205,18 @@ namespace hybrid::dda
     Eigen::VectorXd foundation_start; ///< load less S times the displacement at the start [N/m]
     Eigen::VectorXd foundation_moved; ///< displacement since then [m]
 
+    SharedTrial       shared;
+    bool              is_complete    = true;  ///< springs of others' blocks are those of the trial
+    bool              lacks_contacts = false; ///< contact_force is old where others' blocks are
+    std::vector<Vec2> turned;                 ///< work of accept(): turned_beyond_bonds()
+
     void predict(double dt);
+
+    /// Blocks whose balance this process sums up.
+    const std::vector<int> &summed() const
+    {
+      return is_shared() ? shared.blocks() : at_work();
+    }
 
     /// The trial begins with velocities as they were, perhaps with accelerations, too; the
     /// foundation where the rock brings it.
@@ -192,6 +228,12 @@ namespace hybrid::dda
     void move_blocks();
 
     void clear_forces();
+
+    /// Get the sums of others' blocks where they are shared.
+    void exchange_sums();
+
+    /// Of a block in the trial [Pa].
+    Eigen::Vector3d block_stress(int block);
 
     /// Inertia, stresses and weights.
     void add_block_forces();
@@ -217,6 +259,7 @@ namespace hybrid::dda
     /// @param kept of the memories, see Newmark. @return whether any joint becomes more of a
     /// contact
     bool accept_joints(double kept, DdaState &state) const;
+    void find_turned(const DdaState &state);
     void accept_block(int block, double kept, DdaState &state) const;
     void accept_places(DdaState &state) const;
     void accept_contacts(DdaState &state) const;

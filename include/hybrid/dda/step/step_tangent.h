@@ -47,6 +47,12 @@ namespace hybrid::dda
       return stale;
     }
 
+    /// repair() leaves it as it is. @param served see there
+    bool serves(const bool served) const
+    {
+      return served && !stale;
+    }
+
     /// Rebuild it if it is outdated or has not served.
     void repair(const StepProblem &problem, bool served, bool follow_softening);
 
