@@ -46,11 +46,15 @@ IMPLICIT = {
     "joints": ("oblique_joints", ["Time/End time=0.2"]),
 }
 COUPLED = ("restart_coupled", ["Time/End time=0.05"])
-# 2,000 blocks or more: bonded on a rigid base; loose ones that slide, and that come to rest; Badong on its bedrock; a bedrock of triangles.
+# 2,000 blocks or more: bonded on a rigid base; loose ones that slide, and that come to rest; a row that moves over the others by more than a
+# block, so that blocks get other owners (2 of two processes, 18 of three); Badong on its bedrock, and with blocks that yield; a bedrock of triangles.
 BLOCKS = {
     "bonded": ("../benchmarks/bonded_5000", ["Time/End time=0.02"]),
     "sliding": ("../benchmarks/slide_2000", ["Time/End time=0.003"]),
     "resting": ("../benchmarks/rest_2000", ["Mesh/Numbers=Angle = 0; Columns = 100; Rows = 20; Base above = 200", "Time/End time=0.003"]),
+    "moving": ("../benchmarks/slide_2000", ["Mesh/Numbers=Angle = 0; Columns = 100; Rows = 20; Base above = 200", "Time/End time=0.03",
+                                            "Materials/rock/Young modulus=50e6", "Blocks/Initial velocities=top: -1000, 1000, 19, 20, 40, 0, 0"]),
+    "yielding": ("../benchmarks/badong_4", ["Time/End time=0.02", "Blocks/Yielding=true"]),
     "badong": ("../benchmarks/badong_4", ["Time/End time=0.04", "Output/Audit interval=0.01", "Output/Picture interval=0.02"]),
     "triangles": ("../benchmarks/triangles_8", ["Time/End time=0.02"]),
 }
@@ -221,7 +225,7 @@ def require_same_bits(expected, directory, what):
 def check_blocks():
     """Blocks shared out among processes have the bits of one, also where another number goes on."""
     for name, (scene, overrides) in BLOCKS.items():
-        for processes in (1, 2, 4) if name == "badong" else (1, 3) if name == "sliding" else (1, 2):
+        for processes in {"badong": (1, 2, 4), "moving": (1, 2, 3), "sliding": (1, 3)}.get(name, (1, 2)):
             directory = WORK / f"{name}_{processes}"
             result = run(processes, words_of(scene, directory, overrides))
             require(result.stdout.count("Finished") == 1 and ALONE not in result.stdout, f"{name}, {processes} processes: all compute, one speaks")
@@ -231,6 +235,9 @@ def check_blocks():
             else:
                 require_same_bits(expected, directory, f"{name}, {processes} processes")
     scene, overrides = BLOCKS["badong"]
+    threads = WORK / "badong_threads"
+    run(2, words_of(scene, threads, [*overrides, "Parallel/Threads=2"]))
+    require_same_bits(series(WORK / "badong_1"), threads, "badong, two processes of two threads")
     # Runs that tell the errors; one with fewer blocks is computed by the first process alone.
     errors = {}
     for processes in (1, 2):
@@ -259,7 +266,7 @@ def check_blocks():
         directory = WORK / name
         code = stopped(directory, how, long_run, scene)
         require(code != 0, f"{name}: an exit code that tells of it")
-        resume(2, directory)
+        resume(3 if name == "blocks_killed" else 2, directory)
         require_same_bits(expected, directory, name)
 
 

@@ -48,9 +48,10 @@ namespace hybrid::dda
     if (conditions != nullptr)
       springs.prescribe(*model, *before, trial, *conditions);
     springs.widen();
-    for (int b = 0; b < model->n_blocks() && model->blocks_yield && !is_complete; ++b)
-      if (!shared.owns(b))
-        block_stress(b);
+    if (model->blocks_yield && !is_complete)
+      for (int b = 0; b < model->n_blocks(); ++b)
+        if (!shared.owns(b))
+          block_stress(b);
     is_complete = true;
   }
 
