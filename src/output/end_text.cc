@@ -265,7 +265,7 @@ namespace hybrid::output
       if (summary.monitors.empty() || !error.reason.empty() || std::isnan(error.mesh.part[1]))
         return "";
       const bool tells_less = error.mesh_has_corners && !summary.mesh_error.follows;
-      return indent + "of the bedrock's mesh, waves alone: " + peaks_text(error.mesh) +
+      return indent + "of the bedrock's mesh, waves alone, at least: " + peaks_text(error.mesh) +
              (tells_less
                 ? "; what its corners and bends leave is not in it, and may be ten times as much"
                 : "");

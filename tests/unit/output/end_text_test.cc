@@ -103,7 +103,7 @@ namespace hybrid::output
         end_text(run, scene)
           .in_file.find(
             line +
-            "\n          of the bedrock's mesh, waves alone: displacement 0.1 % of the peak (base), "
+            "\n          of the bedrock's mesh, waves alone, at least: displacement 0.1 % of the peak (base), "
             "velocity 0.2 % (base)"),
         std::string::npos);
       const std::string corners = "; what its corners and bends leave is not in it";
