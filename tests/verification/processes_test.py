@@ -27,12 +27,16 @@ EXPLICIT = "Continuum/Time integrator=explicit"
 SMALL_LAMB = [EXPLICIT, "Mesh/Numbers=Width = 400; Height = 300; Resolution/h = 25", "Time/End time=0.3",
               "Point loads/Forces=force: 100, 300, 0, -1e10", "Monitors/Points=a: 200, 300; b: 310, 120",
               "Output/Picture interval=0.1", "Output/Audit interval=0.01", "Gravity/Acceleration=9.81"]
+# Planes that reach free-field sides.
+ELASTIC = ["Bedding planes/Names=bedding_1, bedding_2", "Bedding planes/Strength=elastic",
+           "Mesh/Numbers=Length = 150; Width = 100; Planes = 2; First plane = 60; Spacing = 40; Resolution/h = 10"]
 # Free field, rigid base, bedding planes, an initial wave, damping of both kinds.
 SHARED = {
     "lamb": ("lamb", SMALL_LAMB),
     "free_field": ("free_field", [EXPLICIT, "Time/End time=0.5", "Continuum/Rayleigh mass=0.3", "Maxwell damping/Bedrock ratio=0.03"]),
     "canyon": ("canyon", [EXPLICIT, "Time/End time=0.8"]),
     "joints": ("oblique_joints", [EXPLICIT, "Time/End time=0.4"]),
+    "columns": ("column_planes", [EXPLICIT, *ELASTIC, "Time/End time=1", "Continuum/Rayleigh mass=0.3"]),
     "rigid": ("free_field", [EXPLICIT, "Time/End time=0.5", "Continuum/Base=rigid", "Continuum/Rayleigh stiffness=0"]),
     "wave": ("wave_packet", [EXPLICIT, "Time/End time=0.1"]),
 }
@@ -44,6 +48,7 @@ IMPLICIT = {
     "free_field": ("free_field", ["Time/End time=0.3", "Continuum/Rayleigh mass=0.3", "Maxwell damping/Bedrock ratio=0.03"]),
     "rigid": ("free_field", ["Time/End time=0.3", "Continuum/Base=rigid", "Time/Scheme=filtered"]),
     "joints": ("oblique_joints", ["Time/End time=0.2"]),
+    "columns": ("column_planes", [*ELASTIC, "Time/End time=0.5", "Continuum/Rayleigh stiffness=1e-4"]),
 }
 COUPLED = ("restart_coupled", ["Time/End time=0.05"])
 # 2,000 blocks or more: bonded on a rigid base; loose ones that slide, and that come to rest; a row that moves over the others by more than a

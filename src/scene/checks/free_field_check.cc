@@ -226,16 +226,16 @@ namespace hybrid::scene
       std::string names = held.front();
       for (std::size_t k = 1; k < held.size(); ++k)
         names += ", " + held[k];
+      names += has_joints
+                 ? ": where planes meet each other at a side they are held back, as the free-field "
+                   "column has no joint there"
+                 : ": where a plane reaches a side it is held back, as neither the column nor the "
+                   "dashpots of Continuum/Sides = " +
+                     scene.continuum.sides.name + " have its joint";
       return names +
-             (has_joints
-                ? ": planes that meet each other at a side are held back there, as the free-field "
-                  "column has no joint where more than one ends"
-                : ": a plane that reaches a side is held back there, as neither the column nor the "
-                  "dashpots of Continuum/Sides = " +
-                    scene.continuum.sides.name + " have its joint") +
-             (scene.bedding.slips ? ": it slips too little, the more the narrower the section"
-                                  : ": a little wrong in a narrow section") +
-             "; let it end inside, or the sides be far away";
+             (scene.bedding.slips ? " (too little slip, the more the narrower the section)"
+                                  : " (a little wrong in a narrow section)") +
+             "; let planes end inside, or the sides be far away";
     }
 
 

@@ -102,7 +102,7 @@ namespace hybrid::scene
       expect_warning(free_field_warnings(mesh, scene), {}); // the column has its joint
       scene.bedrock = triangles_bedrock();
       expect_warning(free_field_warnings(mesh, scene),
-                     {"bedding_1: a plane that reaches a side", "slips too little"});
+                     {"bedding_1: where a plane reaches a side", "too little slip"});
       scene.bedding.slips = false;
       expect_warning(free_field_warnings(mesh, scene), {"bedding_1", "a little wrong"});
       scene.motion.type = "none";
@@ -121,7 +121,7 @@ namespace hybrid::scene
       expect_warning(free_field_warnings(mesh, scene), {});
       scene.bedding.names = {"bedding_1", "bedding_2"};
       expect_warning(free_field_warnings(mesh, scene),
-                     {"bedding_1, bedding_2: planes that meet each other", "a little wrong"});
+                     {"bedding_1, bedding_2: where planes meet each other", "a little wrong"});
     }
 
 
