@@ -61,9 +61,8 @@ namespace hybrid
                                             const double                    many,
                                             const double                    most_left)
       {
-        reason = was_interrupted;
         if (processes.from_first(interruption.is_requested() ? 1. : 0.) != 0.)
-          return {};
+          return fail(was_interrupted);
         if (processes.count() > 1) // one that fails ends all
           return compute(scene_with(overrides, end), many, most_left);
         try
@@ -72,14 +71,19 @@ namespace hybrid
           }
         catch (const std::exception &error) // no failure may spoil a run that has finished
           {
-            reason = std::string("the further run failed: ") + error.what();
-            return {};
+            return fail(std::string("the further run failed: ") + error.what());
           }
       }
 
       const std::string &why_not() const
       {
         return reason;
+      }
+
+      /// None was interrupted or failed.
+      bool came_to_their_ends() const
+      {
+        return none_failed;
       }
 
       /// Of the last run [s].
@@ -99,7 +103,15 @@ namespace hybrid
       const Processes       &processes;
       const Interruption    &interruption;
       std::string            reason;
-      double                 time = 0.;
+      double                 time        = 0.;
+      bool                   none_failed = true;
+
+      std::optional<output::StepRecord> fail(const std::string &why)
+      {
+        reason      = why;
+        none_failed = false;
+        return {};
+      }
 
       /// Nobody looks at what it would write besides the histories of its monitors.
       scene::SceneParameters scene_with(std::vector<std::string> overrides, const double end) const
@@ -131,8 +143,7 @@ namespace hybrid
           }
         catch (const InputError &error) // a mesh that cannot be made is so on all processes
           {
-            reason = std::string("the further run failed: ") + error.what();
-            return {};
+            return fail(std::string("the further run failed: ") + error.what());
           }
         const double left = simulation->mesh_count();
         if (left > most_left * many)
@@ -147,10 +158,9 @@ namespace hybrid
         if (simulation->is_alone() && !processes.is_first())
           return {}; // too small to be shared out, as the run itself was
         const RunStatus status = simulation->run(interruption);
-        if (status != RunStatus::finished && status != RunStatus::interrupted)
-          reason = "the further run did not come to its end";
         if (status != RunStatus::finished)
-          return {};
+          return fail(status == RunStatus::interrupted ? was_interrupted
+                                                       : "the further run did not come to its end");
         const auto of_steps = simulation->summary().stages.find("steps");
         time = of_steps == simulation->summary().stages.end() ? 0. : of_steps->second;
         return simulation->step_record();
@@ -238,15 +248,11 @@ namespace hybrid
 
 
 
-    /// For the run that is resumed after its end, unless it is to try again.
+    /// For the run that is resumed after its end.
     void keep(const FinishedRun &run)
     {
-      const output::Summary &summary = run.summary;
-      if ((run.asked.second_step > 0. && summary.probable_error.reason == was_interrupted) ||
-          (run.asked.of_mesh && summary.mesh_error.reason == was_interrupted))
-        return;
       output::write_told_errors(told_errors_file(run.directory),
-                                {run.asked, summary.probable_error, summary.mesh_error});
+                                {run.asked, run.summary.probable_error, run.summary.mesh_error});
     }
   } // namespace
 
@@ -347,6 +353,9 @@ namespace hybrid
         processes.on_first([&] { tell_mesh_error(coarser, runs, time, run, log); });
       }
     runs.leave_nothing();
-    processes.on_first([&] { keep(run); });
+    processes.on_first([&] {
+      if (runs.came_to_their_ends())
+        keep(run);
+    });
   }
 } // namespace hybrid

@@ -11,10 +11,10 @@ namespace hybrid::output
 {
   namespace
   {
-    constexpr double water_level = 1e-4;     ///< of the source's largest power [-]
-    constexpr double given_back  = 2.;       ///< at most, of what the window takes [-]
-    constexpr double tapered_end = 0.05;     ///< of a record: where it fades out, or goes on to [-]
-    constexpr std::size_t least_taper   = 8; ///< [rows]
+    constexpr double      water_level   = 1e-4; ///< of the source's largest power [-]
+    constexpr double      given_back    = 2.;   ///< at most, of what the window takes [-]
+    constexpr double      tapered_end   = 0.05; ///< of a record, in it or beyond it [-]
+    constexpr std::size_t least_taper   = 8;    ///< [rows]
     constexpr double      least_window  = 0.25; ///< of the record [-]
     constexpr double      duration_tail = 0.05; ///< of the energy at both ends of the duration [-]
     constexpr double      shared_lags   = 0.1;  ///< of L, to both sides: one mean square of h [-]
