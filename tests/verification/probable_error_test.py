@@ -45,14 +45,14 @@ LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_
         "brittle_release": ((4, 1), []), "direct_shear": ((4, 1), []), "infinite_slope": ((4, 1), []), "coulomb_joint": ((4, 1), []),
         "opening_plane": ((4, 1), []), "opening_blocks": ((4, 1), []), "bedding_slip_layers": ((4, 1), []),
         "restart_coupled": ((4, 1), []), "floating_block": ((4, 1), []), "sliding_column": ((4, 1), []), "unit_squares": ((4,), []),
-        "dynamic_coefficient": ((4,), []), "shakedown": ((1,), [])}
+        "dynamic_coefficient": ((4,), []), "shakedown": ((1,), []), "column_planes": ((4, 1), [])}
 LONG.update({name: ((4,), []) for name in (
     "drawdown", "flutter", "rising_reservoir", "seams", "seepage_slab", "submerged_incline", "toppling_squares",
     "bonded_slab", "direct_tension", "rate_belt", "residual_belt", "softening_reset", "brazilian_disc", "notched_beam",
     "unconfined_strength", "bedding_slip_blocks", "opening_layers")})
 
 # Scenes that slip or bounce and are cheap: the reference of the table has a twelfth of the scene's own step.
-SLIPS = ("bedding_slip_layers", "coulomb_joint", "drawdown", "incline", "infinite_slope", "opening_plane", "rate_belt", "restart_coupled",
+SLIPS = ("bedding_slip_layers", "column_planes", "coulomb_joint", "drawdown", "incline", "infinite_slope", "opening_plane", "rate_belt", "restart_coupled",
          "rocking", "seams", "seepage_slab", "shaken_base", "sliding_column", "toppling_squares", "unit_squares")
 
 # Mesh of the bedrock: numbers of the mesh, sizes of its cells [m] and the reference's
