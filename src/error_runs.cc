@@ -205,8 +205,6 @@ namespace hybrid
         output::measure_error(*other, run.record, error);
       else
         output::measure_error_by_shorter_steps(run.record, *other, error);
-      if (error.blocks_strike)
-        error.half_step = error.step; // it goes another way, and need not be nearer
       say(output::error_text(run.summary), run, log);
     }
 

@@ -202,6 +202,19 @@ namespace hybrid::output
 
 
 
+    /// Equal, or both not told.
+    bool is_as_much(const Summary::ErrorPart &error, const Summary::ErrorPart &half)
+    {
+      return std::equal(error.part.begin(),
+                        error.part.end(),
+                        half.part.begin(),
+                        [](const double a, const double b) {
+                          return a == b || (std::isnan(a) && std::isnan(b));
+                        });
+    }
+
+
+
     /// What would be left: as much by runs that do not converge, and by an explicit step whose
     /// parts stay as they are.
     std::string half_text(const Summary::ErrorPart &error,
@@ -209,11 +222,13 @@ namespace hybrid::output
                           const std::string        &what,
                           const std::string        &if_as_much)
     {
-      if (error.part == half.part) // slip may scatter alone
+      if (is_as_much(error, half)) // slip may scatter alone
         return "; " + if_as_much;
-      return "; with half the " + what + " " + percent(half.part[0]) + ", " +
-             percent(half.part[1]) + ", " + percent(half.part[2]) +
-             (std::isnan(half.slip_left) ? "" : ", " + percent(half.slip_left)) + " %";
+      std::string text;
+      for (const double part : {half.part[0], half.part[1], half.part[2], half.slip_left})
+        if (!std::isnan(part))
+          text += (text.empty() ? " " : ", ") + percent(part);
+      return "; with half the " + what + text + " %";
     }
 
 
@@ -253,7 +268,7 @@ namespace hybrid::output
       const std::string source =
         of_runs ? format("by the run in steps of %.4g s", error.measured_from) : "probably";
       return "Error     of the time step, " + source + until + ": " + peaks_text(error.step) +
-             half_text(error.step, error.half_step, "step", as_much) + strikes;
+             half_text(error.step, error.left_by_half(), "step", as_much) + strikes;
     }
 
 
@@ -291,7 +306,7 @@ namespace hybrid::output
     std::string cost_text(const Summary::ProbableError &error)
     {
       if (!error.reason.empty() || !std::isfinite(error.cost) ||
-          error.step.part == error.half_step.part)
+          is_as_much(error.step, error.left_by_half()))
         return "";
       return " for at most " +
              format(error.cost < 100. ? "%.2g s" : "%.0f s", std::max(error.cost, 0.1)) +

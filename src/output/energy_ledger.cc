@@ -156,9 +156,8 @@ namespace hybrid::output
       }
     scheme_total += std::abs(integration);
     scheme_sum += integration;
-    in_play         = std::max(in_play, physical + std::abs(weight));
-    largest_kinetic = std::max(largest_kinetic, state.blocks.energy.kinetic);
-    largest         = std::max(largest, std::abs(imbalance));
+    in_play = std::max(in_play, physical + std::abs(weight));
+    largest = std::max(largest, std::abs(imbalance));
     return terms;
   }
 

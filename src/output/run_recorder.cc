@@ -274,6 +274,7 @@ namespace hybrid::output
     file.append(step_series[1], &iterations);
     file.append(step_series[2], &solver_iterations);
     file.append(step_series[3], &wall_time);
+    ledger.note_kinetic_of_blocks(state.blocks.energy.kinetic);
     record_motion(state);
     record_total_force(state);
     update_peaks(state);

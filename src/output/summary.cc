@@ -98,7 +98,7 @@ namespace hybrid::output
               {"until_s", error.until},
               {"blocks_strike", error.blocks_strike},
               {"time_step", error_part(error.step)},
-              {"half_the_step", error_part(error.half_step)},
+              {"half_the_step", error_part(error.left_by_half())},
               {"bedrock_mesh", error_part(error.mesh)}};
     }
 

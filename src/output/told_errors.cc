@@ -2,6 +2,7 @@
 #include <hybrid/output/told_errors.h>
 #include <hybrid/restart/archive.h>
 #include <hybrid/restart/checkpoint_file.h>
+#include <hybrid/scene/input_error.h>
 
 #include <filesystem>
 
@@ -98,11 +99,18 @@ namespace hybrid::output
   {
     if (!std::filesystem::exists(file_name))
       return {};
-    const restart::CheckpointContent content = restart::read_checkpoint(file_name);
-    if (content.layout != layout_of_told_errors())
-      return {};
-    ToldErrors told;
-    restart::Archive::reader(content.state)(told);
-    return told;
+    try
+      {
+        const restart::CheckpointContent content = restart::read_checkpoint(file_name);
+        if (content.layout != layout_of_told_errors())
+          return {};
+        ToldErrors told;
+        restart::Archive::reader(content.state)(told);
+        return told;
+      }
+    catch (const InputError &) // damaged, or of another version: further runs tell it anew
+      {
+        return {};
+      }
   }
 } // namespace hybrid::output

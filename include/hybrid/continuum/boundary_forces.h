@@ -8,7 +8,6 @@
 #include <hybrid/scene/motion/ground_motion.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
-#include <optional>
 #include <vector>
 
 namespace hybrid::continuum

@@ -15,7 +15,7 @@ namespace hybrid::output
    * and that there are two loose blocks or more: one alone has nothing to strike but the ground,
    * and goes one way. What it was found from: doc/accuracy.md, Loose blocks.
    *
-   * @param n_loose blocks that no joint holds
+   * @param n_loose blocks that no joint held at the start
    */
   bool blocks_strike(int n_loose, const EnergyLedger &ledger);
 } // namespace hybrid::output

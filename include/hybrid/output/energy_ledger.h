@@ -71,7 +71,13 @@ namespace hybrid::output
     /// A term now [J/m]; 0 if there is none of that name.
     double value(const std::string &name) const;
 
-    /// Largest kinetic energy that the blocks had at an audit so far [J/m].
+    /// After every step: the kinetic energy of the blocks [J/m].
+    void note_kinetic_of_blocks(const double kinetic)
+    {
+      largest_kinetic = std::max(largest_kinetic, kinetic);
+    }
+
+    /// The largest so far [J/m].
     double largest_kinetic_of_blocks() const
     {
       return largest_kinetic;

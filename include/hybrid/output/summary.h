@@ -120,12 +120,18 @@ namespace hybrid::output
       double    until           = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all
       bool      failed_in_other = false; ///< the joint that failed then did so in the other run
       ErrorPart step;                    ///< of the time step
-      ErrorPart half_step;               ///< what would be left of it with half the step
+      ErrorPart half_step;               ///< what would be left of it with half the step, by order
       int       parts = 1;               ///< into which an explicit step is divided
       ErrorPart mesh; ///< of the finite elements, at monitors in them; NaN: none are
       bool      mesh_has_corners = false;       ///< or bends: what these leave is not in it
       double    cost = MonitorSummary::unknown; ///< of half the step: processor time that comes on
                                                 ///< top, at most [s]
+
+      /// What half the step leaves: as much where blocks strike, as it goes another way.
+      const ErrorPart &left_by_half() const
+      {
+        return blocks_strike ? step : half_step;
+      }
     };
 
     /// What a finer mesh of the blocks would change, told by coarser ones.

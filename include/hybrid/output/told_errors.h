@@ -39,6 +39,6 @@ namespace hybrid::output
   /// Safe from a kill. @throws WriteError.
   void write_told_errors(const std::string &file_name, const ToldErrors &told);
 
-  /// Nothing if there is no file, or one of another program. @throws InputError if it is damaged.
+  /// Nothing if there is no file, or one that is damaged or another program's.
   std::optional<ToldErrors> read_told_errors(const std::string &file_name);
 } // namespace hybrid::output

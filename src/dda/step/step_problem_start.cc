@@ -26,6 +26,7 @@ namespace hybrid::dda
     lacks_contacts = false;
     {
       const Stopwatch timer(times.springs);
+      springs.widen();
       springs.collect(*model, state);
       shared.begin(*model, state, springs);
     }

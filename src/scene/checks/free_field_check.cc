@@ -187,10 +187,16 @@ namespace hybrid::scene
           const auto   is_here = [&](const int node) {
             return std::abs(mesh.nodes[node].x() - column.x) <= 1e-9 * column.height();
           };
+          const auto parts_column = [&](const int node) { // in a corner it has no rock on one side
+            const auto &edges = mesh.lines.at(side);
+            return std::count_if(edges.begin(), edges.end(), [&](const auto &edge) {
+                     return edge[0] == node || edge[1] == node;
+                   }) == 2;
+          };
           for (const std::string &name : scene.bedding.names)
             if (const auto plane = mesh.lines.find(name); plane != mesh.lines.end())
               for (const auto &[a, b] : plane->second)
-                if (is_here(a) != is_here(b)) // an edge along the side parts nothing
+                if (is_here(a) != is_here(b) && parts_column(is_here(a) ? a : b))
                   {
                     const Vec2 along = mesh.nodes[a] - mesh.nodes[b];
                     ends.push_back(

@@ -135,15 +135,22 @@ namespace hybrid::output
       Summary::ProbableError &error = run.probable_error;
       error.reason                  = "";
       error.measured_from           = 5e-4;
-      error.step.part = error.half_step.part = {{0.04, 0.1, 0.5}};
-      error.step.where                       = {{"a", "b", "b"}};
-      error.blocks_strike                    = true;
+      error.step.part               = {{0.04, 0.1, 0.5}};
+      error.half_step.part          = {{0.02, 0.05, 0.2}}; // by order
+      error.step.where              = {{"a", "b", "b"}};
+      error.cost                    = 10.;
+      error.blocks_strike           = true;
       EXPECT_EQ(
         error_text(run).in_file,
         "Error     of the time step, by the run in steps of 0.0005 s: displacement 4 % of the "
         "peak (a), velocity 10 % (b), acceleration 50 % (b); half the step leaves as much; "
         "blocks strike each other, runs in other steps may go another way");
+      EXPECT_EQ(error_text(run).on_screen, error_text(run).in_file); // no price
       error.blocks_strike = false;
+      EXPECT_NE(error_text(run).in_file.find("with half the step 2, 5, 20 %"), std::string::npos);
+      error.step.part[2] = error.half_step.part[2] = MonitorSummary::unknown;
+      EXPECT_NE(error_text(run).in_file.find("with half the step 2, 5 %"), std::string::npos);
+      error.half_step = error.step;
       EXPECT_NE(error_text(run).in_file.find("this is how far they scatter"), std::string::npos);
     }
 

@@ -73,7 +73,7 @@ namespace hybrid::dda
       return shared.is_on() && !is_narrow();
     }
 
-    /// The numbers of the springs whose responses this process has while trials are shared.
+    /// Who owns what while trials are shared.
     const SharedTrial &share() const
     {
       return shared;

@@ -110,6 +110,18 @@ namespace hybrid::scene
     }
 
 
+    TEST(FreeFieldCheck, APlaneThatEndsInTheCornerOfASideIsHeldByNothing)
+    {
+      SectionMesh mesh        = with_plane(0.);
+      mesh.lines["bedding_1"] = {{4, 9}}; // from the ground
+      SceneParameters scene   = free_field();
+      scene.motion.type       = "ricker";
+      scene.bedding.names     = {"bedding_1"};
+      scene.bedrock           = triangles_bedrock();
+      expect_warning(free_field_warnings(mesh, scene), {});
+    }
+
+
     TEST(FreeFieldCheck, PlanesThatMeetAtASideAreNamed)
     {
       SectionMesh mesh        = with_plane(0.);
