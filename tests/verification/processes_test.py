@@ -273,6 +273,25 @@ def check_blocks():
         require(code != 0, f"{name}: an exit code that tells of it")
         resume(3 if name == "blocks_killed" else 2, directory)
         require_same_bits(expected, directory, name)
+    check_kinds_of_machines()
+
+
+def check_kinds_of_machines():
+    """Processes with other mathematical functions come to other bits: they end, and say so."""
+    scene, overrides = BLOCKS["moving"]
+    overrides = [*overrides[:-1], overrides[-1][:-1] + "3"]  # the row spins, so sines and cosines are needed
+    other = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2_Usable,-FMA_Usable,-AVX2,-FMA,-FMA4"
+    directories = [WORK / "kind_one", WORK / "kind_other"]
+    for directory, settings in zip(directories, ([], ["-x", other])):
+        words = words_of(scene, directory, overrides)
+        subprocess.run([*launcher(1), *settings, *words], capture_output=True, env=ENVIRONMENT, timeout=600, check=True)
+    one, two = (series(directory) for directory in directories)
+    if all(one[n].tobytes() == two[n].tobytes() for n in one):
+        print("kinds of machines: this one has no other functions to try")
+        return
+    words = words_of(scene, WORK / "kinds", overrides)
+    result = subprocess.run([*launcher(1), *words, ":", "-n", "1", "-x", other, *words], capture_output=True, text=True, env=ENVIRONMENT, timeout=600)
+    require(result.returncode != 0 and "come to different results" in result.stdout + result.stderr, "machines of two kinds: refused in a sentence")
 
 
 def children(process):
