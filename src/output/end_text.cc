@@ -144,6 +144,17 @@ namespace hybrid::output
 
 
 
+    std::string off_base_text(const int blocks)
+    {
+      return blocks == 0
+               ? ""
+               : indent + format("%d %s beyond the end of the base, where nothing is below",
+                                 blocks,
+                                 blocks == 1 ? "block is" : "blocks are");
+    }
+
+
+
     std::string shear_text(const Summary::BaseShear &base)
     {
       constexpr double round_off = 1e-6;
@@ -359,7 +370,8 @@ namespace hybrid::output
       {
         found += monitors_text(summary, scene.monitors.base_monitor);
         if (summary.blocks > 0)
-          found += indent + slip_text(summary) + shear_text(summary.base_shear);
+          found += indent + slip_text(summary) + shear_text(summary.base_shear) +
+                   off_base_text(summary.blocks_off_base);
       }
     const std::string &place = scene.output.directory;
     const std::string  mesh  = mesh_text(summary);

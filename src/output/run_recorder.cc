@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/blocks_off_base.h>
 #include <hybrid/output/input_tables.h>
 #include <hybrid/output/run_recorder.h>
 #include <hybrid/output/section_tables.h>
@@ -431,6 +432,7 @@ namespace hybrid::output
       {
         write_joints(state);
         slip.finish(state.blocks, file, summary);
+        summary.blocks_off_base = blocks_off_base(*parts.blocks, state.blocks);
         for (const dda::JointState &joint : state.blocks.joints)
           {
             if (joint.failure == dda::FailureKind::none)

@@ -151,6 +151,7 @@ namespace hybrid::output
                          {"energy_residual", summary.energy_residual},
                          {"energy_J_per_m", summary.energy},
                          {"static_stage", static_stage(summary.static_stage)},
+                         {"blocks_off_base", summary.blocks_off_base},
                          {"joints", joints(summary)},
                          {"slip_m", slip(summary.slip)},
                          {"base_shear", base_shear(summary.base_shear)},

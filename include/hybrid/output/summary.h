@@ -165,6 +165,7 @@ namespace hybrid::output
                                                          ///< below [Hz]; 0: nothing shakes
     double        energy_residual = 0.; ///< |sum of all terms| / largest exchanged energy [-]
     FailedJoints  joints;               ///< in the dynamic stage: earthquake damage
+    int           blocks_off_base = 0;  ///< beyond the end of the base, nothing is below them
     FailedJoints  static_joints;        ///< while the body settled under gravity
     StaticStage   static_stage;
     Slip          slip;

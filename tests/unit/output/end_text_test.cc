@@ -52,6 +52,22 @@ namespace hybrid::output
 
 
 
+    TEST(EndText, SaysWhichBlocksHaveNothingBelowThem)
+    {
+      Summary run = a_run();
+      EXPECT_EQ(end_text(run, {}).in_file.find("beyond"), std::string::npos);
+      run.blocks_off_base = 1;
+      EXPECT_NE(end_text(run, {}).in_file.find(
+                  "\n          1 block is beyond the end of the base, where nothing is below\n"),
+                std::string::npos);
+      run.blocks_off_base = 12;
+      EXPECT_NE(end_text(run, {}).in_file.find(
+                  "\n          12 blocks are beyond the end of the base, where nothing is below\n"),
+                std::string::npos);
+    }
+
+
+
     TEST(EndText, AMassThatIsHeldHasMobilisedNothingAtRest)
     {
       Summary run                      = a_run();

@@ -170,6 +170,9 @@ def facts(run):
     if joints and (is_bonded(run) or sum(joints)):
         more = "%d tensile, %d shear%s" % (joints[:2] + ("; %d before the motion" % joints[2] if joints[2] else "",))
         found.append(Fact("Failed joints", str(joints[0] + joints[1]), "", more if joints[0] + joints[1] else "all bonds hold"))
+    off_base = run.summary.get("blocks_off_base", 0)
+    if off_base:
+        found.append(Fact("Blocks off the base", str(off_base), "", "beyond its end, where nothing is below them"))
     residual = run.summary.get("energy_residual")
     if isinstance(residual, float):
         found.append(Fact("Energy missing", "%.2g" % (100 * abs(residual)), "%", "of the energy exchanged"))

@@ -49,7 +49,7 @@ def arguments():
         help="runs side by side, as far as cores and memory allow; default 1: times are taken alone")
     add("--repeat", type=int, default=1, metavar="N", help="run everything N times and take the least time of each; default 1")
     add("--pictures", action="store_true", help="runs write pictures for ParaView, which their times then include")
-    add("--directory", metavar="DIRECTORY", help="of the study; default output/NAME-study")
+    add("--directory", "--output", metavar="DIRECTORY", help="of the study; default output/NAME-study")
     add("--retry", action="store_true", help="compute runs that failed again")
     add("--plan", action="store_true", help="list the runs with the memory that they take; compute nothing")
     add("--collect", action="store_true", help="tables and figures of what there is; compute nothing")

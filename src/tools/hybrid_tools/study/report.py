@@ -12,6 +12,7 @@ from hybrid_tools.study.run_directory import clipped
 
 KINDS = {"closed form": "the closed form", "Richardson": "Richardson's value", "finest run": "the finest run"}
 TABLES = ("runs", "values", "options", "samples", "scatter", "errors_", "verdict")  # files of write()
+NOISE = 0.1  # of a processor time, on a machine that does nothing else
 MOST_ROWS = 30  # of a table in the terminal; files have all
 SEED = "seeds: the finest run again with Young's moduli larger by millionths"
 
@@ -65,8 +66,16 @@ def sentence_on(analysis, found):
     finest, share = analysis.finest(analysis.reference_levels(cheapest.setting.levels)), ""
     if finest and finest not in cheapest.results and finest.cost:
         share = ", %.2g %% of the finest run" % (100 * cheapest.cost / finest.cost)
-    return "The cheapest setting with %s is %s; it costs %.3g s of processor time%s. Its largest error is %s, of %s, against %s." % (
-        wanted, cheapest.name(study), cheapest.cost, share, tables.part(cheapest.error), tables.in_words(cheapest.worst), KINDS[cheapest.kind])
+    return "The cheapest setting with %s is %s; it costs %.3g s of processor time%s. Its largest error is %s, of %s, against %s.%s" % (
+        wanted, cheapest.name(study), cheapest.cost, share, tables.part(cheapest.error), tables.in_words(cheapest.worst), KINDS[cheapest.kind],
+        as_cheap(study, cheapest, within))
+
+
+def as_cheap(study, cheapest, within):
+    """A sentence on settings whose times do not tell them from the cheapest one."""
+    others = [entry for entry in within if entry is not cheapest and entry.cost <= (1 + NOISE) * cheapest.cost]
+    named = ["%s (%.3g s, %s)" % (entry.name(study), entry.cost, tables.part(entry.error)) for entry in others]
+    return " Times within %.0f %% of it, which runs scatter by: %s." % (100 * NOISE, "; ".join(named)) if named else ""
 
 
 def chaos(analysis):

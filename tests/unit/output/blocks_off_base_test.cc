@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "block_scenes.h"
+
+#include <hybrid/output/blocks_off_base.h>
+
+#include <gtest/gtest.h>
+
+using namespace hybrid;
+
+
+
+TEST(BlocksOffBase, counts_those_that_have_come_beyond_an_end)
+{
+  // Three blocks of 2 m from x = 0 on, a base from x = -1 to x = 5.5: the third leans over nothing.
+  const dda::Model model = dda::build_model(test::square_blocks(3, 1, 2.),
+                                            test::block_parameters(30.),
+                                            test::straight_foundation(0., 1., 5.5, 7));
+  dda::DdaState    state = dda::initial_state(model);
+  EXPECT_EQ(output::blocks_off_base(model, state), 0);
+  state.blocks[2].centroid.x() = 5.4;
+  EXPECT_EQ(output::blocks_off_base(model, state), 0);
+  state.blocks[2].centroid = Vec2(5.6, -30.);
+  EXPECT_EQ(output::blocks_off_base(model, state), 1);
+  state.blocks[0].centroid.x() = -1.1;
+  EXPECT_EQ(output::blocks_off_base(model, state), 2);
+}
+
+
+
+TEST(BlocksOffBase, are_not_those_that_were_drawn_beyond_it)
+{
+  // The third block is drawn with its centroid beyond the end.
+  const dda::Model model       = dda::build_model(test::square_blocks(3, 1, 2.),
+                                            test::block_parameters(30.),
+                                            test::straight_foundation(0., 1., 4.5, 7));
+  dda::DdaState    state       = dda::initial_state(model);
+  state.blocks[2].centroid.x() = 5.2;
+  EXPECT_EQ(output::blocks_off_base(model, state), 0);
+}
+
+
+
+TEST(BlocksOffBase, need_a_base)
+{
+  const dda::Model model =
+    dda::build_model(test::square_blocks(1, 1, 2.), test::block_parameters(30.), {});
+  const dda::DdaState state = dda::initial_state(model);
+  EXPECT_EQ(output::blocks_off_base(model, state), 0);
+}
