@@ -276,10 +276,15 @@ namespace hybrid::output
       const std::string strikes =
         error.blocks_strike ? "; blocks strike each other, runs in other steps may go another way"
                             : "";
+      const std::string at_end =
+        error.peak_at_end.empty()
+          ? ""
+          : "; the acceleration of " + error.peak_at_end +
+              " is largest at an end of the record, where nothing is filtered nor told";
       const std::string source =
         of_runs ? format("by the run in steps of %.4g s", error.measured_from) : "probably";
       return "Error     of the time step, " + source + until + ": " + peaks_text(error.step) +
-             half_text(error.step, error.left_by_half(), "step", as_much) + strikes;
+             half_text(error.step, error.left_by_half(), "step", as_much) + strikes + at_end;
     }
 
 

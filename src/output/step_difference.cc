@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/filter_reach.h>
 #include <hybrid/output/step_difference.h>
 #include <hybrid/scene/motion/filter.h>
 
@@ -14,6 +15,7 @@ namespace hybrid::output
     constexpr double least_slip   = 1e-2; ///< of the largest displacement [-]
     constexpr double least_order  = 0.25; ///< of differences; below, runs scatter
     constexpr double first_order  = 1.;   ///< differences that fall more slowly do so by chance
+    constexpr double least_excess = 0.05; ///< of a peak at an end over the others, to be told
     constexpr double least_ratio  = 1.5;  ///< of steps that were taken, for a difference that tells
 
     using History = std::vector<double>;
@@ -112,20 +114,46 @@ namespace hybrid::output
 
 
 
-    double largest_size(const std::array<History, 2> &x)
+    /// Rows from one to before another.
+    struct Range
+    {
+      std::size_t begin, end;
+    };
+
+
+
+    /// Where a quantity is compared, of histories that are filtered up to @p end [s]:
+    /// accelerations only where the filter has something to look at on both sides.
+    Range
+    compared(const Rows &rows, const std::size_t quantity, const double corner, const double end)
+    {
+      if (quantity < 2)
+        return {0, rows.count};
+      constexpr double rounding = 1e-6;
+      const double     length = end - rows.begin, reach = filter_reach(corner, length);
+      const auto       first = static_cast<std::size_t>(std::ceil(reach / rows.spacing - rounding));
+      const auto last = static_cast<std::size_t>((length - reach) / rows.spacing + rounding) + 1;
+      return {first, std::min(last, rows.count)};
+    }
+
+
+
+    double largest_size(const std::array<History, 2> &x, const Range &range)
     {
       double result = 0.;
-      for (std::size_t i = 0; i < x[0].size(); ++i)
+      for (std::size_t i = range.begin; i < range.end; ++i)
         result = std::max(result, std::hypot(x[0][i], x[1][i]));
       return result;
     }
 
 
 
-    double largest_difference(const std::array<History, 2> &x, const std::array<History, 2> &y)
+    double largest_difference(const std::array<History, 2> &x,
+                              const std::array<History, 2> &y,
+                              const Range                  &range)
     {
       double result = 0.;
-      for (std::size_t i = 0; i < x[0].size(); ++i)
+      for (std::size_t i = range.begin; i < range.end; ++i)
         result = std::max(result, std::hypot(x[0][i] - y[0][i], x[1][i] - y[1][i]));
       return result;
     }
@@ -215,6 +243,34 @@ namespace hybrid::output
 
 
 
+    /// The monitor whose acceleration is larger near an end of a run, where it is not compared,
+    /// than anywhere else by more than the part @p told and a twentieth; empty: none.
+    std::string peaks_at_an_end(const StepRecord &run, const StepRecord &other, const double told)
+    {
+      const bool   is_longer = run.step > other.step;
+      const Rows   rows      = is_longer ? common_rows(run, other) : common_rows(other, run);
+      const double end       = std::min(run.time.back(), other.time.back());
+      const Range  all{0, rows.count}, inner = compared(rows, 2, run.corner, end);
+      const std::vector<Histories> of_run  = histories(run, rows, end);
+      double                       largest = 0., most = 1. + std::fmax(told, least_excess);
+      std::string                  result;
+      for (const Histories &monitor : of_run)
+        largest = std::max(largest, largest_size(monitor[2], all));
+      for (std::size_t m = 0; m < of_run.size(); ++m)
+        {
+          const double whole   = largest_size(of_run[m][2], all);
+          const double between = largest_size(of_run[m][2], inner);
+          if (whole > least_motion * largest && whole > most * between)
+            {
+              most   = whole / between;
+              result = run.monitors[m].name;
+            }
+        }
+      return result;
+    }
+
+
+
     /// Whether the difference of two runs tells the error of either; sets the reason, and if it
     /// does the time up to which, and the difference as the error.
     bool tells(const Summary::ErrorPart &difference,
@@ -251,17 +307,18 @@ namespace hybrid::output
                                  now    = histories(shorter, rows, end);
     for (int q = 0; q < 3; ++q)
       {
-        double largest = 0.;
+        const Range range   = compared(rows, q, shorter.corner, end);
+        double      largest = 0.;
         for (const Histories &monitor : now)
-          largest = std::max(largest, largest_size(monitor[q]));
+          largest = std::max(largest, largest_size(monitor[q], range));
         if (q == 0)
           result.slip_left = slip_difference(longer, shorter, largest);
         for (std::size_t m = 0; m < now.size(); ++m)
           {
-            const double peak = largest_size(now[m][q]);
+            const double peak = largest_size(now[m][q], range);
             if ((q == 0 && int(m) == shorter.base) || !(peak > least_motion * largest))
               continue;
-            const double part = largest_difference(before[m][q], now[m][q]) / peak;
+            const double part = largest_difference(before[m][q], now[m][q], range) / peak;
             if (!(part <= result.part[q])) // NaN: none yet
               {
                 result.part[q]  = part;
@@ -285,10 +342,8 @@ namespace hybrid::output
       std::log(deciding(longer.difference) / deciding(difference.part)) / std::log(ratio);
     error.measured_from   = longer.step;
     error.failed_in_other = is_before(error.until, shorter.until);
-    if (order < least_order) // NaN: there is no third run
-      return;
     const auto step = numbers(error.step), half = numbers(error.half_step);
-    for (std::size_t q = 0; q < step.size(); ++q)
+    for (std::size_t q = 0; q < step.size() && !(order < least_order); ++q) // NaN: no third run
       {
         const double found = q < 3 ? std::log(longer.difference[q] / *step[q]) / std::log(ratio)
                                    : MonitorSummary::unknown;
@@ -297,6 +352,7 @@ namespace hybrid::output
         *step[q] /= std::pow(ratio, p) - 1.;
         *half[q] = *step[q] * std::pow(0.5, p);
       }
+    error.peak_at_end = peaks_at_an_end(shorter, longer, error.step.part[2]);
   }
 
 
@@ -314,6 +370,7 @@ namespace hybrid::output
       *part *= gain / (gain - 1.);
     for (double *part : numbers(error.half_step))
       *part /= gain - 1.;
+    error.peak_at_end = peaks_at_an_end(run, shorter, error.step.part[2]);
   }
 
 

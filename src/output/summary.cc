@@ -99,6 +99,7 @@ namespace hybrid::output
               {"blocks_strike", error.blocks_strike},
               {"time_step", error_part(error.step)},
               {"half_the_step", error_part(error.left_by_half())},
+              {"acceleration_peaks_at_an_end", error.peak_at_end},
               {"bedrock_mesh", error_part(error.mesh)}};
     }
 

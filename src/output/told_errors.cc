@@ -50,12 +50,13 @@ namespace hybrid::output
            failed_in_other,
            step,
            half_step,
+           peak_at_end,
            parts,
            mesh,
            mesh_has_corners,
            cost] = error;
     archive(reason, runs_would_do, may_flutter, blocks_strike, second_step, assumed_order);
-    archive(measured_from, until, failed_in_other, step, half_step, parts, mesh);
+    archive(measured_from, until, failed_in_other, step, half_step, peak_at_end, parts, mesh);
     archive(mesh_has_corners, cost);
   }
 

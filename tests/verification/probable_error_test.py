@@ -4,7 +4,7 @@
 in the table a twelfth where it slips (SLIPS): accelerations at the begin of slip are off by as much in a quarter of the step.
 
 True error: largest size of the difference of two histories at any time over the peak, of the monitor where that is largest; displacement
-relative to the base, all below the filter's corner. What the quarter of the step has left itself (a sixteenth; a quarter with a scheme
+relative to the base, all below the filter's corner; accelerations but for a period of it at both ends, where nothing is filtered (filter_reach.h). What the quarter of the step has left itself (a sixteenth; a quarter with a scheme
 of first order) is added.
 
 Usage: probable_error_test.py HYBRID_BINARY SOURCE_DIR WORK_DIR [--write doc/accuracy.md | --left-out doc/accuracy.md]
@@ -121,7 +121,12 @@ def histories(place, axis=None):
     if axis is not None:
         result = {name: [np.column_stack([np.interp(axis, time, v[:, c]) for c in (0, 1)]) for v in values]
                   for name, values in result.items()}
-    return time, result, run.base
+    return time, result, run.base, corner
+
+
+def filter_reach(corner, length):
+    """How far from the ends filtered accelerations are not compared [s], as in the program."""
+    return min(1 / corner, 0.25 * length) if corner > 0 else 0.0
 
 
 def size(pairs):
@@ -130,13 +135,16 @@ def size(pairs):
 
 def true_errors(coarse, fine, ratio, order, until):
     """Largest error over the peak, of the worst monitor: displacement, velocity, acceleration."""
-    time, found, base = histories(coarse)
-    _, reference, _ = histories(fine, time)
+    time, found, base, corner = histories(coarse)
+    _, reference, _, _ = histories(fine, time)
     end = json.loads((fine / "summary.json").read_text())["simulated_time_s"]  # the last step of the other may be beyond
-    keep = time <= min(until or end, end) + 1e-9
+    last = min(time[-1], end)
+    reach = filter_reach(corner, last - time[0])
+    whole = time <= min(until or end, end) + 1e-9
     correction = 1 / (1 - ratio**-order)
     result = []
     for q in range(3):
+        keep = whole & (time >= time[0] + reach - 1e-9) & (time <= last - reach + 1e-9) if q == 2 else whole
         peaks = {name: size(values[q][keep]).max() for name, values in reference.items() if q > 0 or name != base}
         parts = [correction * size(found[name][q][keep] - reference[name][q][keep]).max() / peak
                  for name, peak in peaks.items() if peak > REST * max(peaks.values())]

@@ -13,7 +13,8 @@ namespace hybrid::output
    * Displacements (relative to the base), velocities and accelerations of all monitors that both
    * have, after the low-pass that peaks are taken after, until the first of the two ends, or a step
    * before its first joint fails. Monitors that move less than a thousandth of the one that moves
-   * most are left out.
+   * most are left out. Accelerations near the ends of a record, where the low-pass has nothing to
+   * look at, are left out: filter_reach().
    */
   Summary::ErrorPart step_difference(const StepRecord &longer, const StepRecord &shorter);
 

@@ -117,12 +117,14 @@ namespace hybrid::output
       double assumed_order = 1.45;
       double measured_from = MonitorSummary::unknown; ///< told by a run in steps of this [s]; NaN:
                                                       ///< estimated from this run
-      double    until           = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all
-      bool      failed_in_other = false; ///< the joint that failed then did so in the other run
-      ErrorPart step;                    ///< of the time step
-      ErrorPart half_step;               ///< what would be left of it with half the step, by order
-      int       parts = 1;               ///< into which an explicit step is divided
-      ErrorPart mesh; ///< of the finite elements, at monitors in them; NaN: none are
+      double      until           = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all
+      bool        failed_in_other = false; ///< the joint that failed then did so in the other run
+      ErrorPart   step;                    ///< of the time step
+      ErrorPart   half_step;   ///< what would be left of it with half the step, by order
+      std::string peak_at_end; ///< monitor whose acceleration peaks near an end of the record,
+                               ///< where it is not compared (filter_reach.h); empty: none
+      int       parts = 1;     ///< into which an explicit step is divided
+      ErrorPart mesh;          ///< of the finite elements, at monitors in them; NaN: none are
       bool      mesh_has_corners = false;       ///< or bends: what these leave is not in it
       double    cost = MonitorSummary::unknown; ///< of half the step: processor time that comes on
                                                 ///< top, at most [s]

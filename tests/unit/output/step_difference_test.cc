@@ -75,6 +75,38 @@ namespace hybrid::output
 
 
 
+    TEST(StepDifference, of_accelerations_leaves_out_the_ends_where_nothing_is_filtered)
+    {
+      const StepRecord run   = run_with(4e-3, 0.02);
+      StepRecord       jumps = run_with(2e-3, 0.01); // 20 at the last step: half the peak
+      jumps.monitors[0].histories[2][2 * (jumps.time.size() - 1)] += 20.;
+      const Summary::ErrorPart difference = step_difference(run, jumps);
+      EXPECT_NEAR(difference.part[2], 0.01 / 1.01, 1e-3);
+      jumps.monitors[0].histories[2][2 * (jumps.time.size() - 41)] += 2000.; // 0.08 s before
+      EXPECT_GT(step_difference(run, jumps).part[2], 0.5);
+      StepRecord unfiltered = run_with(2e-3, 0.01), longer = run;
+      unfiltered.corner = longer.corner = 0.;
+      unfiltered.monitors[0].histories[2][2 * (unfiltered.time.size() - 3)] += 20.;
+      EXPECT_GT(step_difference(longer, unfiltered).part[2], 0.4);
+    }
+
+
+
+    TEST(StepDifference, tells_of_a_peak_where_nothing_is_filtered)
+    {
+      StepRecord             run   = run_with(4e-3, 0.02);
+      Summary::ProbableError error = unknown_error();
+      measure_error_by_shorter_steps(run, run_with(2e-3, 0.01), error);
+      EXPECT_EQ(error.peak_at_end, "");
+      for (std::size_t i = run.time.size() - 4; i < run.time.size(); ++i)
+        run.monitors[0].histories[2][2 * i] += 120.; // peak 40
+      error = unknown_error();
+      measure_error_by_shorter_steps(run, run_with(2e-3, 0.01), error);
+      EXPECT_EQ(error.peak_at_end, "point");
+    }
+
+
+
     TEST(StepDifference, ends_with_the_first_failure)
     {
       StepRecord longer = run_with(4e-3, 0.), shorter = run_with(2e-3, 0.);
