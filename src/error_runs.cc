@@ -43,11 +43,14 @@ namespace hybrid
     class FurtherRuns
     {
     public:
-      FurtherRuns(std::string            run_directory,
-                  const SimulationMaker &maker,
-                  const Processes       &all_processes,
-                  const Interruption    &user)
+      /// @param of_all parameters of all runs
+      FurtherRuns(std::string              run_directory,
+                  std::vector<std::string> of_all,
+                  const SimulationMaker   &maker,
+                  const Processes         &all_processes,
+                  const Interruption      &user)
         : directory(std::move(run_directory))
+        , watched(std::move(of_all))
         , make(maker)
         , processes(all_processes)
         , interruption(user)
@@ -98,13 +101,14 @@ namespace hybrid
       }
 
     private:
-      const std::string      directory;
-      const SimulationMaker &make;
-      const Processes       &processes;
-      const Interruption    &interruption;
-      std::string            reason;
-      double                 time        = 0.;
-      bool                   none_failed = true;
+      const std::string              directory;
+      const std::vector<std::string> watched;
+      const SimulationMaker         &make;
+      const Processes               &processes;
+      const Interruption            &interruption;
+      std::string                    reason;
+      double                         time        = 0.;
+      bool                           none_failed = true;
 
       std::optional<output::StepRecord> fail(const std::string &why)
       {
@@ -125,6 +129,7 @@ namespace hybrid
                                   "Checkpoint/Wall interval=0",
                                   "Checkpoint/Step interval=0"})
           overrides.emplace_back(quiet);
+        overrides.insert(overrides.end(), watched.begin(), watched.end());
         overrides.push_back("Time/End time=" + scene::number_text(end));
         overrides.push_back("Output/Directory=" + further_run_directory(directory));
         return scene::read_scene(parameters_file(directory), overrides);
@@ -311,6 +316,7 @@ namespace hybrid
     const std::string second_step = scene::number_text(simulation->second_time_step());
     const std::string meshes[]    = {simulation->coarser_mesh(2.), simulation->coarser_mesh(4.)};
     const double      count       = simulation->mesh_count();
+    const auto        watched     = simulation->watched_points();
     const bool        has_blocks  = simulation->n_blocks() > 0;
     const double      most_left   = has_blocks ? most_blocks_left : most_unknowns_left;
     FinishedRun       run{simulation->directory(),
@@ -327,7 +333,7 @@ namespace hybrid
     processes.on_first([&] { is_told = tell_again(run, log); });
     if (processes.from_first(is_told ? 1. : 0.) != 0.)
       return;
-    FurtherRuns runs(run.directory, make, processes, interruption);
+    FurtherRuns runs(run.directory, watched, make, processes, interruption);
     if (end_of_second > 0.)
       {
         const auto other = runs.run({"Time/Time step=" + second_step}, end_of_second, count, 1.);

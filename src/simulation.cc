@@ -376,7 +376,8 @@ namespace hybrid
 
   std::optional<double> Simulation::end_of_coarser_runs() const
   {
-    if (!model.scene.mesh.coarser_runs || found.monitors.empty() || !may_tell_mesh_error())
+    if (!model.scene.mesh.coarser_runs || !record || record->monitors.empty() ||
+        !may_tell_mesh_error())
       return {};
     return end_of_further_run(time_step());
   }
@@ -386,38 +387,6 @@ namespace hybrid
   bool Simulation::may_tell_mesh_error() const
   {
     return !coarser_mesh(2.).empty() && !found.probable_error.may_flutter;
-  }
-
-
-
-  std::string Simulation::coarser_mesh(const double factor) const
-  {
-    if (model.mesh.resolutions.empty() || !model.scene.mesh.polygons_file.empty())
-      return "";
-    std::string text;
-    for (const auto &[name, value] : model.scene.mesh.numbers)
-      if (model.mesh.resolutions.count(name) == 0)
-        text += name + " = " + scene::number_text(value) + "; ";
-    for (const auto &[name, value] : model.mesh.resolutions)
-      text += name + " = " + scene::number_text(factor * value) + "; ";
-    return text;
-  }
-
-
-
-  double Simulation::mesh_count() const
-  {
-    return n_blocks() > 0               ? n_blocks()
-           : model.continuum != nullptr ? static_cast<double>(model.continuum->n_unknowns())
-                                        : 0.;
-  }
-
-
-
-  double Simulation::mesh_order() const
-  {
-    constexpr double of_blocks = 2., at_corners = 4.;
-    return n_blocks() > 0 ? of_blocks : std::min(model.scene.continuum.degree + 1., at_corners);
   }
 
 
@@ -489,6 +458,9 @@ namespace hybrid
       summary.probable_error.second_step = second_time_step();
     summary.mesh_error.follows       = end_of_coarser_runs().has_value();
     summary.mesh_error.runs_would_do = may_tell_mesh_error();
+    summary.mesh_error.never         = why_no_coarser_mesh();
+    if (!summary.mesh_error.never.empty())
+      summary.mesh_error.reason = summary.mesh_error.never;
     output::write_summary(summary, model.scene.output.directory + "/summary.json");
 
     run_report.end(summary, status);

@@ -72,6 +72,12 @@ namespace hybrid
     /// Mesh/Numbers with all Resolution/... so many times as large; empty: there are none.
     std::string coarser_mesh(double factor) const;
 
+    /// Why there are none; empty: there are.
+    std::string why_no_coarser_mesh() const;
+
+    /// Parameters by which another run looks at the points that this one watches without monitors.
+    std::vector<std::string> watched_points() const;
+
     int n_blocks() const;
 
     /// Blocks, or without any the unknowns of the bedrock: what a coarser mesh has fewer of.

@@ -259,14 +259,25 @@ namespace hybrid::output
 
 
 
-    /// What finer steps would change; nothing without monitors.
+    /// Points whose error can be told.
+    bool has_points(const Summary &summary)
+    {
+      return !summary.monitors.empty() || !summary.probable_error.watched.empty();
+    }
+
+
+
+    /// What finer steps would change; nothing if nothing was watched.
     std::string step_error_text(const Summary &summary)
     {
       const Summary::ProbableError &error = summary.probable_error;
-      if (summary.monitors.empty())
+      if (!has_points(summary))
         return "";
+      const std::string begin =
+        std::string("Error     of the time step") +
+        (error.watched.empty() ? "" : " at " + error.watched + ", as there are no monitors");
       if (!error.reason.empty())
-        return "Error     of the time step: not estimated, " + error.reason + who_finds_it(summary);
+        return begin + ": not estimated, " + error.reason + who_finds_it(summary);
       const std::string until   = until_text(error.until, error.failed_in_other);
       const bool        of_runs = !std::isnan(error.measured_from);
       const std::string as_much = !of_runs || error.blocks_strike
@@ -283,7 +294,7 @@ namespace hybrid::output
               " is largest at an end of the record, where nothing is filtered nor told";
       const std::string source =
         of_runs ? format("by the run in steps of %.4g s", error.measured_from) : "probably";
-      return "Error     of the time step, " + source + until + ": " + peaks_text(error.step) +
+      return begin + ", " + source + until + ": " + peaks_text(error.step) +
              half_text(error.step, error.left_by_half(), "step", as_much) + strikes + at_end;
     }
 
@@ -293,7 +304,7 @@ namespace hybrid::output
     std::string mesh_text(const Summary &summary)
     {
       const Summary::ProbableError &error = summary.probable_error;
-      if (summary.monitors.empty() || !error.reason.empty() || std::isnan(error.mesh.part[1]))
+      if (!has_points(summary) || !error.reason.empty() || std::isnan(error.mesh.part[1]))
         return "";
       const bool tells_less = error.mesh_has_corners && !summary.mesh_error.follows;
       return indent + "of the bedrock's mesh, waves alone, at least: " + peaks_text(error.mesh) +
@@ -309,8 +320,11 @@ namespace hybrid::output
     {
       if (summary.mesh_error.follows)
         return indent + "of the mesh: the scene with coarser ones tells it, below";
-      if (summary.blocks == 0 || summary.monitors.empty() || !summary.finished ||
-          !summary.mesh_error.runs_would_do)
+      if (summary.blocks == 0 || !has_points(summary) || !summary.finished)
+        return "";
+      if (!summary.mesh_error.never.empty())
+        return indent + "of the mesh: not told, " + summary.mesh_error.never;
+      if (!summary.mesh_error.runs_would_do)
         return "";
       return indent + "of the mesh of blocks: hybrid accuracy " + directory +
              " finds it by coarser runs";
@@ -335,7 +349,7 @@ namespace hybrid::output
   EndText error_text(const Summary &summary)
   {
     const std::string text = step_error_text(summary);
-    return {text + (summary.monitors.empty() ? "" : cost_text(summary.probable_error)), text};
+    return {text + (text.empty() ? "" : cost_text(summary.probable_error)), text};
   }
 
 

@@ -3,6 +3,7 @@
 #include <hybrid/output/line_recorder.h>
 #include <hybrid/output/memory_estimate.h>
 #include <hybrid/output/peak_fields.h>
+#include <hybrid/output/watched_points.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -47,9 +48,10 @@ namespace hybrid::output
       for (const scene::Borehole &hole : scene.monitors.boreholes)
         profiles += 2. * hole.samples;
       constexpr double time = 1., motion = 6., step = 4., input = 2.;
+      const double     watched = scene.monitors.monitors.empty() ? 6. * WatchedPoints::most : 0.;
       const double filtered = scene.monitors.filter_frequency > 0. ? time + 2. / 3. * monitors : 0.;
       return steps * (2. * (time + motion + step + monitors + filtered + profiles) +
-                      2. * (time + input + monitors));
+                      2. * (time + input + monitors + watched));
     }
   } // namespace
 

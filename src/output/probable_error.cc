@@ -12,7 +12,6 @@ namespace hybrid::output
   {
     constexpr double      rows_per_period = 8.; ///< of the corner
     constexpr std::size_t most_rows       = 1 << 16;
-    constexpr double      least_motion    = 1e-3; ///< of the largest [-]
     constexpr double      at_rest         = 1e-9; ///< round-off moves by as much [m/s]
     constexpr double      highest_turn    = 1.5;  ///< w dt that a step is asked about [-]
     constexpr double      fades_from      = 0.5;  ///< of the highest frequency [-]
@@ -100,6 +99,7 @@ namespace hybrid::output
 
   ProbableError::ProbableError(const ErrorRecord &record)
     : corner(record.corner)
+    , least_motion(record.least_motion)
     , spacing(make_spacing(record))
     , rows(static_cast<std::size_t>(
         std::floor((record.time.back() - record.time.front()) / spacing + 1e-6)))

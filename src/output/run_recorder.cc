@@ -48,6 +48,7 @@ namespace hybrid::output
         write_water_tables(file, parts.scene.environment.water_tables);
       }
     add_monitors();
+    add_watched_points();
     add_boreholes();
     bedding.add_series(file);
     slip.add_series(file);
@@ -184,6 +185,13 @@ namespace hybrid::output
             file.append(monitor.series[k], pair[k].data());
             monitor.histories[k].insert(monitor.histories[k].end(), {pair[k].x(), pair[k].y()});
           }
+      }
+    for (MonitorSeries &point : watched_motion)
+      {
+        const PointMotion m       = probes.sample(state, point.probe);
+        const Vec2        pair[3] = {m.displacement, m.velocity, m.acceleration};
+        for (int k = 0; k < 3; ++k)
+          point.histories[k].insert(point.histories[k].end(), {pair[k].x(), pair[k].y()});
       }
     const Vec2 base = base_displacement();
     for (Profile &profile : profiles)

@@ -199,9 +199,10 @@ namespace hybrid::output
   {
     const scene::SceneParameters &scene = parts.scene;
     if (times.size() < least_rows || !any_monitor)
-      return any_monitor        ? "the run is too short"
-             : monitors.empty() ? "there is no monitor"
-                                : "all monitors are on blocks that no joint holds";
+      return any_monitor                 ? "the run is too short"
+             : points_of_error().empty() ? "there is no monitor, and nothing that moves to watch"
+             : monitors.empty()          ? "no joint holds a block that is watched"
+                                         : "all monitors are on blocks that no joint holds";
     if (scene.time.dynamic_coefficient < 1.)
       return "Time/Dynamic coefficient damps step by step";
     if (parts.blocks != nullptr && !scene.edge_loads.tractions.empty())
@@ -237,25 +238,29 @@ namespace hybrid::output
   void RunRecorder::estimate_error(Summary &summary) const
   {
     ErrorRecord record;
-    record.time   = times;
-    record.source = shaking(parts.scene, parts.motion);
-    record.corner = parts.scene.monitors.filter_frequency;
-    record.until  = summary.first_failure_time;
-    for (std::size_t m = 0; m < monitors.size(); ++m)
+    record.time                              = times;
+    record.source                            = shaking(parts.scene, parts.motion);
+    record.corner                            = parts.scene.monitors.filter_frequency;
+    record.until                             = summary.first_failure_time;
+    const std::vector<MonitorSeries> &points = points_of_error();
+    for (std::size_t m = 0; m < points.size(); ++m)
       {
-        const int block = probes.block(monitors[m].probe);
+        const int block = probes.block(points[m].probe);
         if (block >= 0 && !parts.blocks->bonded[block])
           continue;
-        if (static_cast<int>(m) == base_monitor)
+        if (static_cast<int>(m) == base_of_error())
           record.base = static_cast<int>(record.monitors.size());
-        record.monitors.push_back({monitors[m].name,
-                                   &monitors[m].histories[0],
+        record.monitors.push_back({points[m].name,
+                                   &points[m].histories[0],
                                    block < 0,
-                                   are_led(times, monitors[m].histories[2], parts.motion)});
+                                   are_led(times, points[m].histories[2], parts.motion)});
       }
     Summary::ProbableError &error = summary.probable_error;
-    error.reason                  = why_no_error(!record.monitors.empty());
-    error.blocks_strike           = blocks_strike(count_loose(parts.blocks), ledger);
+    error.watched                 = watched.text();
+    if (monitors.empty())
+      record.least_motion = WatchedPoints::least_motion;
+    error.reason        = why_no_error(!record.monitors.empty());
+    error.blocks_strike = blocks_strike(count_loose(parts.blocks), ledger);
     if (parts.scene.time.newmark.corrected_step > 0.)
       error.assumed_order = 2.; // of joints; waves have more
     if (!error.reason.empty())
@@ -264,7 +269,7 @@ namespace hybrid::output
         error.may_flutter =
           part_of_friction(ledger) > largest_friction && !is_damped && may_flutter(parts.blocks);
         error.runs_would_do =
-          times.size() >= least_rows && !monitors.empty() && !is_damped && !error.may_flutter;
+          times.size() >= least_rows && !points.empty() && !is_damped && !error.may_flutter;
         if (error.may_flutter)
           error.reason =
             "blocks without damping slide, and may flutter in steps that resolve it: set "
@@ -310,12 +315,14 @@ namespace hybrid::output
   StepRecord RunRecorder::step_record(const double until) const
   {
     StepRecord record;
-    record.step   = parts.scene.time.time_step;
-    record.time   = times;
-    record.base   = base_monitor;
+    record.step = parts.scene.time.time_step;
+    record.time = times;
+    record.base = base_of_error();
+    if (monitors.empty())
+      record.least_motion = WatchedPoints::least_motion;
     record.corner = parts.scene.monitors.filter_frequency;
     record.until  = until;
-    for (const MonitorSeries &monitor : monitors)
+    for (const MonitorSeries &monitor : points_of_error())
       record.monitors.push_back(
         {monitor.name, {{monitor.histories[0], monitor.histories[1], monitor.histories[2]}}});
     return record;

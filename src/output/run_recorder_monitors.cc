@@ -36,6 +36,32 @@ namespace hybrid::output
 
 
 
+  void RunRecorder::add_watched_points()
+  {
+    if (!monitors.empty())
+      return;
+    watched = watched_points(parts.mesh,
+                             parts.blocks,
+                             parts.continuum != nullptr || parts.scene.has_bedrock_blocks());
+    for (const scene::Monitor &point : watched.points)
+      {
+        MonitorSeries series;
+        series.name  = point.name;
+        series.probe = probes.add(point.position, point.name);
+        watched_motion.push_back(std::move(series));
+      }
+  }
+
+
+
+  int RunRecorder::base_of_error() const
+  {
+    return monitors.empty() ? static_cast<int>(watched_motion.size()) * watched.base - 1
+                            : base_monitor;
+  }
+
+
+
   void RunRecorder::summarize_monitors(Summary &summary)
   {
     MonitorReference reference;

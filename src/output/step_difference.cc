@@ -11,7 +11,6 @@ namespace hybrid::output
 {
   namespace
   {
-    constexpr double least_motion = 1e-3; ///< of the largest [-]
     constexpr double least_slip   = 1e-2; ///< of the largest displacement [-]
     constexpr double least_order  = 0.25; ///< of differences; below, runs scatter
     constexpr double first_order  = 1.;   ///< differences that fall more slowly do so by chance
@@ -260,7 +259,7 @@ namespace hybrid::output
         {
           const double whole   = largest_size(of_run[m][2], all);
           const double between = largest_size(of_run[m][2], inner);
-          if (whole > least_motion * largest && whole > most * between)
+          if (whole > run.least_motion * largest && whole > most * between)
             {
               most   = whole / between;
               result = run.monitors[m].name;
@@ -305,6 +304,7 @@ namespace hybrid::output
     const double                 end    = std::min(longer.time.back(), shorter.time.back());
     const std::vector<Histories> before = histories(longer, rows, end),
                                  now    = histories(shorter, rows, end);
+    const double least                  = std::max(longer.least_motion, shorter.least_motion);
     for (int q = 0; q < 3; ++q)
       {
         const Range range   = compared(rows, q, shorter.corner, end);
@@ -316,7 +316,7 @@ namespace hybrid::output
         for (std::size_t m = 0; m < now.size(); ++m)
           {
             const double peak = largest_size(now[m][q], range);
-            if ((q == 0 && int(m) == shorter.base) || !(peak > least_motion * largest))
+            if ((q == 0 && int(m) == shorter.base) || !(peak > least * largest))
               continue;
             const double part = largest_difference(before[m][q], now[m][q], range) / peak;
             if (!(part <= result.part[q])) // NaN: none yet

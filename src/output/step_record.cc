@@ -30,8 +30,8 @@ namespace hybrid::output
 
   void serialize(restart::Archive &archive, StepRecord &record)
   {
-    auto &[step, time, monitors, base, corner, until, slip_left, difference] = record;
-    archive(step, time, monitors, base, corner, until, slip_left, difference);
+    auto &[step, time, monitors, least_motion, base, corner, until, slip_left, difference] = record;
+    archive(step, time, monitors, least_motion, base, corner, until, slip_left, difference);
   }
 
 

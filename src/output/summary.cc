@@ -92,8 +92,9 @@ namespace hybrid::output
     Json probable_error(const Summary::ProbableError &error)
     {
       if (!error.reason.empty())
-        return {{"estimated", false}, {"reason", error.reason}};
+        return {{"estimated", false}, {"reason", error.reason}, {"watched", error.watched}};
       return {{"estimated", true},
+              {"watched", error.watched},
               {"measured_from_time_step_s", error.measured_from},
               {"until_s", error.until},
               {"blocks_strike", error.blocks_strike},

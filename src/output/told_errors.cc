@@ -39,7 +39,8 @@ namespace hybrid::output
 
   void serialize(restart::Archive &archive, Summary::ProbableError &error)
   {
-    auto &[reason,
+    auto &[watched,
+           reason,
            runs_would_do,
            may_flutter,
            blocks_strike,
@@ -55,7 +56,7 @@ namespace hybrid::output
            mesh,
            mesh_has_corners,
            cost] = error;
-    archive(reason, runs_would_do, may_flutter, blocks_strike, second_step, assumed_order);
+    archive(watched, reason, runs_would_do, may_flutter, blocks_strike, second_step, assumed_order);
     archive(measured_from, until, failed_in_other, step, half_step, peak_at_end, parts, mesh);
     archive(mesh_has_corners, cost);
   }
@@ -64,9 +65,18 @@ namespace hybrid::output
 
   void serialize(restart::Archive &archive, Summary::MeshError &error)
   {
-    auto &[runs_would_do, follows, reason, meshes, until, failed_in_other, size, half_size, cost] =
-      error;
-    archive(runs_would_do, follows, reason, meshes, until, failed_in_other, size, half_size, cost);
+    auto &[runs_would_do,
+           follows,
+           never,
+           reason,
+           meshes,
+           until,
+           failed_in_other,
+           size,
+           half_size,
+           cost] = error;
+    archive(runs_would_do, follows, never, reason, meshes, until, failed_in_other, size, half_size);
+    archive(cost);
   }
 
 

@@ -10,11 +10,14 @@ does no harm.
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
 import sys
 import time
+
+import h5py
 
 SLIDES = "shaken_base"                           # friction takes all
 BREAKS = "brittle_release"                       # a joint fails at 1.17 s
@@ -39,6 +42,46 @@ def summary_of(directory):
 
 def nothing_left(directory):
     return not (directory / "checkpoint/further_run").exists()
+
+
+def without_monitors(root, work):
+    """The scene that slides, without monitors; its paths are those of the scene."""
+    text = (root / "parameters/verification" / (SLIDES + ".prm")).read_text(encoding="utf-8")
+    text = re.sub(r"subsection Monitors.*?\nend\n", "", text, flags=re.S)
+    work.mkdir(parents=True, exist_ok=True)
+    copy = work / (SLIDES + "_without_monitors.prm")
+    copy.write_text(re.sub(r"= \.\./\.\./", "= %s/" % root, text), encoding="utf-8")
+    return copy
+
+
+def check_without_monitors(words, root, work, require):
+    """It watches the centre of the block, as the monitor of the scene does."""
+    scene = without_monitors(root, work)
+    binary = words[0]
+
+    def compute(place, *overrides):
+        line = [str(binary), str(scene), "--force"]
+        for override in ("Output/Directory=%s" % place, "Output/Picture interval=0", *overrides):
+            line += ["-s", override]
+        done = subprocess.run(line, capture_output=True, text=True, check=False)
+        return done.returncode, done.stdout + done.stderr
+
+    code, output = compute(work / "watched")
+    error, beside = (summary_of(work / name)["probable_error"] for name in ("watched", "two"))
+    require(code == 0 and error["estimated"] and error["watched"] == "1 block", "a run without monitors tells its error, too", output)
+    require("at 1 block, as there are no monitors, by the run" in output.splitlines()[-1], "and says what was watched", output)
+    for quantity in ("velocity", "acceleration"):
+        parts = [found["time_step"][quantity]["part_of_peak"] for found in (error, beside)]
+        require(0.9 < parts[0] / parts[1] < 1.1, "which is that of a monitor in the same place: " + quantity, output)
+    require(summary_of(work / "watched")["monitors"] == {}, "it has no monitors for that", output)
+    require(summary_of(work / "watched")["slip_m"] == summary_of(work / "two")["slip_m"], "it slips as with monitors", output)
+    with h5py.File(work / "watched/run.h5", "r") as file:
+        require("monitors" not in file and "filtered/monitors" not in file, "run.h5 has no rows of what was watched", output)
+    compute(work / "watched_parts", "Time/End time=6", "Time/Error estimate=one run", "Checkpoint/Step interval=1000")
+    done = subprocess.run([str(binary), "--resume", str(work / "watched_parts"), "-s", "Time/End time=12", "-s", "Time/Error estimate=automatic"],
+                          capture_output=True, text=True, check=False)
+    require(done.returncode == 0 and summary_of(work / "watched_parts")["probable_error"]["time_step"] == error["time_step"],
+            "a run that goes on tells the same, as its checkpoint has what was watched", done.stdout + done.stderr)
 
 
 def check_error(words, work, same_bits, require):
@@ -139,6 +182,7 @@ def main():
     os.environ.update(OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
     words = (binary, root)
     check_error(words, work, same_bits, require)
+    check_without_monitors(words, root, work, require)
     check_resumed(words, work, require)
     check_mesh(words, work, same_bits, require)
     check_failure(words, work, require)

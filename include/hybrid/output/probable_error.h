@@ -33,8 +33,9 @@ namespace hybrid::output
     /// 0.
     std::function<double(double)> source;
 
-    double corner = 25.; ///< of the zero-phase low-pass before peaks [Hz]; 0: none
-    double until  = MonitorSummary::unknown; ///< what is later is left out [s]; NaN: nothing is
+    double least_motion = 1e-3; ///< of the largest: monitors that move less are left out [-]
+    double corner       = 25.;  ///< of the zero-phase low-pass before peaks [Hz]; 0: none
+    double until = MonitorSummary::unknown; ///< what is later is left out [s]; NaN: nothing is
   };
 
 
@@ -57,8 +58,8 @@ namespace hybrid::output
     explicit ProbableError(const ErrorRecord &record);
 
     /// Largest error at any time over the peak of the same monitor, of those in finite elements.
-    /// Monitors that move less than a thousandth of the one that moves most are left out, and so
-    /// are accelerations of those that are led.
+    /// Monitors that move less than the record's least_motion are left out, and so are
+    /// accelerations of those that are led.
     /// @param highest angular frequency that is asked about [1/s]; errors fade above half of it.
     Summary::ErrorPart in_rock(const FrequencyError &error, double highest) const;
 
@@ -79,7 +80,7 @@ namespace hybrid::output
       double                  peak[3] = {0., 0., 0.}; ///< of vectors, see Summary::ErrorPart
     };
 
-    double              corner, spacing = 0.;
+    double              corner, least_motion, spacing = 0.;
     std::size_t         rows = 0, rows_until = 0;
     int                 base;
     std::vector<Motion> motions;

@@ -12,6 +12,7 @@
 #include <hybrid/output/slip_recorder.h>
 #include <hybrid/output/step_record.h>
 #include <hybrid/output/summary.h>
+#include <hybrid/output/watched_points.h>
 #include <hybrid/scene/mesh/section_mesh.h>
 #include <hybrid/scene/motion/ground_motion.h>
 #include <hybrid/scene/motion/spectrum_motion.h>
@@ -126,6 +127,8 @@ namespace hybrid::output
     EnergyLedger               ledger;
     bool                       has_peaks_of_bedrock; ///< and adds to them
     std::vector<MonitorSeries> monitors;
+    WatchedPoints              watched;        ///< without monitors, for the error alone
+    std::vector<MonitorSeries> watched_motion; ///< of these; no series of run.h5
     std::vector<Profile>       profiles;
     int                        base_monitor = -1; ///< index in monitors
     int time_series = -1, input_series[3] = {-1, -1, -1}, step_series[4] = {-1, -1, -1, -1};
@@ -147,6 +150,7 @@ namespace hybrid::output
     }
 
     void add_monitors();
+    void add_watched_points();
     void add_boreholes();
     void add_series();
     void record_motion(const coupling::CoupledState &state);
@@ -161,6 +165,15 @@ namespace hybrid::output
     void summarize_monitors(Summary &summary);
     void write_filtered(const MonitorSummarizer &summarizer);
     void estimate_error(Summary &summary) const;
+
+    /// What tells the error: the monitors, or the points that are watched without any.
+    const std::vector<MonitorSeries> &points_of_error() const
+    {
+      return monitors.empty() ? watched_motion : monitors;
+    }
+
+    /// Which of them displacements are relative to; -1: none.
+    int base_of_error() const;
 
     /// Why the error of the steps is not estimated, in words; empty: it is.
     std::string why_no_error(bool any_monitor) const;

@@ -12,8 +12,8 @@ namespace hybrid::output
    *
    * Displacements (relative to the base), velocities and accelerations of all monitors that both
    * have, after the low-pass that peaks are taken after, until the first of the two ends, or a step
-   * before its first joint fails. Monitors that move less than a thousandth of the one that moves
-   * most are left out. Accelerations near the ends of a record, where the low-pass has nothing to
+   * before its first joint fails. Monitors that move less than the least_motion of a record are
+   * left out. Accelerations near the ends of a record, where the low-pass has nothing to
    * look at, are left out: filter_reach().
    */
   Summary::ErrorPart step_difference(const StepRecord &longer, const StepRecord &shorter);

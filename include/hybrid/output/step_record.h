@@ -24,8 +24,9 @@ namespace hybrid::output
     double               step = 0.; ///< Time/Time step [s]
     std::vector<double>  time;      ///< end of each step [s]
     std::vector<Monitor> monitors;
-    int                  base   = -1; ///< monitor that displacements are relative to; -1: none
-    double               corner = 0.; ///< of the zero-phase low-pass before peaks [Hz]; 0: none
+    double least_motion = 1e-3; ///< of the largest: monitors that move less are left out [-]
+    int    base         = -1;   ///< monitor that displacements are relative to; -1: none
+    double corner       = 0.;   ///< of the zero-phase low-pass before peaks [Hz]; 0: none
     double until = MonitorSummary::unknown; ///< what is later is left out [s]; NaN: nothing is
 
     double slip_left = MonitorSummary::unknown; ///< mean on the sliding surface, at the end [m]

@@ -107,6 +107,7 @@ namespace hybrid::output
     /// What finer steps would change, as far as it is estimated.
     struct ProbableError
     {
+      std::string watched; ///< what was watched, as there are no monitors; empty: these were
       std::string reason        = "no step was taken"; ///< why it is not estimated; empty: it is
       bool        runs_would_do = false; ///< it is not, but the difference to another run tells it
       bool        may_flutter   = false; ///< blocks do in finer steps and meshes: no run tells it
@@ -139,8 +140,9 @@ namespace hybrid::output
     /// What a finer mesh of the blocks would change, told by coarser ones.
     struct MeshError
     {
-      bool        runs_would_do   = false;            ///< coarser meshes, which there are
-      bool        follows         = false;            ///< the runs that tell it
+      bool        runs_would_do = false; ///< coarser meshes, which there are
+      bool        follows       = false; ///< the runs that tell it
+      std::string never;                 ///< why no coarser mesh tells it; empty: there are some
       std::string reason          = "no coarser run"; ///< why it is not known; empty: it is
       int         meshes          = 0; ///< coarser ones, twice and four times as coarse
       double      until           = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all

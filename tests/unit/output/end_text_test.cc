@@ -145,6 +145,56 @@ namespace hybrid::output
 
 
 
+    TEST(EndText, SaysWhatWasWatchedWithoutMonitors)
+    {
+      Summary run = a_run();
+      run.monitors.clear();
+      Summary::ProbableError &error = run.probable_error;
+      EXPECT_EQ(error_text(run).on_screen, ""); // nothing moved, or no step was taken
+      error.watched = "8 blocks and 4 points of the bedrock";
+      EXPECT_EQ(error_text(run).in_file,
+                "Error     of the time step at 8 blocks and 4 points of the bedrock, as there are "
+                "no monitors: not estimated, blocks");
+      error.reason          = "";
+      error.step.part[1]    = 0.01;
+      error.step.where[1]   = "x_3_y_4";
+      error.half_step.part  = {{MonitorSummary::unknown, 2.5e-3, MonitorSummary::unknown}};
+      const std::string end = ", probably: velocity 1 % of the peak (x_3_y_4); with half the step";
+      EXPECT_NE(error_text(run).in_file.find("as there are no monitors" + end), std::string::npos);
+      EXPECT_NE(end_text(run, {}).on_screen.find("hybrid accuracy"), std::string::npos);
+    }
+
+
+
+    TEST(EndText, SaysWhereAnAccelerationIsLargestWhereNothingIsTold)
+    {
+      Summary                 run   = a_run();
+      Summary::ProbableError &error = run.probable_error;
+      error.reason                  = "";
+      error.measured_from           = 5e-4;
+      error.step.part[2]            = 0.1;
+      EXPECT_EQ(error_text(run).in_file.find("an end of the record"), std::string::npos);
+      error.peak_at_end = "crest";
+      EXPECT_NE(error_text(run).in_file.find("; the acceleration of crest is largest at an end of "
+                                             "the record, where nothing is filtered nor told"),
+                std::string::npos);
+    }
+
+
+
+    TEST(EndText, SaysWhyNothingTellsTheErrorOfAMesh)
+    {
+      Summary run          = a_run();
+      run.mesh_error.never = "the blocks are given as polygons, which cannot be made coarser";
+      const std::string line =
+        "\n          of the mesh: not told, the blocks are given as polygons, which cannot be made "
+        "coarser\nResults";
+      EXPECT_NE(end_text(run, {}).on_screen.find(line), std::string::npos);
+      EXPECT_EQ(end_text(run, {}).on_screen.find("hybrid accuracy"), std::string::npos);
+    }
+
+
+
     TEST(EndText, SaysThatBlocksStrikeEachOther)
     {
       Summary                 run   = a_run();

@@ -92,6 +92,23 @@ namespace hybrid::output
 
 
 
+    TEST(StepDifference, leaves_out_what_moves_less_than_the_record_says)
+    {
+      StepRecord longer = run_with(4e-3, 0.02), shorter = run_with(2e-3, 0.01);
+      for (StepRecord *record : {&longer, &shorter})
+        record->monitors.push_back({"quiet", record->monitors[1].histories}); // the base's motion
+      for (StepRecord *record : {&longer, &shorter})
+        for (std::size_t i = 0; i < record->time.size(); ++i)
+          record->monitors[2].histories[0][2 * i] += 0.05 * std::sin(3. * record->time[i]);
+      for (double &x : longer.monitors[2].histories[0])
+        x += 0.02; // of its peak 40 %
+      EXPECT_GT(step_difference(longer, shorter).part[0], 0.3);
+      shorter.least_motion = 0.1;
+      EXPECT_LT(step_difference(longer, shorter).part[0], 0.02);
+    }
+
+
+
     TEST(StepDifference, tells_of_a_peak_where_nothing_is_filtered)
     {
       StepRecord             run   = run_with(4e-3, 0.02);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/watched_points.h>
+#include <hybrid/scene/parameters/parameter_values.h>
+#include <hybrid/simulation.h>
+
+#include <algorithm>
+
+// What further runs for the errors of a run compute.
+
+namespace hybrid
+{
+  std::string Simulation::coarser_mesh(const double factor) const
+  {
+    if (model.mesh.resolutions.empty() || !model.scene.mesh.polygons_file.empty())
+      return "";
+    std::string text;
+    for (const auto &[name, value] : model.scene.mesh.numbers)
+      if (model.mesh.resolutions.count(name) == 0)
+        text += name + " = " + scene::number_text(value) + "; ";
+    for (const auto &[name, value] : model.mesh.resolutions)
+      text += name + " = " + scene::number_text(factor * value) + "; ";
+    return text;
+  }
+
+
+
+  std::string Simulation::why_no_coarser_mesh() const
+  {
+    if (!model.scene.mesh.polygons_file.empty())
+      return "the blocks are given as polygons, which cannot be made coarser";
+    return coarser_mesh(2.).empty() ? "the mesh has no numbers Resolution/... to make it coarser by"
+                                    : "";
+  }
+
+
+
+  std::vector<std::string> Simulation::watched_points() const
+  {
+    if (!model.scene.monitors.monitors.empty())
+      return {};
+    const output::WatchedPoints watched =
+      output::watched_points(model.mesh,
+                             model.blocks.get(),
+                             model.continuum != nullptr || model.scene.has_bedrock_blocks());
+    std::string points;
+    for (const scene::Monitor &point : watched.points)
+      points += point.name + ": " + scene::number_text(point.position.x()) + ", " +
+                scene::number_text(point.position.y()) + "; ";
+    std::vector<std::string> result = {"Monitors/Points=" + points};
+    if (watched.base > 0)
+      result.push_back("Monitors/Base=" + watched.points.back().name);
+    return result;
+  }
+
+
+
+  double Simulation::mesh_count() const
+  {
+    return n_blocks() > 0               ? n_blocks()
+           : model.continuum != nullptr ? static_cast<double>(model.continuum->n_unknowns())
+                                        : 0.;
+  }
+
+
+
+  double Simulation::mesh_order() const
+  {
+    constexpr double of_blocks = 2., at_corners = 4.;
+    return n_blocks() > 0 ? of_blocks : std::min(model.scene.continuum.degree + 1., at_corners);
+  }
+} // namespace hybrid
