@@ -29,6 +29,11 @@ def until(found):
     return "" if found.get("until_s") is None else ", until a joint failed at %.3g s" % found["until_s"]
 
 
+def watched(found):
+    """Without monitors a run looks at points of its own."""
+    return ", at " + found["watched"] if found.get("watched") else ""
+
+
 def row(what, found, part, by):
     if not found.get("estimated"):
         return [what] + ["–"] * 4 + ["not known: " + found.get("reason", "")]
@@ -41,6 +46,8 @@ def halved(found, part, half):
     notes = ["as much"] if as_much else []
     if found.get("blocks_strike"):
         notes.append("blocks strike each other, runs in other steps may go another way")
+    if found.get("acceleration_peaks_at_an_end"):
+        notes.append("the acceleration of %s is largest at an end of the record, where nothing is filtered nor told" % found["acceleration_peaks_at_an_end"])
     return ["with half of it"] + cells(found[half]) + ["; ".join(notes)]
 
 
@@ -51,7 +58,7 @@ def rows_of(run):
     if step:
         other = step.get("measured_from_time_step_s")
         by = "the run itself" if other is None else "a run in steps of %.4g s" % other
-        found.append(row("of the time step", step, "time_step", by))
+        found.append(row("of the time step", step, "time_step", by + watched(step)))
         if step.get("estimated"):
             found.append(halved(step, "time_step", "half_the_step"))
             bedrock = step.get("bedrock_mesh", {})
