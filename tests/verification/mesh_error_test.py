@@ -6,8 +6,8 @@ a third of the size.
 True error as in probable_error_test.py. What the finer mesh has left itself (1/r^1.5 of it with blocks, 1/r^2 without, r times as fine) is added.
 
 Usage: mesh_error_test.py HYBRID_BINARY SOURCE_DIR WORK_DIR [--write doc/accuracy.md]
-The first form runs the scenes of SHORT and asks for a factor of 3. --write runs all and writes the table of the page (ten minutes); runs
-that are in WORK_DIR already are kept.
+The first form runs the scenes of SHORT, asks for a factor of 3 and for a row of each scene in the page. --write runs all and writes the
+table of the page (ten minutes); runs that are in WORK_DIR already are kept.
 """
 import json
 import pathlib
@@ -58,6 +58,18 @@ def compare(binary, source, work, name):
     return true, [said["mesh"][q]["part_of_peak"] for q in steps.QUANTITIES] if said["estimated"] else None, said, int(summary["blocks"])
 
 
+def label(name, blocks, meshes):
+    return "%s%s%s" % (steps.LABELS.get(name, name), "" if blocks else ", no blocks", "" if meshes == 2 else ", one coarser mesh")
+
+
+def misplaced(page):
+    """Rows of the page's table that are of no scene of SCENES, and scenes that have none."""
+    table = page.read_text().split("<!-- mesh lines -->")[1].split("<!-- end -->")[0]
+    rows = set(re.findall(r"^\| (.*?) \| [0-9.]+ \|", table, re.MULTILINE))
+    labels = {name: {label(name, blocks, meshes) for blocks in (0, 1) for meshes in (1, 2)} for name in SCENES}
+    return sorted(rows - set().union(*labels.values())) + sorted(name for name, names in labels.items() if not names & rows)
+
+
 def write(binary, source, work, page):
     rows = []
     for name in SCENES:
@@ -65,8 +77,7 @@ def write(binary, source, work, page):
         if estimated is None:
             sys.exit("%s: not estimated: %s" % (name, said["reason"]))
         size = min(float(h) for h in re.findall(r"Resolution/\w+ = ([0-9.]+)", meshed(source, name, 1)))
-        label = "%s%s%s" % (steps.LABELS.get(name, name), "" if blocks else ", no blocks", "" if said["coarser_meshes"] == 2 else ", one coarser mesh")
-        rows.append(steps.row(label, size, true, estimated))
+        rows.append(steps.row(label(name, blocks, said["coarser_meshes"]), size, true, estimated))
     steps.put(page, ((rows, "mesh lines"),))
 
 
@@ -79,6 +90,8 @@ def main():
     if "--write" in sys.argv:
         write(binary, source, work, pathlib.Path(sys.argv[sys.argv.index("--write") + 1]))
         return
+    if misplaced(source / "doc/accuracy.md"):
+        sys.exit("rows of no scene, or scenes without a row: " + ", ".join(misplaced(source / "doc/accuracy.md")))
     good = True
     for name in SHORT:
         true, estimated, said, _ = compare(binary, source, work, name)
