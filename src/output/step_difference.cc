@@ -372,36 +372,4 @@ namespace hybrid::output
       *part /= gain - 1.;
     error.peak_at_end = peaks_at_an_end(run, shorter, error.step.part[2]);
   }
-
-
-
-  void measure_mesh_error(const StepRecord              &run,
-                          const std::vector<StepRecord> &coarser,
-                          const double                   highest_order,
-                          Summary::MeshError            &error)
-  {
-    constexpr double         unknown_order = 1.45, lowest_order = 0.5;
-    const Summary::ErrorPart near = step_difference(coarser.front(), run);
-    Summary::ErrorPart       far =
-      coarser.size() > 1 ? step_difference(coarser[1], coarser[0]) : Summary::ErrorPart();
-    error.size = error.half_size = near;
-    error.meshes                 = static_cast<int>(coarser.size());
-    error.until                  = run.until;
-    for (const StepRecord &record : coarser)
-      error.until = std::fmin(error.until, record.until);
-    error.failed_in_other = is_before(error.until, run.until);
-    error.reason    = std::isnan(deciding(near.part)) ? "nothing moves until a joint fails" : "";
-    const auto size = numbers(error.size), half = numbers(error.half_size), other = numbers(far);
-    for (std::size_t q = 0; q < size.size(); ++q)
-      {
-        const double near_by = *size[q], found = std::log2(*other[q] / near_by);
-        if (std::isnan(near_by))
-          continue;                                   // no slip is left, or a joint failed
-        const bool   is_seen = found >= lowest_order; // NaN: there is no third mesh
-        const double p       = is_seen ? std::min(found, highest_order) : unknown_order;
-        const double gain    = std::exp2(p);
-        *size[q] = (is_seen ? std::fmax(near_by, *other[q] / gain) : near_by) / (gain - 1.);
-        *half[q] = is_seen || std::isnan(found) ? *size[q] / gain : *size[q];
-      }
-  }
 } // namespace hybrid::output

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/step_difference.h>
 
+#include "shaken_point.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,32 +11,6 @@ namespace hybrid::output
 {
   namespace
   {
-    /// A run of 2 s in steps of @p step in which "point" moves by sin(2 pi t) (1 + error) relative
-    /// to "base", and along.
-    StepRecord run_with(const double step, const double error)
-    {
-      StepRecord record;
-      record.step     = step;
-      record.corner   = 25.;
-      record.base     = 1;
-      record.monitors = {{"point", {}}, {"base", {}}};
-      for (int i = 1; i * step < 2. + 1e-9; ++i)
-        {
-          const double t = i * step, w = 2. * M_PI, base = 0.3 * std::sin(5. * t);
-          const double motion[] = {std::sin(w * t), w * std::cos(w * t), -w * w * std::sin(w * t)};
-          record.time.push_back(t);
-          for (int q = 0; q < 3; ++q)
-            for (auto [monitor, x] : {std::make_pair(0, (1. + error) * motion[q]), {1, 0.}})
-              {
-                auto &history = record.monitors[monitor].histories[q];
-                history.insert(history.end(), {x + (q == 0 ? base : 0.), 0.});
-              }
-        }
-      return record;
-    }
-
-
-
     Summary::ProbableError unknown_error()
     {
       Summary::ProbableError error;
@@ -241,69 +217,6 @@ namespace hybrid::output
       measure_error(run_with(4e-3, 0.1), same, error);
       EXPECT_TRUE(error.runs_would_do);
       EXPECT_EQ(error.reason, unknown_error().reason);
-    }
-
-
-
-    TEST(MeshError, of_three_meshes_of_second_order)
-    {
-      Summary::MeshError error;
-      measure_mesh_error(run_with(2e-3, 0.01),
-                         {run_with(2e-3, 0.04), run_with(2e-3, 0.16)},
-                         2.,
-                         error);
-      EXPECT_EQ(error.reason, "");
-      EXPECT_EQ(error.meshes, 2);
-      EXPECT_NEAR(error.size.part[0], 0.01, 1e-3);
-      EXPECT_NEAR(error.half_size.part[0], 0.0025, 3e-4);
-    }
-
-
-
-    TEST(MeshError, of_waves_alone_may_be_of_third_order)
-    {
-      Summary::MeshError error;
-      measure_mesh_error(run_with(2e-3, 0.01),
-                         {run_with(2e-3, 0.08), run_with(2e-3, 0.64)},
-                         3.,
-                         error);
-      EXPECT_NEAR(error.size.part[0], 0.01, 1e-3);
-      EXPECT_NEAR(error.half_size.part[0], 0.00125, 2e-4);
-    }
-
-
-
-    TEST(MeshError, of_one_coarser_mesh_is_between_first_and_second_order)
-    {
-      Summary::MeshError error;
-      measure_mesh_error(run_with(2e-3, 0.02), {run_with(2e-3, 0.04)}, 2., error);
-      EXPECT_NEAR(error.size.part[0], 0.02 / std::sqrt(3.), 5e-4);
-      EXPECT_NEAR(error.half_size.part[0], 0.02 / std::sqrt(3.) / (1. + std::sqrt(3.)), 3e-4);
-    }
-
-
-
-    TEST(MeshError, that_is_close_by_luck_counts_as_the_coarser_two_say)
-    {
-      Summary::MeshError error;
-      measure_mesh_error(run_with(2e-3, 0.0101),
-                         {run_with(2e-3, 0.01), run_with(2e-3, 0.09)},
-                         2.,
-                         error);
-      EXPECT_NEAR(error.size.part[0], 0.08 / 4. / 3., 1e-3);
-    }
-
-
-
-    TEST(MeshError, without_an_order_leaves_as_much_with_half_the_size)
-    {
-      Summary::MeshError error;
-      measure_mesh_error(run_with(2e-3, 0.02),
-                         {run_with(2e-3, 0.05), run_with(2e-3, 0.02)},
-                         2.,
-                         error);
-      EXPECT_NEAR(error.size.part[0], 0.03 / std::sqrt(3.), 1e-3);
-      EXPECT_EQ(error.half_size.part[0], error.size.part[0]);
     }
 
 
