@@ -179,7 +179,7 @@ namespace hybrid
     struct FinishedRun
     {
       std::string        directory;
-      double             mesh_order; ///< at most
+      output::MeshOrders mesh_orders;
       output::StepRecord record;
       output::Summary    summary;
 
@@ -226,7 +226,7 @@ namespace hybrid
       if (coarser.empty())
         error.reason = runs.why_not();
       else
-        output::measure_mesh_error(run.record, coarser, run.mesh_order, error);
+        output::measure_mesh_error(run.record, coarser, run.mesh_orders, error);
       const double own = run.summary.stages["steps"];
       if (time_of_coarser > least_time && std::isnan(run.record.until)) // both are whole
         error.cost = own * std::max(1., own / time_of_coarser);
@@ -321,7 +321,7 @@ namespace hybrid
     const bool        has_blocks  = simulation->n_blocks() > 0;
     const double      most_left   = has_blocks ? most_blocks_left : most_unknowns_left;
     FinishedRun       run{simulation->directory(),
-                    simulation->mesh_order(),
+                    simulation->mesh_orders(),
                     simulation->step_record().value_or(output::StepRecord()),
                     simulation->summary(),
                     {}};

@@ -63,9 +63,10 @@ namespace hybrid
 
 
 
-  double Simulation::mesh_order() const
+  output::MeshOrders Simulation::mesh_orders() const
   {
-    constexpr double of_blocks = 2., at_corners = 4.;
-    return n_blocks() > 0 ? of_blocks : std::min(model.scene.continuum.degree + 1., at_corners);
+    constexpr double of_elements = 2.;
+    const double     of_waves    = 2. * model.scene.continuum.degree;
+    return n_blocks() > 0 ? output::MeshOrders{1., 2.} : output::MeshOrders{of_elements, of_waves};
   }
 } // namespace hybrid

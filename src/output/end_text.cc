@@ -364,13 +364,15 @@ namespace hybrid::output
       begin + ", by " +
       (error.meshes > 1 ? "those twice and four times as large" : "one twice as large") + until +
       ": " + peaks_text(error.size) +
-      half_text(error.size, error.half_size, "size", "no order is seen in these meshes");
+      half_text(error.size, error.half_size, "size", "half the size leaves as much");
+    const std::string note =
+      error.order_is_seen ? "" : ", roughly: no order is seen in these meshes";
     const std::string cost = std::isfinite(error.cost) && error.size.part != error.half_size.part
                                ? " in at least " +
                                    format(error.cost < 100. ? "%.2g s" : "%.0f s", error.cost) +
                                    " of processor time"
                                : "";
-    return {text + cost, text};
+    return {text + cost + note, text + note};
   }
 
 

@@ -14,16 +14,26 @@ namespace hybrid::output
     {
       return {{&error.part[0], &error.part[1], &error.part[2], &error.slip_left}};
     }
+
+
+
+    /// The smallest of displacement, velocity and acceleration; NaN: there is none.
+    double seen_order(const Summary::ErrorPart &near, const Summary::ErrorPart &far)
+    {
+      double result = MonitorSummary::unknown;
+      for (std::size_t q = 0; q < near.part.size(); ++q)
+        result = std::fmin(result, std::log2(far.part[q] / near.part[q]));
+      return result;
+    }
   } // namespace
 
 
 
   void measure_mesh_error(const StepRecord              &run,
                           const std::vector<StepRecord> &coarser,
-                          const double                   highest_order,
+                          const MeshOrders               orders,
                           Summary::MeshError            &error)
   {
-    constexpr double         unknown_order = 1.45, lowest_order = 0.5;
     const Summary::ErrorPart near = step_difference(coarser.front(), run);
     Summary::ErrorPart       far =
       coarser.size() > 1 ? step_difference(coarser[1], coarser[0]) : Summary::ErrorPart();
@@ -35,17 +45,16 @@ namespace hybrid::output
     error.failed_in_other = !std::isnan(error.until) && error.until != run.until;
     error.reason =
       std::isnan(std::fmax(near.part[0], near.part[1])) ? "nothing moves until a joint fails" : "";
-    const auto size = numbers(error.size), half = numbers(error.half_size), other = numbers(far);
+    const double found  = seen_order(near, far);
+    error.order_is_seen = found >= orders.lowest; // NaN: there is no third mesh
+    const double p      = error.order_is_seen ? std::min(found, orders.highest) : orders.lowest;
+    const double gain = std::exp2(p), fastest = std::exp2(orders.highest);
+    const auto   size = numbers(error.size), half = numbers(error.half_size), other = numbers(far);
     for (std::size_t q = 0; q < size.size(); ++q)
-      {
-        const double near_by = *size[q], found = std::log2(*other[q] / near_by);
-        if (std::isnan(near_by))
-          continue;                                   // no slip is left, or a joint failed
-        const bool   is_seen = found >= lowest_order; // NaN: there is no third mesh
-        const double p       = is_seen ? std::min(found, highest_order) : unknown_order;
-        const double gain    = std::exp2(p);
-        *size[q] = (is_seen ? std::fmax(near_by, *other[q] / gain) : near_by) / (gain - 1.);
-        *half[q] = is_seen || std::isnan(found) ? *size[q] / gain : *size[q];
-      }
+      if (!std::isnan(*size[q])) // slip is left, and no joint failed
+        {
+          *size[q] = std::fmax(*size[q] / (gain - 1.), *other[q] / (fastest * (fastest - 1.)));
+          *half[q] = *size[q] / gain;
+        }
   }
 } // namespace hybrid::output

@@ -111,6 +111,7 @@ namespace hybrid::output
         return {{"estimated", false}, {"reason", error.reason}};
       return {{"estimated", true},
               {"coarser_meshes", error.meshes},
+              {"order_is_seen", error.order_is_seen},
               {"until_s", error.until},
               {"mesh", error_part(error.size)},
               {"half_the_size", error_part(error.half_size)}};

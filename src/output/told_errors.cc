@@ -72,11 +72,12 @@ namespace hybrid::output
            meshes,
            until,
            failed_in_other,
+           order_is_seen,
            size,
            half_size,
            cost] = error;
-    archive(runs_would_do, follows, never, reason, meshes, until, failed_in_other, size, half_size);
-    archive(cost);
+    archive(runs_would_do, follows, never, reason, meshes, until, failed_in_other);
+    archive(order_is_seen, size, half_size, cost);
   }
 
 

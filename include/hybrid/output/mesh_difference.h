@@ -6,20 +6,31 @@
 
 namespace hybrid::output
 {
+  /// Orders p that the error of a mesh of the size h can have: it falls with h^p.
+  struct MeshOrders
+  {
+    double lowest;  ///< of waves that the mesh resolves
+    double highest; ///< of smooth waves, not below the lowest
+  };
+
+
   /**
    * The error of a mesh from its difference d to one twice as coarse: d / (2^p - 1) (Richardson
-   * 1911).
+   * 1911), and 1/2^p of that with half the size.
    *
-   * The order p is that of the three meshes, at most @p highest_order: beyond, the difference of
-   * the coarser two counts, as the finer two may be close by luck. Below 1/2 no order
-   * is seen: the coarsest mesh resolves nothing, or the meshes do not converge. Then, and without a
-   * third mesh, 2^p - 1 is sqrt(3), in the middle between first and second order. What half the
-   * size leaves is not known where no order is seen: as much.
+   * The order p is one for all quantities, the smallest that the three meshes show of displacement,
+   * velocity and acceleration: two meshes may be close by luck, which makes an order look too high,
+   * never too low. It lies within @p orders: differences that fall more slowly than with the lowest
+   * are those of meshes that do not resolve the waves, so they say nothing of finer ones. The
+   * lowest counts there, and without a third mesh; then error.order_is_seen is false.
+   *
+   * The difference D of the coarser two tells what the finer two leave at least, if they are close
+   * by luck: D / (2^P (2^P - 1)), with P the highest order.
    *
    * @param coarser runs with meshes twice and four times as coarse, or the first of them alone
    */
   void measure_mesh_error(const StepRecord              &run,
                           const std::vector<StepRecord> &coarser,
-                          double                         highest_order,
+                          MeshOrders                     orders,
                           Summary::MeshError            &error);
 } // namespace hybrid::output

@@ -147,6 +147,7 @@ namespace hybrid::output
       int         meshes          = 0; ///< coarser ones, twice and four times as coarse
       double      until           = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all
       bool        failed_in_other = false; ///< the joint that failed then did so in a coarser one
+      bool        order_is_seen = false; ///< in three meshes; if not, half the size is told roughly
       ErrorPart   size;
       ErrorPart   half_size;                 ///< what would be left with half the size
       double cost = MonitorSummary::unknown; ///< processor time with half the size, at least [s]

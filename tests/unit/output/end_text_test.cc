@@ -222,7 +222,7 @@ namespace hybrid::output
 
 
 
-    TEST(EndText, SaysTheErrorOfTheMeshAndThatItsRunsScatter)
+    TEST(EndText, SaysTheErrorOfTheMeshAndWhereNoOrderIsSeen)
     {
       Summary::MeshError error;
       error.reason           = "";
@@ -234,11 +234,14 @@ namespace hybrid::output
       const std::string line = "Error     of the mesh, by those twice and four times as large: "
                                "displacement 20 % of the peak (crest), velocity 30 % (toe), "
                                "acceleration 40 % (toe)";
+      error.order_is_seen    = true;
       EXPECT_EQ(mesh_error_text(error).in_file, line + "; with half the size 10, 15, 20 %");
       EXPECT_EQ(mesh_error_text(error).on_screen,
                 line + "; with half the size 10, 15, 20 % in at least 200 s of processor time");
-      error.half_size.part = error.size.part;
-      EXPECT_EQ(mesh_error_text(error).on_screen, line + "; no order is seen in these meshes");
+      error.order_is_seen = false;
+      EXPECT_EQ(mesh_error_text(error).on_screen,
+                line + "; with half the size 10, 15, 20 % in at least 200 s of processor time, "
+                       "roughly: no order is seen in these meshes");
       error.reason = "the next mesh is hardly coarser";
       EXPECT_EQ(mesh_error_text(error).on_screen,
                 "Error     of the mesh: not known, the next mesh is hardly coarser");
