@@ -9,11 +9,20 @@
 
 namespace hybrid::continuum
 {
-  class CondensedFactorisation::Factor
+  struct CondensedFactorisation::Parts final : Factor
   {
-  public:
     std::vector<double> interior; ///< L_II and L_GI in the order of substitutions
     Eigen::MatrixXd     surface;  ///< L_GG, lower triangle
+
+    static Parts &of(Factor &factor)
+    {
+      return static_cast<Parts &>(factor);
+    }
+
+    static const Parts &of(const Factor &factor)
+    {
+      return static_cast<const Parts &>(factor);
+    }
   };
 
 
@@ -51,6 +60,9 @@ namespace hybrid::continuum
 
     std::vector<int> ordering();
 
+    /// b := A^-1 b.
+    void solve(cholmod_factor &factor, Eigen::MatrixXd &b);
+
     SupernodalPattern pattern() const;
   };
 
@@ -70,6 +82,24 @@ namespace hybrid::continuum
     for (int k = n_interior; k < n; ++k)
       permutation[k] = k;
     return permutation;
+  }
+
+
+  void CondensedFactorisation::Cholmod::solve(cholmod_factor &factor, Eigen::MatrixXd &b)
+  {
+    cholmod_dense right = {};
+    right.nrow          = b.rows();
+    right.ncol          = b.cols();
+    right.nzmax         = b.size();
+    right.d             = b.rows();
+    right.x             = b.data();
+    right.xtype         = CHOLMOD_REAL;
+    right.dtype         = CHOLMOD_DOUBLE;
+    cholmod_dense *x    = cholmod_solve(CHOLMOD_A, &factor, &right, &common);
+    if (x == nullptr)
+      throw std::bad_alloc(); // the factor is whole: nothing else can fail
+    b = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double *>(x->x), b.rows(), b.cols());
+    cholmod_free_dense(&x, &common);
   }
 
 
@@ -151,17 +181,22 @@ namespace hybrid::continuum
   }
 
 
-  std::shared_ptr<CondensedFactorisation::Factor>
-  CondensedFactorisation::factor(const std::vector<double> &values)
+  std::shared_ptr<Condensation::Factor>
+  CondensedFactorisation::factor(const std::vector<double>                    &values,
+                                 const std::function<void(const SolveMany &)> &use)
   {
     Cholmod        &c       = *cholmod;
     cholmod_sparse  a       = c.matrix(const_cast<double *>(values.data()));
     cholmod_factor *whole   = cholmod_copy_factor(c.symbolic, &c.common);
     const bool      is_done = cholmod_factorize(&a, whole, &c.common) != 0;
     const int       status  = c.common.status;
-    auto            result  = std::make_shared<Factor>();
+    auto            result  = std::make_shared<Parts>();
     if (is_done && status == CHOLMOD_OK)
-      take_parts(static_cast<const double *>(whole->x), *result);
+      {
+        take_parts(static_cast<const double *>(whole->x), *result);
+        if (use != nullptr)
+          use([&](Eigen::MatrixXd &b) { c.solve(*whole, b); });
+      }
     cholmod_free_factor(&whole, &c.common);
     if (status == CHOLMOD_OUT_OF_MEMORY || status == CHOLMOD_TOO_LARGE)
       throw std::bad_alloc();
@@ -171,38 +206,39 @@ namespace hybrid::continuum
   }
 
 
-  void CondensedFactorisation::take_parts(const double *values, Factor &factor) const
+  void CondensedFactorisation::take_parts(const double *values, Parts &parts) const
   {
     // L = [L_II 0; L_GI L_GG]: L_GG is copied out of the supernodes that reach into it. Of one with
     // columns of both kinds those of the interior are L_II's and L_GI's.
     const SupernodalPattern pattern = cholmod->pattern();
     const int              *super = pattern.first_column, *pi = pattern.row_begin;
     const int               first = pattern.n_interior;
-    factor.interior               = cholmod->plan->pack(pattern, values);
-    factor.surface                = Eigen::MatrixXd::Zero(cholmod->n_surface, cholmod->n_surface);
+    parts.interior                = cholmod->plan->pack(pattern, values);
+    parts.surface                 = Eigen::MatrixXd::Zero(cholmod->n_surface, cholmod->n_surface);
     for (int k = static_cast<int>(cholmod->symbolic->nsuper) - 1; k >= 0 && super[k + 1] > first;
          --k)
       {
         const int rows = pi[k + 1] - pi[k];
         for (int j = std::max(first, super[k]); j < super[k + 1]; ++j)
           for (int i = j - super[k]; i < rows; ++i)
-            factor.surface(pattern.row[pi[k] + i] - first, j - first) =
+            parts.surface(pattern.row[pi[k] + i] - first, j - first) =
               values[pattern.value_begin[k] + (j - super[k]) * rows + i];
       }
   }
 
 
-  Eigen::MatrixXd CondensedFactorisation::surface_matrix(const Factor &factor) const
+  SurfaceStiffness CondensedFactorisation::surface_stiffness(const Factor &factor) const
   {
-    const Eigen::MatrixXd s = factor.surface * factor.surface.transpose();
-    return 0.5 * (s + s.transpose());
+    const Eigen::MatrixXd &l = Parts::of(factor).surface;
+    const Eigen::MatrixXd  s = l * l.transpose();
+    return {0.5 * (s + s.transpose()), false};
   }
 
 
   void
   CondensedFactorisation::forward(Factor &factor, const std::vector<double> &b, Eigen::VectorXd &g)
   {
-    cholmod->substitution->forward(factor.interior.data(), b.data(), g);
+    cholmod->substitution->forward(Parts::of(factor).interior.data(), b.data(), g);
   }
 
 
@@ -210,14 +246,14 @@ namespace hybrid::continuum
                                         const Eigen::VectorXd &surface,
                                         std::vector<double>   &x)
   {
-    cholmod->substitution->backward(factor.interior.data(), surface, x.data());
+    cholmod->substitution->backward(Parts::of(factor).interior.data(), surface, x.data());
   }
 
 
   void CondensedFactorisation::backward(Factor &factor, std::vector<double> &x)
   {
     cholmod->surface_load = cholmod->substitution->surface_load();
-    solve_surface(factor, cholmod->surface_load);
+    solve_surface(Parts::of(factor), cholmod->surface_load);
     backward(factor, cholmod->surface_load, x);
   }
 
@@ -227,8 +263,8 @@ namespace hybrid::continuum
                                                      std::vector<double>   &x)
   {
     cholmod->surface_load = load;
-    solve_surface(factor, cholmod->surface_load);
-    cholmod->substitution->backward_from_surface(factor.interior.data(),
+    solve_surface(Parts::of(factor), cholmod->surface_load);
+    cholmod->substitution->backward_from_surface(Parts::of(factor).interior.data(),
                                                  cholmod->surface_load,
                                                  x.data());
   }
@@ -240,17 +276,17 @@ namespace hybrid::continuum
     Eigen::VectorXd surface;
     for (Eigen::Index k = 0; k < b.cols(); ++k)
       {
-        substitution.forward(factor.interior.data(), b.col(k).data(), surface);
-        solve_surface(factor, surface);
-        substitution.backward(factor.interior.data(), surface, b.col(k).data());
+        substitution.forward(Parts::of(factor).interior.data(), b.col(k).data(), surface);
+        solve_surface(Parts::of(factor), surface);
+        substitution.backward(Parts::of(factor).interior.data(), surface, b.col(k).data());
       }
   }
 
 
   template <typename Values>
-  void CondensedFactorisation::solve_surface(const Factor &factor, Values &b)
+  void CondensedFactorisation::solve_surface(const Parts &parts, Values &b)
   {
-    factor.surface.triangularView<Eigen::Lower>().solveInPlace(b);
-    factor.surface.transpose().triangularView<Eigen::Upper>().solveInPlace(b);
+    parts.surface.triangularView<Eigen::Lower>().solveInPlace(b);
+    parts.surface.transpose().triangularView<Eigen::Upper>().solveInPlace(b);
   }
 } // namespace hybrid::continuum

@@ -17,9 +17,9 @@ namespace hybrid::continuum
 
 
   Eigen::MatrixXd
-  Continuum::Implementation::slip_relaxation(const std::vector<int>               &number,
-                                             CondensedFactorisation               &system,
-                                             const CondensedFactorisation::Factor &factor) const
+  Continuum::Implementation::slip_relaxation(const std::vector<int>     &number,
+                                             Condensation               &system,
+                                             const Condensation::Factor &factor) const
   {
     // Compliance of the node pairs: their jump to a pair of opposite unit forces.
     const auto        &pairs = slip->planes().node_pairs();

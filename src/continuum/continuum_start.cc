@@ -93,7 +93,7 @@ namespace hybrid::continuum
 
 
 
-  CondensedFactorisation::Factor &Continuum::Implementation::factor_of_inertia()
+  Condensation::Factor &Continuum::Implementation::factor_of_inertia()
   {
     if (inertia_factor == nullptr)
       {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/continuum/condensed_factor.h>
 #include <hybrid/continuum/continuum_implementation.h>
 #include <hybrid/continuum/restrained_rock.h>
 

@@ -46,7 +46,7 @@ namespace hybrid::continuum
     StepMatrix made;
     made.dt                = dt;
     made.factor            = factorisation->factor(pattern.values(blocks));
-    made.surface_stiffness = factorisation->surface_matrix(*made.factor);
+    made.surface_stiffness = factorisation->surface_stiffness(*made.factor);
     made.base              = base_coupling(blocks);
     if (slip != nullptr)
       made.slip_relaxation = slip_relaxation(free_unknowns(), *factorisation, *made.factor);
@@ -390,7 +390,7 @@ namespace hybrid::continuum
 
 
 
-  const Eigen::MatrixXd &Continuum::surface_stiffness(const double dt)
+  const SurfaceStiffness &Continuum::surface_stiffness(const double dt)
   {
     return impl->step_matrix(dt).surface_stiffness;
   }

@@ -6,9 +6,11 @@ namespace hybrid::coupling
   const dda::FoundationResponse &CondensedFoundation::predict(const CoupledState &state,
                                                               const double        dt)
   {
-    response.prescribed = false;
-    response.stiffness  = &continuum.surface_stiffness(dt);
-    response.load       = continuum.predict(state.continuum, dt);
+    const continuum::SurfaceStiffness &s = continuum.surface_stiffness(dt);
+    response.prescribed                  = false;
+    response.stiffness =
+      s.is_band ? dda::FoundationStiffness::band(s.entries) : dda::FoundationStiffness(&s.entries);
+    response.load = continuum.predict(state.continuum, dt);
     continuum.extrapolate_surface(state.continuum, dt, response.displacement);
     if (water != nullptr)
       {

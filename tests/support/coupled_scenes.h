@@ -67,9 +67,9 @@ namespace hybrid::test
       Eigen::MatrixXd               &s = stiffness[dt];
       if (s.size() == 0)
         {
-          const double rigid  = 1e6 * inner.stiffness->diagonal().maxCoeff();
+          const double rigid  = 1e6 * inner.stiffness.dense().diagonal().maxCoeff();
           s                   = rigid * Eigen::MatrixXd::Identity(size, size);
-          s.block(o, o, n, n) = *inner.stiffness;
+          s.block(o, o, n, n) = inner.stiffness.dense();
           for (const int i : held)
             s(i, i) += rigid;
         }

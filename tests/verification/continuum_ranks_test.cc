@@ -37,7 +37,7 @@ namespace
         const Eigen::VectorXd g = continuum.predict(state, 1e-3);
         continuum.correct(state,
                           1e-3,
-                          continuum.surface_stiffness(1e-3).ldlt().solve(g + lambda),
+                          continuum.surface_stiffness(1e-3).dense().ldlt().solve(g + lambda),
                           lambda);
       }
     state.energy = continuum.audit_energy(state);

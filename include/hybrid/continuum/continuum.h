@@ -3,6 +3,7 @@
 
 #include <hybrid/continuum/continuum_state.h>
 #include <hybrid/continuum/ownership.h>
+#include <hybrid/continuum/surface_stiffness.h>
 #include <hybrid/scene/mesh/section_mesh.h>
 #include <hybrid/scene/motion/ground_motion.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
@@ -114,7 +115,7 @@ namespace hybrid::continuum
     /// unknowns (x0, y0, x1, y1, ...). Factored on first use; the last three step sizes are kept,
     /// and so long stays the reference valid. A supported unknown has a diagonal that is a million
     /// times as stiff.
-    const Eigen::MatrixXd &surface_stiffness(double dt);
+    const SurfaceStiffness &surface_stiffness(double dt);
 
     /// Wall time that factors for the step sizes so far took [s].
     double factor_time() const;
@@ -263,6 +264,7 @@ namespace hybrid::continuum
       double      fastest_p_wave    = 0.; ///< [m/s]
       double      highest_frequency = 0.; ///< resolved with ten nodes per shortest wave length [Hz]
       std::size_t surface_unknowns  = 0;
+      bool        surface_is_banded = false; ///< of S a band is kept, else all entries
       double      s_time = 0.; ///< an S wave's way up, mean over the width of the section [s]
       double      p_time = 0.; ///< the same of a P wave [s]
       double cell_time   = 0.; ///< an S wave's way through a cell [s]: on average over the way up,

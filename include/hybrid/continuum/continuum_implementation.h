@@ -3,7 +3,7 @@
 
 #include <hybrid/continuum/bedding_slip.h>
 #include <hybrid/continuum/boundary_forces.h>
-#include <hybrid/continuum/condensed_factor.h>
+#include <hybrid/continuum/condensation.h>
 #include <hybrid/continuum/continuum.h>
 #include <hybrid/continuum/element_nodes.h>
 #include <hybrid/continuum/initial_rock_stress.h>
@@ -58,10 +58,11 @@ namespace hybrid::continuum
     StaticSlip solve_static_waves(const std::vector<double> &forces);
 
     // the factored system
-    std::vector<int>                        dof_of_system, system_of_dof; ///< -1: not in the system
-    std::vector<int>                        fixed_dofs;                   ///< displacement zero
-    SystemPattern                           pattern;
-    std::unique_ptr<CondensedFactorisation> factorisation;
+    std::vector<int>              dof_of_system, system_of_dof; ///< -1: not in the system
+    std::vector<int>              fixed_dofs;                   ///< displacement zero
+    SystemPattern                 pattern;
+    std::unique_ptr<Condensation> factorisation;
+    bool                          is_banded = false; ///< of S a band is kept
 
     /// Forces that a moving base of unit displacement in x or y exerts on an unknown of the system.
     struct BaseCoupling
@@ -73,15 +74,15 @@ namespace hybrid::continuum
     /// What is kept for one step size.
     struct StepMatrix
     {
-      double                                          dt = 0.;
-      std::shared_ptr<CondensedFactorisation::Factor> factor;
-      Eigen::MatrixXd                                 surface_stiffness;
-      Eigen::MatrixXd                                 slip_relaxation; ///< G of BeddingPlanes
-      std::vector<BaseCoupling>                       base;
+      double                                dt = 0.;
+      std::shared_ptr<Condensation::Factor> factor;
+      SurfaceStiffness                      surface_stiffness;
+      Eigen::MatrixXd                       slip_relaxation; ///< G of BeddingPlanes
+      std::vector<BaseCoupling>             base;
     };
     std::list<StepMatrix> step_matrices;    ///< most recently used first, at most 3
     double                factor_time = 0.; ///< wall time that making them took [s]
-    std::shared_ptr<CondensedFactorisation::Factor>
+    std::shared_ptr<Condensation::Factor>
       inertia_factor; ///< of M without supported unknowns; null before it is asked for
 
     // work vectors of a step, allocated once
@@ -117,6 +118,9 @@ namespace hybrid::continuum
                      const scene::GroundMotion    &motion,
                      MPI_Comm                      communicator);
     void number_system();
+    void make_condensation(const scene::SceneParameters &scene);
+    /// Unknowns as far from one of the surface as S reaches in a step, by the speed of waves.
+    int  expected_reach(const scene::SceneParameters &scene) const;
     void allocate_work();
     void add_point_loads(const scene::PointLoadParameters &loads);
 
@@ -145,17 +149,17 @@ namespace hybrid::continuum
     std::vector<BaseCoupling> base_coupling(const std::vector<double> &blocks) const;
     void                      predict(const ContinuumState &state, double dt);
     // its parts; forces are in product
-    void predict_columns(const ContinuumState &state, double dt);
-    void add_predicted_inertia(const ContinuumState &state, double dt);
-    void add_rock_forces(const ContinuumState &state, double dt);
-    void add_boundary_forces();
-    void set_right_hand_side(const StepMatrix &matrix, double time, double dt);
-    void newmark_acceleration(const ContinuumState &state);
-    void keep_change(ContinuumState &state, double dt) const;
-    CondensedFactorisation::Factor &factor_of_inertia();
-    void solve_inertia(const std::vector<double> &force, std::vector<double> &a);
-    void take_acceleration(std::vector<double> &a) const; ///< what solution holds
-    void set_surface(const Eigen::VectorXd &values);      ///< surface_motion, zero at supports
+    void                  predict_columns(const ContinuumState &state, double dt);
+    void                  add_predicted_inertia(const ContinuumState &state, double dt);
+    void                  add_rock_forces(const ContinuumState &state, double dt);
+    void                  add_boundary_forces();
+    void                  set_right_hand_side(const StepMatrix &matrix, double time, double dt);
+    void                  newmark_acceleration(const ContinuumState &state);
+    void                  keep_change(ContinuumState &state, double dt) const;
+    Condensation::Factor &factor_of_inertia();
+    void                  solve_inertia(const std::vector<double> &force, std::vector<double> &a);
+    void                  take_acceleration(std::vector<double> &a) const; ///< what solution holds
+    void set_surface(const Eigen::VectorXd &values); ///< surface_motion, zero at supports
     void accelerate_by(const Eigen::VectorXd &surface_force, std::vector<double> &a);
     void add_contacts(ContinuumState &state, const SurfaceForce &force);
     void take_displacement(const ContinuumState &state, double dt);
@@ -174,9 +178,9 @@ namespace hybrid::continuum
 
     // slip of bedding planes (continuum_slip.cc); called only where planes slip
     void             prepare_slip(const scene::BeddingParameters &bedding);
-    Eigen::MatrixXd  slip_relaxation(const std::vector<int>               &number,
-                                     CondensedFactorisation               &system,
-                                     const CondensedFactorisation::Factor &factor) const;
+    Eigen::MatrixXd  slip_relaxation(const std::vector<int>     &number,
+                                     Condensation               &system,
+                                     const Condensation::Factor &factor) const;
     std::vector<int> free_unknowns() const;
     SlipStatus       update_slip(const ContinuumState &state, double dt);
     void             add_joint_force(double factor, const double *x, std::vector<double> &y);

@@ -42,12 +42,13 @@ namespace hybrid::dda
 
 
     /// Distance from the diagonal beyond which no entry exceeds this @p part of the diagonal.
-    int half_band_width(const Eigen::MatrixXd &s, const double fraction)
+    int half_band_width(const FoundationStiffness &s, const double fraction)
     {
-      const int n = static_cast<int>(s.rows());
-      for (int band = n - 1; band > 0; --band)
+      const int n = s.size();
+      for (int band = s.reach(); band > 0; --band)
         for (int j = 0; j + band < n; ++j)
-          if (std::abs(s(j + band, j)) > fraction * std::sqrt(s(j, j) * s(j + band, j + band)))
+          if (std::abs(s.column(j)[band]) >
+              fraction * std::sqrt(s.column(j)[0] * s.column(j + band)[0]))
             return band;
       return 0;
     }
@@ -142,35 +143,38 @@ namespace hybrid::dda
 
 
 
-  void InterfaceStiffness::set(const Eigen::MatrixXd *stiffness)
+  void InterfaceStiffness::set(const FoundationStiffness &stiffness)
   {
     std::array<double, 4> entries{};
-    if (stiffness != nullptr && stiffness->rows() > 0)
-      entries = {static_cast<double>(stiffness->rows()),
-                 (*stiffness)(0, 0),
-                 stiffness->diagonal().sum(),
-                 (*stiffness)(stiffness->rows() - 1, stiffness->rows() - 1)};
+    const int             n = stiffness.size();
+    if (n > 0)
+      {
+        double diagonal = 0.;
+        for (int j = 0; j < n; ++j)
+          diagonal += stiffness(j, j);
+        entries = {static_cast<double>(n), stiffness(0, 0), diagonal, stiffness(n - 1, n - 1)};
+      }
     if (stiffness == source && entries == key)
       return;
     source = stiffness;
     key    = entries;
-    if (stiffness == nullptr)
+    if (!stiffness.exists())
       return;
 
-    size  = static_cast<int>(stiffness->rows());
-    width = std::min(size - 1, std::max(3, half_band_width(*stiffness, small_fraction)));
-    near  = std::min(width, half_band_width(*stiffness, near_fraction));
+    size  = n;
+    width = std::min(size - 1, std::max(3, half_band_width(stiffness, small_fraction)));
+    near  = std::min(width, half_band_width(stiffness, near_fraction));
     // All entries beyond together are lost in the round-off of a row's product.
-    const int reach = half_band_width(*stiffness, std::numeric_limits<double>::epsilon() / size);
-    const int edge  = std::max(width, half_band_width(*stiffness, far_fraction));
+    const int reach = half_band_width(stiffness, std::numeric_limits<double>::epsilon() / size);
+    const int edge  = std::max(width, half_band_width(stiffness, far_fraction));
     band            = Eigen::MatrixXd::Zero(edge + 1, size);
     far             = Eigen::MatrixXf::Zero(std::max(0, reach - edge), size);
     for (int j = 0; j < size; ++j)
       for (int below = 0; below <= reach && j + below < size; ++below)
         if (below <= edge)
-          band(below, j) = (*stiffness)(j + below, j);
+          band(below, j) = stiffness(j + below, j);
         else
-          far(below - edge - 1, j) = static_cast<float>((*stiffness)(j + below, j));
+          far(below - edge - 1, j) = static_cast<float>(stiffness(j + below, j));
     foundation_factor = band.topRows(width + 1);
     joined            = false;
     if (!factorize(foundation_factor))
@@ -178,7 +182,7 @@ namespace hybrid::dda
         // The band is not definite by itself: fall back to the diagonal.
         foundation_factor.setZero();
         for (int j = 0; j < size; ++j)
-          foundation_factor(0, j) = std::sqrt((*stiffness)(j, j));
+          foundation_factor(0, j) = std::sqrt(stiffness(j, j));
       }
   }
 
@@ -197,7 +201,7 @@ namespace hybrid::dda
   void InterfaceStiffness::matrix_changed(const BlockMatrix &matrix)
   {
     joined = false;
-    if (source == nullptr)
+    if (!source.exists())
       return;
     const int m = matrix.n_nodes();
     for (int k = 0; k < m; ++k)
@@ -230,7 +234,7 @@ namespace hybrid::dda
 
   void InterfaceStiffness::add_product(const double *x, double *y) const
   {
-    if (source == nullptr)
+    if (!source.exists())
       return;
     for (int j = 0; j < size; ++j)
       y[j] += band(0, j) * x[j];
@@ -241,7 +245,7 @@ namespace hybrid::dda
 
   void InterfaceStiffness::subtract_whole_product(const double *x, double *y) const
   {
-    if (source == nullptr)
+    if (!source.exists())
       return;
     const int edge = static_cast<int>(band.rows()) - 1, reach = edge + static_cast<int>(far.rows());
     for (int j = 0; j < size; ++j)
@@ -274,7 +278,7 @@ namespace hybrid::dda
   void InterfaceStiffness::diagonal(Eigen::Ref<Eigen::VectorXd> d) const
   {
     d.setOnes();
-    if (source == nullptr)
+    if (!source.exists())
       return;
     d = band.row(0).transpose();
     if (joined)
@@ -286,7 +290,7 @@ namespace hybrid::dda
 
   void InterfaceStiffness::solve_with(const Eigen::MatrixXd &factor, double *x) const
   {
-    if (source == nullptr || size == 0)
+    if (!source.exists() || size == 0)
       return;
     const int leading = width + 1, one = 1;
     int       info = 0;

@@ -132,20 +132,20 @@ namespace hybrid::dda
 
 
 
-  void LocalSystem::set_part(const BlockMatrix     &matrix,
-                             const Eigen::MatrixXd *foundation,
-                             const Residual        &residual)
+  void LocalSystem::set_part(const BlockMatrix         &matrix,
+                             const FoundationStiffness &foundation,
+                             const Residual            &residual)
   {
     const int n = static_cast<int>(moving_blocks.size()), m = static_cast<int>(moving_nodes.size());
     part.set_part(matrix, moving_blocks, moving_nodes);
-    solver.set_foundation_stiffness(nullptr);
-    if (foundation != nullptr && m > 0)
+    solver.set_foundation_stiffness({});
+    if (foundation.exists() && m > 0)
       {
         part_foundation.resize(2 * m, 2 * m);
-        for (int j = 0; j < m; ++j)
-          for (int i = 0; i < m; ++i)
-            part_foundation.block<2, 2>(2 * i, 2 * j) =
-              foundation->block<2, 2>(2 * moving_nodes[i], 2 * moving_nodes[j]);
+        for (int j = 0; j < 2 * m; ++j)
+          for (int i = 0; i < 2 * m; ++i)
+            part_foundation(i, j) =
+              foundation(2 * moving_nodes[i / 2] + i % 2, 2 * moving_nodes[j / 2] + j % 2);
         solver.set_foundation_stiffness(&part_foundation);
       }
     part_residual.resize(6 * n + 2 * m);
@@ -165,11 +165,11 @@ namespace hybrid::dda
 
 
 
-  void LocalSystem::solve(const BlockMatrix     &matrix,
-                          const Eigen::MatrixXd *foundation,
-                          const Residual        &residual,
-                          const double           tolerance,
-                          Eigen::VectorXd       &x)
+  void LocalSystem::solve(const BlockMatrix         &matrix,
+                          const FoundationStiffness &foundation,
+                          const Residual            &residual,
+                          const double               tolerance,
+                          Eigen::VectorXd           &x)
   {
     set_part(matrix, foundation, residual);
     solver.solve_by_sweeps(part, part_residual, part_scale, tolerance, most_sweeps, part_update);

@@ -12,7 +12,8 @@ namespace hybrid::dda
   void StepTangent::begin(const Model &model, const FoundationResponse &foundation)
   {
     solver.set_slices(model.slice);
-    solver.set_foundation_stiffness(foundation.prescribed ? nullptr : foundation.stiffness);
+    solver.set_foundation_stiffness(foundation.prescribed ? FoundationStiffness()
+                                                          : foundation.stiffness);
     if (is_restored)
       solver.matrix_restored(matrix);
     is_restored = false;
@@ -134,7 +135,7 @@ namespace hybrid::dda
     const Stopwatch           timer(times.products);
     const FoundationResponse &foundation = *problem.foundation;
     few.solve(matrix,
-              foundation.prescribed ? nullptr : foundation.stiffness,
+              foundation.prescribed ? FoundationStiffness() : foundation.stiffness,
               problem.left(),
               part * problem.forces(),
               update);

@@ -59,7 +59,7 @@ namespace
             contacts[i] = random(generator);
           }
         const Eigen::VectorXd lambda = bonds + weight * contacts;
-        const auto            s      = continuum.surface_stiffness(dt).ldlt();
+        const auto            s      = continuum.surface_stiffness(dt).dense().ldlt();
         Eigen::VectorXd       u      = s.solve(continuum.predict(state, dt) + lambda);
         auto                  slip   = continuum.solve_slip(state, dt, u);
         for (int round = 0; round < 5 && slip == SlipStatus::changed; ++round)

@@ -7,15 +7,17 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Dense>
 
+#include "grid_matrix.h"
+
 #include <omp.h>
 
-#include <array>
 #include <cmath>
 #include <random>
 
 namespace
 {
   using namespace hybrid::continuum;
+  using hybrid::test::GridMatrix;
 
   /// Positive definite, random pattern of about four off-diagonal entries a row.
   Eigen::MatrixXd random_sparse_matrix(const int n, const unsigned int seed)
@@ -32,40 +34,6 @@ namespace
       }
     return a;
   }
-
-
-
-  /// Lower triangle by columns of a matrix on a grid of two unknowns per node, each coupled to the
-  /// neighbours of its node, the corner's included.
-  struct GridMatrix
-  {
-    int                 size;
-    std::vector<int>    start = {0}, row;
-    std::vector<double> values;
-
-    GridMatrix(const int nx, const int ny)
-      : size(2 * nx * ny)
-    {
-      for (int node = 0; node < nx * ny; ++node)
-        for (int c = 0; c < 2; ++c)
-          {
-            for (const std::array<int, 2> by :
-                 {std::array<int, 2>{0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}})
-              {
-                const int i = node % nx + by[0], j = node / nx + by[1];
-                if (i < 0 || i >= nx || j >= ny)
-                  continue;
-                for (int d = 0; d < 2; ++d)
-                  if (const int other = 2 * (j * nx + i) + d; other >= 2 * node + c)
-                    {
-                      row.push_back(other);
-                      values.push_back(other == 2 * node + c ? 20. : std::sin(row.size() + 1.));
-                    }
-              }
-            start.push_back(static_cast<int>(row.size()));
-          }
-    }
-  };
 } // namespace
 
 
@@ -109,7 +77,7 @@ TEST(CondensedFactor, equals_dense_condensation)
   const auto            inner    = a.topLeftCorner(ni, ni).ldlt();
   const Eigen::MatrixXd s =
     a.bottomRightCorner(ns, ns) - coupling * inner.solve(coupling.transpose());
-  EXPECT_LT((system.surface_matrix(*factor) - s).norm(), 1e-12 * s.norm());
+  EXPECT_LT((system.surface_stiffness(*factor).dense() - s).norm(), 1e-12 * s.norm());
 
   std::vector<double> b(n), x(n);
   for (int i = 0; i < n; ++i)
@@ -170,12 +138,9 @@ TEST(CondensedFactor, solves_many_and_leaves_the_substitution_of_a_step)
   const GridMatrix       grid(nx, ny);
   CondensedFactorisation system(grid.start, grid.row, 2 * nx);
   const auto             factor = system.factor(grid.values);
-  Eigen::MatrixXd        a      = Eigen::MatrixXd::Zero(grid.size, grid.size);
-  for (int j = 0; j < grid.size; ++j)
-    for (int e = grid.start[j]; e < grid.start[j + 1]; ++e)
-      a(grid.row[e], j) = a(j, grid.row[e]) = grid.values[e];
-  std::vector<double> b(grid.size, 1.), before(grid.size), after(grid.size);
-  Eigen::VectorXd     g(2 * nx);
+  const Eigen::MatrixXd  a      = grid.dense();
+  std::vector<double>    b(grid.size, 1.), before(grid.size), after(grid.size);
+  Eigen::VectorXd        g(2 * nx);
   system.forward(*factor, b, g);
   system.backward(*factor, before);
   const Eigen::MatrixXd loads = Eigen::MatrixXd::Identity(grid.size, 5);

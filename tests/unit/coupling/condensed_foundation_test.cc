@@ -62,7 +62,7 @@ TEST(CondensedFoundation, response_is_a_symmetric_positive_definite_body)
   MovingRun                      run;
   const dda::FoundationResponse &response = run.base->predict(run.state, 1e-3);
   EXPECT_FALSE(response.prescribed);
-  const Eigen::MatrixXd &s = *response.stiffness;
+  const Eigen::MatrixXd s = response.stiffness.dense();
   ASSERT_EQ(s.rows(), 10);
   EXPECT_LT((s - s.transpose()).norm(), 1e-12 * s.norm());
   EXPECT_EQ(s.llt().info(), Eigen::Success);
@@ -77,8 +77,8 @@ TEST(CondensedFoundation, correction_takes_the_surface_where_the_blocks_found_it
   MovingRun                      run;
   const dda::FoundationResponse &response = run.base->predict(run.state, 1e-3);
   const Eigen::VectorXd          force    = Eigen::VectorXd::LinSpaced(10, -1e3, 1e3);
-  const Eigen::VectorXd          w        = response.stiffness->ldlt().solve(response.load + force);
-  const double                   time     = run.state.continuum.time;
+  const Eigen::VectorXd          w = response.stiffness.dense().ldlt().solve(response.load + force);
+  const double                   time = run.state.continuum.time;
   run.base->correct(run.state, 1e-3, w, force);
   EXPECT_DOUBLE_EQ(run.state.continuum.time, time + 1e-3);
   for (std::size_t k = 0; k < run.rock.surface_nodes().size(); ++k)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/dda/linear/block_matrix.h>
+#include <hybrid/dda/linear/foundation_stiffness.h>
 
 #include <Eigen/Core>
 
@@ -20,17 +21,16 @@ namespace hybrid::dda
   class InterfaceStiffness
   {
   public:
-    /// @p stiffness (n x n, symmetric positive definite) for the next steps; nullptr: none. Entries
-    /// far from the diagonal that would not change the tangent by 1e-8 are dropped. Nothing is done
-    /// if it is the same as before.
-    void set(const Eigen::MatrixXd *stiffness);
+    /// @p stiffness for the next steps, or none. Entries far from the diagonal that would not
+    /// change the tangent by 1e-8 are dropped. Nothing is done if it is the same as before.
+    void set(const FoundationStiffness &stiffness);
 
     /// Choose P again and factor it.
     void matrix_changed(const BlockMatrix &matrix);
 
     bool exists() const
     {
-      return source != nullptr;
+      return source.exists();
     }
 
     /// Distance from the diagonal beyond which entries of S are too small to matter in a factor.
@@ -65,7 +65,7 @@ namespace hybrid::dda
     void solve_alone(double *x) const;
 
   private:
-    const Eigen::MatrixXd *source = nullptr;
+    FoundationStiffness source;
     std::array<double, 4>
                     key{}; ///< a few entries of S, to notice another matrix at the same address
     int             size  = 0;

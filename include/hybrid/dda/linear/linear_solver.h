@@ -45,9 +45,8 @@ namespace hybrid::dda
       factor.set_processes(processes);
     }
 
-    /// The foundation's own stiffness S (n x n, symmetric positive definite) for the next solves;
-    /// nullptr: none.
-    void set_foundation_stiffness(const Eigen::MatrixXd *stiffness)
+    /// The foundation's own stiffness S for the next solves, or none.
+    void set_foundation_stiffness(const FoundationStiffness &stiffness)
     {
       foundation.set(stiffness);
     }

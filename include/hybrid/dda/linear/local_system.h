@@ -57,13 +57,13 @@ namespace hybrid::dda
     double norm(const Residual &residual) const;
 
     /// Solve for the update of the chosen bodies, all others held, to a norm of the residual of at
-    /// most @p tolerance. @param foundation stiffness of all nodes; nullptr: none. @param x
+    /// most @p tolerance. @param foundation stiffness of all nodes, or none. @param x
     /// receives the update of all unknowns: what there is, if sweeps do not suffice
-    void solve(const BlockMatrix     &matrix,
-               const Eigen::MatrixXd *foundation,
-               const Residual        &residual,
-               double                 tolerance,
-               Eigen::VectorXd       &x);
+    void solve(const BlockMatrix         &matrix,
+               const FoundationStiffness &foundation,
+               const Residual            &residual,
+               double                     tolerance,
+               Eigen::VectorXd           &x);
 
   private:
     std::vector<int>    moving_blocks, moving_nodes, changing;
@@ -84,8 +84,8 @@ namespace hybrid::dda
     /// Take what is coupled to the bodies taken so far. @param with_nodes else blocks alone
     void grow(const BlockMatrix &matrix, bool with_nodes);
 
-    void set_part(const BlockMatrix     &matrix,
-                  const Eigen::MatrixXd *foundation,
-                  const Residual        &residual);
+    void set_part(const BlockMatrix         &matrix,
+                  const FoundationStiffness &foundation,
+                  const Residual            &residual);
   };
 } // namespace hybrid::dda

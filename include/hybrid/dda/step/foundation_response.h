@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/linear/foundation_stiffness.h>
+
 #include <Eigen/Core>
 
 namespace hybrid::dda
@@ -15,10 +17,10 @@ namespace hybrid::dda
    */
   struct FoundationResponse
   {
-    bool                   prescribed = true;
-    Eigen::VectorXd        displacement;        ///< prescribed w, or the first guess of it [m]
-    const Eigen::MatrixXd *stiffness = nullptr; ///< S [N/m per m], symmetric positive definite
-    Eigen::VectorXd        load;                ///< g [N/m]
+    bool                prescribed = true;
+    Eigen::VectorXd     displacement; ///< prescribed w, or the first guess of it [m]
+    FoundationStiffness stiffness;    ///< S
+    Eigen::VectorXd     load;         ///< g [N/m]
     Eigen::VectorXd boundary_force; ///< incoming, see ViscousBoundary [N/m]; empty: no dashpots act
   };
 } // namespace hybrid::dda
