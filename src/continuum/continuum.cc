@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/continuum/condensed_factor.h>
+#include <hybrid/continuum/banded_condensation.h>
 #include <hybrid/continuum/continuum_implementation.h>
 #include <hybrid/continuum/elastic_assembly.h>
 #include <hybrid/continuum/explicit_waves.h>
@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace hybrid::continuum
@@ -51,6 +52,11 @@ namespace hybrid::continuum
         twice += cross(rock.nodes[rock.cells[cell][i]], rock.nodes[rock.cells[cell][(i + 1) % 4]]);
       return 0.5 * std::abs(twice);
     }
+
+    // When of S a band is kept (doc/scaling.md).
+    constexpr int long_surface             = 6000; ///< its unknowns, at least
+    constexpr int narrow_band              = 8;    ///< unknowns of the surface over the band's
+    constexpr int nodes_of_unresolved_wave = 30;   ///< that entries reach over in any step
 
     /// Nodes of the contact surface, and what each bears of the load between it and the next.
     struct Surface
@@ -182,6 +188,7 @@ namespace hybrid::continuum
     for (const int node : surface)
       surface_positions.push_back(nodes->positions[node]);
     number_system();
+    make_condensation(scene);
     allocate_work();
     if (scene.bedding.slips && !rock.joints.empty())
       prepare_slip(scene.bedding);
@@ -213,10 +220,49 @@ namespace hybrid::continuum
           isolated[2 * node + c] = supports[2 * node + c] != Support::none;
           append(2 * node + c);
         }
-    pattern       = make_system_pattern(matrices, system_of_dof, dof_of_system, isolated);
-    factorisation = std::make_unique<CondensedFactorisation>(pattern.column_start,
-                                                             pattern.row,
-                                                             2 * static_cast<int>(surface.size()));
+    pattern = make_system_pattern(matrices, system_of_dof, dof_of_system, isolated);
+  }
+
+
+  int Continuum::Implementation::expected_reach(const scene::SceneParameters &scene) const
+  {
+    // A surface that moves at one place brings u'' = u/l^2 with it, l = c sqrt(beta) dt; elements
+    // that do not resolve l let it fall less.
+    double fastest = 0.;
+    for (const Material &material : cell_material)
+      fastest = std::max(fastest, material.p_wave_speed());
+    const double dt = scene.time.time_step, beta = newmark.beta;
+    const double damped = 1. + newmark.gamma / (beta * dt) * rayleigh_stiffness;
+    const double folds =
+      std::log(2. * static_cast<double>(surface.size()) / std::numeric_limits<double>::epsilon());
+    const double way    = folds * fastest * std::sqrt(beta * damped) * dt;
+    int          widest = 0; // in nodes
+    for (std::size_t first = 0, last = 0; last < surface.size(); ++last)
+      {
+        while ((surface_positions[last] - surface_positions[first]).norm() > way)
+          ++first;
+        widest = std::max(widest, static_cast<int>(last - first));
+      }
+    return 2 * (widest + nodes_of_unresolved_wave);
+  }
+
+
+  void Continuum::Implementation::make_condensation(const scene::SceneParameters &scene)
+  {
+    const int n = 2 * static_cast<int>(surface.size());
+    if (n > 0 && scene.continuum.surface_form != scene::SurfaceForm::dense)
+      {
+        const int reach = expected_reach(scene);
+        is_banded       = scene.continuum.surface_form == scene::SurfaceForm::banded ||
+                    (n >= long_surface && narrow_band * reach <= n);
+        if (is_banded)
+          {
+            factorisation =
+              std::make_unique<BandedCondensation>(pattern.column_start, pattern.row, n, reach);
+            return;
+          }
+      }
+    factorisation = std::make_unique<CondensedFactorisation>(pattern.column_start, pattern.row, n);
   }
 
 
@@ -299,8 +345,9 @@ namespace hybrid::continuum
   {
     const auto &m = *impl;
     Resolution  result;
-    result.cells            = static_cast<int>(m.nodes->cells.size());
-    result.surface_unknowns = 2 * m.surface.size();
+    result.cells             = static_cast<int>(m.nodes->cells.size());
+    result.surface_unknowns  = 2 * m.surface.size();
+    result.surface_is_banded = m.is_banded;
     result.slowest_s_wave = result.highest_frequency = 1e300;
     const int p                                      = m.nodes->line.degree();
     double    s_way = 0., powers = 0.;

@@ -348,11 +348,12 @@ namespace hybrid::output
         {
           case ModelPart::continuum:
             text += line(
-              "Continuum  %d cells of degree %d, %zu unknowns, %zu on the contact surface; slowest S %.4g, fastest P %.4g m/s: resolves %.3g Hz",
+              "Continuum  %d cells of degree %d, %zu unknowns, %zu on the contact surface%s; slowest S %.4g, fastest P %.4g m/s: resolves %.3g Hz",
               continuum->resolution().cells,
               scene.continuum.degree,
               continuum->n_unknowns(),
               continuum->resolution().surface_unknowns,
+              continuum->resolution().surface_is_banded ? " (stiffness banded)" : "",
               r.slowest_s_wave,
               continuum->resolution().fastest_p_wave,
               r.resolved);

@@ -75,6 +75,16 @@ namespace hybrid::scene
       "alone, with no matrix; mpirun shares the cells out. Both give the same motion. automatic: "
       "conjugate gradients where they are possible and the factor does not fit the memory, or where "
       "15 processes or more take less time; else factor.");
+    section.choice<SurfaceForm>(
+      "Surface stiffness",
+      continuum.surface_form,
+      {{"automatic", SurfaceForm::automatic},
+       {"dense", SurfaceForm::dense},
+       {"banded", SurfaceForm::banded}},
+      "Entries of the dynamic stiffness of the bedrock's surface below blocks. dense: all, 24 B "
+      "times the square of its unknowns. banded: those as far as waves go in a step, the others "
+      "are round-off; a step solves twice as often for the interior. Both give the same motion. "
+      "automatic: banded from 6,000 unknowns on, if the band is an eighth of them or less.");
     section.value(
       "Materials",
       "a material's name, or 'region: material; region: material; ...'",

@@ -83,12 +83,21 @@ namespace hybrid::scene
     conjugate_gradients ///< without a matrix, on all processes, for waves alone
   };
 
+  /// How the dynamic stiffness of the bedrock's surface below blocks is held.
+  enum class SurfaceForm
+  {
+    automatic, ///< banded where the surface is long and the band narrow
+    dense,     ///< all entries
+    banded     ///< entries that are more than round-off
+  };
+
   /// Section "Continuum".
   struct ContinuumParameters
   {
     TimeIntegrator integrator    = TimeIntegrator::implicit_steps;
     bool           is_explicit   = false; ///< what the integrator stands for in this scene
     LinearSolver   linear_solver = LinearSolver::automatic;
+    SurfaceForm    surface_form  = SurfaceForm::automatic;
     int            degree        = 2;                   ///< polynomial degree of FE_Q, 1..8
     std::map<std::string, std::string> region_material; ///< region name ("bedrock") -> material
                                                         ///< name; "*": every region without its own
