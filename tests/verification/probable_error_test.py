@@ -31,7 +31,8 @@ ONE_RUN = ["Time/Error estimate=one run", ONE_MESH]
 
 # name: steps in units of the scene's own, and what is set besides
 SHORT = {"time_order": ((4, 1), []), "bedrock_triangles": ((4,), []), "block_decrement": ((1,), []), "lasting_load": ((4,), []),
-         "canyon": ((4,), []), "rayleigh_decrement": ((4,), []), "shaken_base": ((2,), []), "floating_block": ((2,), [])}
+         "canyon": ((4,), []), "rayleigh_decrement": ((4,), []), "shaken_base": ((2,), []), "floating_block": ((2,), []),
+         "rate_belt": ((4,), [])}
 LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_layers": ((4, 1), []),
         "block_decrement": ((4, 1), []), "continuum_into_blocks": ((4, 1), []), "coupled_column": ((4, 1), []),
         "coupled_column trapezoidal": ((4, 1), SCHEME["trapezoidal"]), "coupled_column dissipative": ((4, 1), SCHEME["dissipative"]),

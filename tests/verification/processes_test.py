@@ -244,12 +244,14 @@ def check_blocks():
     run(2, words_of(scene, threads, [*overrides, "Parallel/Threads=2"]))
     require_same_bits(series(WORK / "badong_1"), threads, "badong, two processes of two threads")
     # Runs that tell the errors; one with fewer blocks is computed by the first process alone.
-    errors = {}
-    for processes in (1, 2):
-        directory = WORK / f"badong_errors_{processes}"
-        run(processes, words_of(scene, directory, [*overrides, "Time/Error estimate=automatic", "Mesh/Error estimate=automatic"]))
-        errors[processes] = {name: json.loads((directory / "summary.json").read_text())[name] for name in ("probable_error", "mesh_error")}
-    require(errors[1]["mesh_error"]["estimated"] and errors[1] == errors[2], "two processes tell the same errors as one")
+    for what, further in (("errors", []), ("watched", ["Monitors/File=", "Monitors/Names=", "Monitors/Base="])):
+        errors = {}
+        for processes in (1, 2):
+            directory = WORK / f"badong_{what}_{processes}"
+            run(processes, words_of(scene, directory, [*overrides, *further, "Time/Error estimate=automatic", "Mesh/Error estimate=automatic"]))
+            errors[processes] = {name: json.loads((directory / "summary.json").read_text())[name] for name in ("probable_error", "mesh_error")}
+        require(errors[1]["mesh_error"]["estimated"] and errors[1] == errors[2], f"{what}: two processes tell the same errors as one")
+        require((errors[1]["probable_error"]["watched"] != "") == bool(further), f"{what}: points are watched without monitors only")
     part = WORK / "badong_part"
     run(2, words_of(scene, part, [*overrides[1:], "Time/End time=0.021", "Checkpoint/Step interval=7"]))
     resume(3, part, ["Time/End time=0.04"])
