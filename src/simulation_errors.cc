@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/mesh_orders.h>
 #include <hybrid/output/watched_points.h>
 #include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/simulation.h>
@@ -65,8 +66,6 @@ namespace hybrid
 
   output::MeshOrders Simulation::mesh_orders() const
   {
-    constexpr double of_elements = 2.;
-    const double     of_waves    = 2. * model.scene.continuum.degree;
-    return n_blocks() > 0 ? output::MeshOrders{1., 2.} : output::MeshOrders{of_elements, of_waves};
+    return output::mesh_orders(model.scene, model.mesh, n_blocks() > 0);
   }
 } // namespace hybrid

@@ -5,7 +5,7 @@
 #include <hybrid/dda/statics/lifts.h>
 #include <hybrid/dda/statics/static_stage.h>
 #include <hybrid/interruption.h>
-#include <hybrid/output/mesh_difference.h>
+#include <hybrid/output/mesh_orders.h>
 #include <hybrid/output/step_record.h>
 #include <hybrid/restart/checkpoint_file.h>
 #include <hybrid/run_report.h>
@@ -84,8 +84,6 @@ namespace hybrid
     /// Blocks, or without any the unknowns of the bedrock: what a coarser mesh has fewer of.
     double mesh_count() const;
 
-    /// Orders that the error of the mesh can have. Blocks have constant strain: 1 (their joints)
-    /// to 2. Elements of degree q: 2 to 2 q, that of the waves' dispersion.
     output::MeshOrders mesh_orders() const;
 
     bool has_error_target() const

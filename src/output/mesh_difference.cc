@@ -47,7 +47,7 @@ namespace hybrid::output
       std::isnan(std::fmax(near.part[0], near.part[1])) ? "nothing moves until a joint fails" : "";
     const double found  = seen_order(near, far);
     error.order_is_seen = found >= orders.lowest; // NaN: there is no third mesh
-    const double p      = error.order_is_seen ? std::min(found, orders.highest) : orders.lowest;
+    const double p      = error.order_is_seen ? std::min(found, orders.highest) : orders.assumed;
     const double gain = std::exp2(p), fastest = std::exp2(orders.highest);
     const auto   size = numbers(error.size), half = numbers(error.half_size), other = numbers(far);
     for (std::size_t q = 0; q < size.size(); ++q)

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/output/mesh_orders.h>
 #include <hybrid/output/step_record.h>
 #include <hybrid/output/summary.h>
 
 namespace hybrid::output
 {
-  /// Orders p that the error of a mesh of the size h can have: it falls with h^p.
-  struct MeshOrders
-  {
-    double lowest;  ///< of waves that the mesh resolves
-    double highest; ///< of smooth waves, not below the lowest
-  };
-
-
   /**
    * The error of a mesh from its difference d to one twice as coarse: d / (2^p - 1) (Richardson
    * 1911), and 1/2^p of that with half the size.
@@ -22,7 +15,7 @@ namespace hybrid::output
    * velocity and acceleration: two meshes may be close by luck, which makes an order look too high,
    * never too low. It lies within @p orders: differences that fall more slowly than with the lowest
    * are those of meshes that do not resolve the waves, so they say nothing of finer ones. The
-   * lowest counts there, and without a third mesh; then error.order_is_seen is false.
+   * assumed one counts there, and without a third mesh; then error.order_is_seen is false.
    *
    * The difference D of the coarser two tells what the finer two leave at least, if they are close
    * by luck: D / (2^P (2^P - 1)), with P the highest order.

@@ -12,7 +12,7 @@ namespace hybrid::output
   namespace
   {
     constexpr double     step   = 2e-3;
-    constexpr MeshOrders blocks = {1., 2.}, waves = {2., 8.};
+    constexpr MeshOrders blocks = {1., 2., 1.}, waves = {2., 8., 2.}, smooth_waves = {2., 4., 4.};
 
 
 
@@ -46,7 +46,7 @@ namespace hybrid::output
         {
           const double             coarser = std::exp2(p);
           const Summary::MeshError error =
-            error_of({0.01, 0.01 * coarser, 0.01 * coarser * coarser}, {0.5, 2.});
+            error_of({0.01, 0.01 * coarser, 0.01 * coarser * coarser}, {0.5, 2., 1.});
           EXPECT_EQ(error.reason, "");
           EXPECT_EQ(error.meshes, 2);
           EXPECT_TRUE(error.order_is_seen);
@@ -88,6 +88,19 @@ namespace hybrid::output
           EXPECT_FALSE(error.order_is_seen);
           EXPECT_NEAR(error.size.part[0], 0.48 / 3., 4e-3);
           EXPECT_EQ(error.half_size.part[0], error.size.part[0] / 4.);
+        }
+    }
+
+
+
+    TEST(MeshDifference, without_an_order_counts_with_that_of_dispersion_in_level_layers)
+    {
+      for (const std::vector<double> &errors : {std::vector<double>{0.02, 0.5, 0.9}, {0.02, 0.5}})
+        {
+          const Summary::MeshError error = error_of(errors, smooth_waves);
+          EXPECT_FALSE(error.order_is_seen);
+          EXPECT_NEAR(error.size.part[0], 0.48 / 15., 1e-3);
+          EXPECT_EQ(error.half_size.part[0], error.size.part[0] / 16.);
         }
     }
 

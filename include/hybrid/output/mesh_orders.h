@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace hybrid::scene
+{
+  struct SceneParameters;
+  struct SectionMesh;
+} // namespace hybrid::scene
+
+namespace hybrid::output
+{
+  /// Orders p that the error of a mesh of the size h can have: it falls with h^p.
+  struct MeshOrders
+  {
+    double lowest;  ///< of waves that the mesh resolves
+    double highest; ///< of smooth waves, not below the lowest
+    double assumed; ///< where three meshes show none; between these
+  };
+
+
+  /**
+   * Of blocks, which have constant strain, 1 (their joints) to 2.
+   *
+   * Of elements of degree q 2 to 2 q, that of the waves' dispersion (Ainsworth & Wajid 2009), which
+   * is the only error of waves in level layers; where corners, planes or point loads are, the
+   * lowest is assumed.
+   */
+  MeshOrders
+  mesh_orders(const scene::SceneParameters &scene, const scene::SectionMesh &mesh, bool has_blocks);
+} // namespace hybrid::output
