@@ -5,9 +5,10 @@ a third of the size.
 
 True error as in probable_error_test.py. What the finer mesh has left itself (1/r^1.5 of it with blocks, 1/r^2 without, r times as fine) is added.
 
-Usage: mesh_error_test.py HYBRID_BINARY SOURCE_DIR WORK_DIR [--write doc/accuracy.md]
+Usage: mesh_error_test.py HYBRID_BINARY SOURCE_DIR WORK_DIR [--write doc/accuracy.md | --write-others doc/accuracy.md]
 The first form runs the scenes of SHORT, asks for a factor of 3 and for a row of each scene in the page. --write runs all and writes the
-table of the page (ten minutes); runs that are in WORK_DIR already are kept.
+table of the page (ten minutes); runs that are in WORK_DIR already are kept. --write-others does so with mesh_scenes.py, in the sizes that are
+given there and in twice these (ten minutes).
 """
 import json
 import pathlib
@@ -16,6 +17,8 @@ import shutil
 import subprocess
 import sys
 
+import mesh_scenes
+import numpy as np
 import probable_error_test as steps
 
 SHORT = ("soft_layer_blocks", "wave_packet")
@@ -24,13 +27,14 @@ SCENES = {"wave_packet": 3, "free_field": 3, "constant_q_layer": 3, "opening_pla
           "bonded_bar": 3, "bedrock_triangles": 3, "block_decrement": 3, "constant_q_blocks": 3, "time_order": 3, "coupled_column": 3,
           "soft_layer_blocks": 3, "continuum_into_blocks": 2, "lasting_load": 3, "bonded_mass": 2, "brittle_release": 3, "shakedown": 3,
           "softening_reset": 3, "badong": 2}
+OTHERS_REFERENCE = 3  # of mesh_scenes.py
 SETTINGS = {"badong": ["Time/End time=4"]}
 SIZES = {"badong": "Resolution/h = 8"}
 
 
 def meshed(source, name, finer):
     text = SIZES.get(name) or re.search(r"set Numbers\s*= ([^#\n]*)", steps.scene_file(source, name).read_text()).group(1)
-    return "Mesh/Numbers=" + re.sub(r"(Resolution/\w+ = )([0-9.]+)", lambda found: "%s%.10g" % (found.group(1), float(found.group(2)) / finer), text)
+    return "Mesh/Numbers=" + finer_numbers(text, finer)
 
 
 def compute(binary, source, work, name, finer):
@@ -49,13 +53,32 @@ def compare(binary, source, work, name):
     """(true errors, what the run says; None: nothing; summary.json's mesh_error, blocks)"""
     finer = SCENES[name]
     own, reference = (compute(binary, source, work, name, f) for f in (1, finer))
-    summary = json.loads((own / "summary.json").read_text())
+    true, summary = beside(own, reference, finer, steps.own_step(steps.scene_file(source, name)))
     said = summary["mesh_error"]
-    until = min((t for t in (said.get("until_s"), steps.failure_time(reference)) if t), default=None)
-    if until:
-        until -= steps.own_step(steps.scene_file(source, name))
-    true = steps.true_errors(own, reference, finer, 1.5 if summary["blocks"] else 2, until)
     return true, [said["mesh"][q]["part_of_peak"] for q in steps.QUANTITIES] if said["estimated"] else None, said, int(summary["blocks"])
+
+
+def finer_numbers(text, finer):
+    return re.sub(r"(Resolution/\w+ = )([0-9.]+)", lambda found: "%s%.10g" % (found.group(1), float(found.group(2)) / finer), text)
+
+
+def compute_other(binary, source, work, name, finer):
+    """As compute(), of mesh_scenes.py."""
+    place = work / ("%s-%g" % (re.sub(r"\W+", "_", name), finer))
+    if not (place / "summary.json").exists():
+        words = [binary, mesh_scenes.scene_file(binary, source, work, name), "-s", "Output/Directory=%s" % place]
+        for setting in ["Output/Picture interval=0", "Time/Error estimate=one run", "Mesh/Numbers=" + finer_numbers(mesh_scenes.SCENES[name][1], finer),
+                        *mesh_scenes.settings(source, name), *([steps.ONE_MESH] if finer > 1 else [])]:
+            words += ["-s", setting]
+        subprocess.run(words, check=True, cwd=source, stdout=subprocess.DEVNULL)
+    return place
+
+
+def beside(own, reference, finer, step):
+    """(true errors, summary.json) of a run, by one with a mesh so many times as fine."""
+    summary = json.loads((own / "summary.json").read_text())
+    until = min((t for t in (summary["mesh_error"].get("until_s"), steps.failure_time(reference)) if t), default=None)
+    return steps.true_errors(own, reference, finer, 1.5 if summary["blocks"] else 2, until - step if until else None), summary
 
 
 def label(name, blocks, meshes):
@@ -81,12 +104,49 @@ def write(binary, source, work, page):
     steps.put(page, ((rows, "mesh lines"),))
 
 
+def told_over_true(binary, source, work, name, finer):
+    """(true errors, what is told over them, whether an order is seen) in a mesh so many times as fine; the ratios are None where nothing is told."""
+    reference = compute_other(binary, source, work, name, OTHERS_REFERENCE)
+    own = compute_other(binary, source, work, name, finer)
+    summary = json.loads((own / "summary.json").read_text())
+    true, summary = beside(own, reference, OTHERS_REFERENCE / finer, summary["simulated_time_s"] / summary["steps"])
+    said = summary["mesh_error"]
+    if not said["estimated"]:
+        return true, None, False
+    told = [said["mesh"][q]["part_of_peak"] for q in steps.QUANTITIES]
+    return true, np.maximum(told, steps.FLOOR) / np.maximum(true, steps.FLOOR), said["order_is_seen"]
+
+
+def bold(ratios):
+    if ratios is None:
+        return "the next mesh is hardly coarser"
+    return ", ".join("%.2g" % r if 1 / steps.FACTOR <= r <= steps.FACTOR else "**%.2g**" % r for r in ratios)
+
+
+def write_others(binary, source, work, page):
+    rows, found = [], {True: [], False: []}
+    for name in mesh_scenes.SCENES:
+        parts = [told_over_true(binary, source, work, name, finer) for finer in (1, 0.5)]
+        rows.append("| %s | %s | %s | %s |" % (name, steps.percent(parts[0][0]), *(bold(ratios) for _, ratios, _ in parts)))
+        for _, ratios, is_seen in parts:
+            found[is_seen] += [] if ratios is None else list(ratios)
+        print(rows[-1], flush=True)
+    for is_seen, ratios in found.items():
+        values = np.array(ratios)
+        print("%s: %d ratios, %d too small, %d too large, %.2g to %.2g" % ("an order is seen" if is_seen else "none is", len(values),
+              (values < 1 / steps.FACTOR).sum(), (values > steps.FACTOR).sum(), values.min(), values.max()))
+    steps.put(page, ((rows, "other meshes"),))
+
+
 def main():
     binary, source, work = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
     sys.path.insert(0, str(source / "src/tools"))
-    if "--write" not in sys.argv:
+    if "--write" not in sys.argv and "--write-others" not in sys.argv:
         shutil.rmtree(work, ignore_errors=True)  # of an earlier program
     work.mkdir(parents=True, exist_ok=True)
+    if "--write-others" in sys.argv:
+        write_others(binary, source, work, pathlib.Path(sys.argv[sys.argv.index("--write-others") + 1]))
+        return
     if "--write" in sys.argv:
         write(binary, source, work, pathlib.Path(sys.argv[sys.argv.index("--write") + 1]))
         return
