@@ -286,3 +286,7 @@ def test_errors_are_those_of_the_summary():
     Finished.summary["probable_error"].update(watched="8 blocks", acceleration_peaks_at_an_end="crest")
     assert errors.rows_of(Finished)[0][-1].startswith("a run in steps of 0.002 s, at 8 blocks")
     assert errors.rows_of(Finished)[1][-1].endswith("the acceleration of crest is largest at an end of the record, where nothing is filtered nor told")
+    Finished.summary["mesh_error"] = {"estimated": True, "coarser_meshes": 1, "order_is_seen": False, "mesh": error(0.02), "half_the_size": error(0.01)}
+    assert errors.rows_of(Finished)[-1][-1] == "roughly: no order is seen in these meshes"
+    Finished.summary["mesh_error"]["order_is_seen"] = True
+    assert errors.rows_of(Finished)[-1][-1] == ""

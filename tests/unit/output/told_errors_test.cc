@@ -34,6 +34,7 @@ namespace hybrid::output
       told.step.step.where      = {{"S1", "S2", "S3"}};
       told.step.failed_in_other = true;
       told.mesh.reason          = "the next mesh is hardly coarser";
+      told.mesh.order_is_seen   = true;
       write_told_errors(file, told);
       const std::optional<ToldErrors> read = read_told_errors(file);
       ASSERT_TRUE(read);
@@ -45,6 +46,7 @@ namespace hybrid::output
       EXPECT_TRUE(std::isnan(read->step.step.slip_left));
       EXPECT_TRUE(read->step.failed_in_other);
       EXPECT_EQ(read->mesh.reason, told.mesh.reason);
+      EXPECT_TRUE(read->mesh.order_is_seen);
     }
 
 

@@ -48,6 +48,8 @@ def halved(found, part, half):
         notes.append("blocks strike each other, runs in other steps may go another way")
     if found.get("acceleration_peaks_at_an_end"):
         notes.append("the acceleration of %s is largest at an end of the record, where nothing is filtered nor told" % found["acceleration_peaks_at_an_end"])
+    if found.get("order_is_seen") is False:
+        notes.append("roughly: no order is seen in these meshes")
     return ["with half of it"] + cells(found[half]) + ["; ".join(notes)]
 
 
