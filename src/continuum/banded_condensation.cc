@@ -44,6 +44,7 @@ namespace hybrid::continuum
     , load(n_interior, 0.)
     , solution(n_interior, 0.)
     , surface_load(Eigen::VectorXd::Zero(surface_unknowns))
+    , motion(Eigen::VectorXd::Zero(surface_unknowns))
     , none(0)
   {
     for (int j = 0; j < size(); ++j)
@@ -70,8 +71,8 @@ namespace hybrid::continuum
 
   double BandedCondensation::factor_memory() const
   {
-    // S and its factor; right-hand sides, their solutions and work while S is found.
-    const double band = 2. * (expected_reach + 1.) * n_surface;
+    // S, a copy of it and its factor; right-hand sides, their solutions and work while S is found.
+    const double band = 3. * (expected_reach + 1.) * n_surface;
     const double work = 3. * columns_of_product * static_cast<double>(size());
     return interior->factor_memory() +
            sizeof(double) * (band + work + 2. * static_cast<double>(of_interior.row.size()));
@@ -194,9 +195,10 @@ namespace hybrid::continuum
   void BandedCondensation::backward(Factor &factor, std::vector<double> &x)
   {
     Parts &parts = Parts::of(factor);
-    solve_band(parts.factor, surface_load.data());
+    motion       = surface_load;
+    solve_band(parts.factor, motion.data());
     solution = load;
-    solve_interior(parts, surface_load, x);
+    solve_interior(parts, motion, x);
   }
 
 
@@ -206,10 +208,10 @@ namespace hybrid::continuum
                                                  std::vector<double>   &x)
   {
     Parts &parts = Parts::of(factor);
-    surface_load = load_on_surface;
-    solve_band(parts.factor, surface_load.data());
+    motion       = load_on_surface;
+    solve_band(parts.factor, motion.data());
     std::fill(solution.begin(), solution.end(), 0.);
-    solve_interior(parts, surface_load, x);
+    solve_interior(parts, motion, x);
   }
 
 

@@ -55,7 +55,7 @@ namespace hybrid::continuum
 
     // When of S a band is kept (doc/scaling.md).
     constexpr int long_surface             = 6000; ///< its unknowns, at least
-    constexpr int narrow_band              = 8;    ///< unknowns of the surface over the band's
+    constexpr int narrow_band              = 4;    ///< unknowns of the surface over the band's
     constexpr int nodes_of_unresolved_wave = 30;   ///< that entries reach over in any step
 
     /// Nodes of the contact surface, and what each bears of the load between it and the next.

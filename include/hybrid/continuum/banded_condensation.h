@@ -65,6 +65,7 @@ namespace hybrid::continuum
     std::unique_ptr<CondensedFactorisation> interior;
     std::vector<double>                     load, solution; ///< b_I of the step, and A_II^-1 of it
     Eigen::VectorXd                         surface_load;   ///< g of forward()
+    Eigen::VectorXd                         motion;         ///< of the surface, solved for
     Eigen::VectorXd                         none;           ///< the interior's own surface
 
     /// S times columns. @param solve b := A_II^-1 b

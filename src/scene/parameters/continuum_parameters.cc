@@ -84,7 +84,7 @@ namespace hybrid::scene
       "Entries of the dynamic stiffness of the bedrock's surface below blocks. dense: all, 24 B "
       "times the square of its unknowns. banded: those as far as waves go in a step, the others "
       "are round-off; a step solves twice as often for the interior. Both give the same motion. "
-      "automatic: banded from 6,000 unknowns on, if the band is an eighth of them or less.");
+      "automatic: banded from 6,000 unknowns on, where the band is expected to reach over a quarter of them or less.");
     section.value(
       "Materials",
       "a material's name, or 'region: material; region: material; ...'",

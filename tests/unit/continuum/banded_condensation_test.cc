@@ -91,12 +91,12 @@ TEST(BandedCondensation, solves_many_and_leaves_the_solution_of_a_step)
   BothWays        both(30, 9);
   Eigen::VectorXd g;
   both.banded.forward(*both.banded_factor, both.b, g);
-  both.banded.backward(*both.banded_factor, g, both.of_dense);
+  both.banded.backward(*both.banded_factor, both.of_dense);
   const Eigen::MatrixXd a = both.grid.dense(), loads = Eigen::MatrixXd::Identity(both.grid.size, 5);
   Eigen::MatrixXd       x = loads;
   both.banded.solve(*both.banded_factor, x);
   EXPECT_LT((a * x - loads).norm(), 1e-12);
-  both.banded.backward(*both.banded_factor, g, both.of_banded);
+  both.banded.backward(*both.banded_factor, both.of_banded);
   EXPECT_EQ(both.of_dense, both.of_banded);
 }
 

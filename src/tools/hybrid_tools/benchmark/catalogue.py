@@ -58,7 +58,7 @@ ROWS = (
     + family("static", STATIC, {"8": None, "4": 1, "2": 5, "1": None}, is_long=("2", "1"))
     + family("waves", WAVES, {"155k": 15, "617k": 15})
     + family("bonded", RATE, {"5000": 5e5, "20000": 5e5, "100000": 5e5, "1000000": 5e5}, is_long=("100000", "1000000"))
-    + family("coupled", RATE, {"10000": None, "1000000": None}, is_long=("1000000",))
+    + family("coupled", RATE, {"10000": None, "long": None, "1000000": None}, is_long=("long", "1000000"))
     + [
         Row("bin_30", RUN),
         Row("bin_1000", RUN),
