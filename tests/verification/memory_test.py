@@ -15,12 +15,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FACTOR, BONDED = 1.5, 1.15
 BADONG = ROOT / "parameters/majiagou/badong_long_periods.prm"
 
-# What dominates: blocks and condensed bedrock; slip of bedding planes; blocks alone; histories.
+# What dominates: blocks and condensed bedrock; slip of bedding planes; a surface of which a band is kept; blocks alone; histories.
 SCENES = {
     "badong": (BADONG, ["Time/End time=0.02"]),
     "slipping planes": (BADONG, ["Mesh/Numbers=Resolution/h = 8", "Time/End time=0.02",
                                  "Bedding planes/Strength=Mohr-Coulomb", "Bedding planes/Friction angle=30"]),
     "triangles": (BADONG, ["Mesh/Numbers=Resolution/h = 6", "Time/End time=0.012", "Model/Bedrock=triangles"]),
+    "long surface": (ROOT / "parameters/benchmarks/coupled_long.prm",
+                     ["Mesh/Numbers=Width = 2000; Height = 22; Block height = 2; Resolution/h = 1", "Time/End time=0.003"]),
     "loose": (ROOT / "parameters/benchmarks/rest_2000.prm", []),
     "bonded 5000": (ROOT / "parameters/benchmarks/bonded_5000.prm", ["Checkpoint/Wall interval=0"]),
     "bonded 20000": (ROOT / "parameters/benchmarks/bonded_20000.prm", ["Checkpoint/Wall interval=0"]),
