@@ -259,8 +259,11 @@ namespace
     processes.on_first([&] { lock.take(command.target); });
     if (has_not_begun(command.target))
       return run_scene(command, scene, processes, lock);
-    const restart::CheckpointContent checkpoint =
-      restart::read_checkpoint(checkpoint_file(command.target));
+    const std::string          file = checkpoint_file(command.target);
+    restart::CheckpointContent checkpoint;
+    processes.on_first([&] { checkpoint = restart::read_checkpoint(file); });
+    if (!processes.is_first())
+      checkpoint = restart::read_checkpoint(file, false);
     prepare_process();
     Voice voice(processes);
     if (!may_take_part(scene, processes, voice.log))

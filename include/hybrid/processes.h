@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/restart/first_process_failed.h>
+
 #include <mpi.h>
 
 #include <functional>
 
 namespace hybrid
 {
-  /// What the first process has failed at and told; the others end with it, in silence.
-  struct FirstProcessFailed
-  {
-    int exit_code;
-  };
-
-
   /**
    * The processes that mpirun has started, or this one alone. All read the scene; the first one
    * writes, and speaks.

@@ -53,7 +53,7 @@ namespace hybrid::output
     if (content.layout != layout())
       return {};
     StepRecord record;
-    restart::Archive::reader(content.state)(record);
+    restart::Archive::reader_of(content.state)(record);
     return record;
   }
 } // namespace hybrid::output

@@ -117,7 +117,7 @@ namespace hybrid::output
         if (content.layout != layout_of_told_errors())
           return {};
         ToldErrors told;
-        restart::Archive::reader(content.state)(told);
+        restart::Archive::reader_of(content.state)(told);
         return told;
       }
     catch (const InputError &) // damaged, or of another version: further runs tell it anew

@@ -45,6 +45,15 @@ namespace hybrid::restart
 
 
 
+  Archive Archive::reader_of(const std::string_view content)
+  {
+    Archive archive(Direction::read);
+    archive.foreign = content;
+    return archive;
+  }
+
+
+
   Archive Archive::describer()
   {
     return Archive(Direction::describe);
@@ -68,10 +77,17 @@ namespace hybrid::restart
           bytes += content;
         return;
       }
-    if (n > bytes.size() - position)
+    std::memcpy(memory, source().data() + skip(n), n);
+  }
+
+
+
+  std::size_t Archive::skip(const std::size_t n)
+  {
+    if (n > source().size() - position)
       throw InputError("the checkpoint ends too early");
-    std::memcpy(memory, bytes.data() + position, n);
     position += n;
+    return position - n;
   }
 
 
@@ -88,7 +104,7 @@ namespace hybrid::restart
   {
     std::uint64_t n = length;
     move(&n, sizeof(n));
-    if (is_reading() && n > (bytes.size() - position) / element_size)
+    if (is_reading() && n > (source().size() - position) / element_size)
       throw InputError("the checkpoint ends too early");
     return static_cast<std::size_t>(n);
   }

@@ -90,19 +90,32 @@ namespace hybrid::restart
         check(file.is_open());
         write([&](const std::string_view bytes) { check(file.write_all(bytes)); });
         check(!durable || file.synchronize());
-        check(std::rename(temporary.c_str(), file_name.c_str()) == 0);
       }
     catch (...)
       {
         std::remove(temporary.c_str());
         throw;
       }
+    if (const int error = put_in_place(file_name, durable); error != 0)
+      throw failure(file_name, error);
+  }
+
+
+
+  int put_in_place(const std::string &file_name, const bool durable)
+  {
+    const std::string temporary = temporary_name(file_name);
+    if (std::rename(temporary.c_str(), file_name.c_str()) != 0)
+      {
+        const int error = errno;
+        std::remove(temporary.c_str());
+        return error;
+      }
     if (!durable)
-      return;
+      return 0;
     const std::string directory = std::filesystem::path(file_name).parent_path().string();
     const Descriptor  folder(open(directory.empty() ? "." : directory.c_str(), O_RDONLY));
-    if (!folder.is_open() || !folder.synchronize())
-      throw failure(directory, errno);
+    return folder.is_open() && folder.synchronize() ? 0 : errno;
   }
 
 

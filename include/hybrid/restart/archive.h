@@ -77,6 +77,9 @@ namespace hybrid::restart
     /// Archive that is read from @p content.
     static Archive reader(std::string content);
 
+    /// The same; @p content has to outlive it.
+    static Archive reader_of(std::string_view content);
+
     /// Archive that is filled with the types of what it visits.
     static Archive describer();
 
@@ -112,7 +115,17 @@ namespace hybrid::restart
     /// Everything has been read.
     bool at_end() const
     {
-      return position == bytes.size();
+      return position == source().size();
+    }
+
+    /// Pass over @p n bytes. @return where they begin in what is read. @throws InputError if there
+    /// are fewer.
+    std::size_t skip(std::size_t n);
+
+    /// Where @p vector would be written or read, @p in_its_place is called.
+    void stand_in(const std::vector<double> &vector, std::function<void(Archive &)> in_its_place)
+    {
+      stand_ins[&vector] = std::move(in_its_place);
     }
 
   private:
@@ -129,6 +142,14 @@ namespace hybrid::restart
     std::string bytes;
     std::size_t position = 0; ///< of the next byte to read
     Sink        sink;         ///< none: all bytes are kept
+
+    std::string_view                                       foreign; ///< what is read, if not bytes
+    std::map<const void *, std::function<void(Archive &)>> stand_ins;
+
+    std::string_view source() const
+    {
+      return foreign.data() != nullptr ? foreign : std::string_view(bytes);
+    }
 
     /// @p n bytes to or from memory.
     void move(void *memory, std::size_t n);
@@ -182,6 +203,8 @@ namespace hybrid::restart
           describe("]");
           return;
         }
+      if (const auto other = stand_ins.find(&values); other != stand_ins.end())
+        return other->second(*this);
       values.resize(move_length(values.size(), internal::is_plain<T> ? sizeof(T) : 1));
       if constexpr (internal::is_plain<T>)
         move(values.data(), values.size() * sizeof(T));

@@ -5,7 +5,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
+#include <string_view>
 
 namespace hybrid::restart
 {
@@ -13,7 +15,9 @@ namespace hybrid::restart
   struct CheckpointContent
   {
     std::uint64_t layout = 0; ///< checksum of the description of the state (Archive::describer())
-    std::string   state;      ///< content of an Archive
+    std::string_view state;   ///< content of an Archive: the file itself, not a copy
+
+    std::shared_ptr<const char> file; ///< in memory as far as it is read
   };
 
   /// Version of the file format that this program writes and reads.
@@ -27,7 +31,14 @@ namespace hybrid::restart
                         std::uint64_t                         layout,
                         const std::function<void(Archive &)> &write_state);
 
-  /// @throws InputError if there is no file, or one that is no checkpoint, has another version or
-  /// is damaged.
-  CheckpointContent read_checkpoint(const std::string &file_name);
+  /// A checkpoint to @p file, portion by portion. @param sum checksum of the state so far, for who
+  /// writes parts of it elsewhere; begins with that of nothing
+  void put_checkpoint(const std::function<void(std::string_view)> &file,
+                      std::uint64_t                                layout,
+                      std::uint64_t                               &sum,
+                      const std::function<void(Archive &)>        &write_state);
+
+  /// @param verify look at all of it: one of several ranks is enough @throws InputError if there is
+  /// no file, or one that is no checkpoint, has another version or is damaged.
+  CheckpointContent read_checkpoint(const std::string &file_name, bool verify = true);
 } // namespace hybrid::restart

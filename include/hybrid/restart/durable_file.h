@@ -24,4 +24,9 @@ namespace hybrid::restart
 
   /// The same with a content that is in memory.
   void replace_file(const std::string &file_name, std::string_view content, bool durable);
+
+  /// A file that was written under its temporary name takes its name. @param durable as in
+  /// replace_file()
+  /// @return 0, or the errno of what failed
+  int put_in_place(const std::string &file_name, bool durable);
 } // namespace hybrid::restart

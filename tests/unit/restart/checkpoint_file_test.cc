@@ -146,7 +146,8 @@ namespace hybrid::restart
       std::vector<double> values(400000), copy;
       std::iota(values.begin(), values.end(), 0.5);
       write_checkpoint(file, 1, [&](Archive &archive) { archive(values, values); });
-      Archive archive = Archive::reader(read_checkpoint(file).state);
+      const CheckpointContent content = read_checkpoint(file);
+      Archive                 archive = Archive::reader_of(content.state);
       archive(copy, copy);
       EXPECT_EQ(copy, values);
       EXPECT_TRUE(archive.at_end());
