@@ -126,36 +126,6 @@ namespace hybrid
 
 
 
-  void Simulation::collect(const continuum::Continuum::Collection &what)
-  {
-    if (model.continuum == nullptr)
-      return;
-    int asked[2] = {what.motion ? 1 : 0, what.energy ? 1 : 0};
-    if (!is_alone())
-      MPI_Bcast(asked, 2, MPI_INT, 0, model.processes);
-    model.continuum->collect(state.continuum, {asked[0] != 0, asked[1] != 0});
-  }
-
-
-
-  void Simulation::record_step(Run                   &run,
-                               const dda::StepResult &result,
-                               const double           dt,
-                               const double           wall_time)
-  {
-    collect(run.recorder ? run.recorder->needs(state.time, dt)
-                         : continuum::Continuum::Collection());
-    if (run.recorder)
-      run.recorder->record_step(state, result, dt, wall_time);
-    if (!run.shared_peaks)
-      return;
-    Vec2 base = run.recorder ? run.recorder->base_displacement() : Vec2::Zero();
-    MPI_Bcast(base.data(), 2, MPI_DOUBLE, 0, model.processes);
-    run.shared_peaks->add(state.continuum.displacement, state.continuum.velocity, dt, base.data());
-  }
-
-
-
   Simulation::Call Simulation::agree(const Call &mine) const
   {
     if (is_alone())
@@ -230,17 +200,12 @@ namespace hybrid
       add_parts(settled.times, "static_", run.summary.timings);
     if (has_failed_to_stand())
       {
-        if (run.recorder)
-          run.recorder->start(state);
+        start_recording(run);
         finish(run, RunStatus::no_equilibrium);
         return RunStatus::no_equilibrium;
       }
     set_in_motion();
-    collect({});
-    if (run.recorder)
-      run.recorder->start(state);
-    if (run.shared_peaks)
-      run.shared_peaks->start(state.continuum.velocity);
+    start_recording(run);
     if (model.scene.checkpoint.is_on())
       save(run);
     else if (run.recorder)
@@ -308,10 +273,7 @@ namespace hybrid
         else if (call.interruption)
           status = RunStatus::interrupted;
         else if (call.checkpoint)
-          {
-            collect({true, false});
-            save(run);
-          }
+          save(run);
       }
     run.count_processor_time_of_steps();
     if (status != RunStatus::no_convergence)
@@ -320,10 +282,7 @@ namespace hybrid
       run_report.at_rest(run.clock.time());
     if (status == RunStatus::interrupted || status == RunStatus::energy_limit ||
         model.scene.checkpoint.is_on())
-      {
-        collect({true, false});
-        save(run);
-      }
+      save(run);
     return status;
   }
 
@@ -419,12 +378,18 @@ namespace hybrid
   {
     output::Summary &summary = run.summary;
     run.end_steps();
-    collect({});
-    run.collect_peaks();
+    const auto needs =
+      collect(run.recorder ? run.recorder->needs_at_end(state.time) : output::RunRecorder::Needs());
+    if (run.recorder)
+      {
+        run.recorder->finish(state, summary);
+        measure_step_error(run, summary);
+      }
+    if (run.shared_pictures && needs.picture)
+      run.shared_pictures->write(state.continuum, "");
+    write_shared_peaks(run);
     if (!run.recorder)
       return agreed_status(status);
-    run.recorder->finish(state, summary);
-    measure_step_error(run, summary);
     status                 = agreed_status(judge_energy(run, status));
     summary.title          = model.scene.title;
     summary.finished       = status == RunStatus::finished;

@@ -35,11 +35,25 @@ namespace hybrid
                        mode);
     const continuum::Ownership *ownership =
       model.continuum != nullptr ? model.continuum->ownership() : nullptr;
-    if (ownership == nullptr || !model.scene.monitors.has_peak_fields)
+    if (ownership == nullptr)
       return;
-    shared_peaks.emplace(*ownership, model.scene.monitors.filter_frequency);
+    if (!recorder)
+      shared_pictures.emplace(*model.continuum);
+    if (!model.scene.monitors.has_peak_fields)
+      return;
+    shared_peaks.emplace(*model.continuum, model.scene.monitors.filter_frequency);
     if (recorder)
-      peaks_of_all = &recorder->leave_peaks_of_bedrock();
+      peaks_of_first = &recorder->leave_peaks_of_bedrock();
+  }
+
+
+
+  void Simulation::Run::add_shared_peaks(std::vector<restart::SharedVector> &vectors)
+  {
+    if (!shared_peaks)
+      return;
+    for (restart::SharedVector &vector : shared_peaks->shared_vectors(peaks_of_first))
+      vectors.push_back(std::move(vector));
   }
 
 
@@ -90,19 +104,28 @@ namespace hybrid
 
   void Simulation::save(Run &run)
   {
-    run.collect_peaks();
     run.count_processor_time_of_steps();
-    if (!run.recorder)
+    if (!run.recorder && !shares_bedrock())
       return;
     run.schedule.begins();
-    run.recorder->flush(); // run.h5 is never behind the checkpoint
-    const std::uint64_t number = fingerprint(model.mesh, model.motion);
-    const auto          write  = [&](restart::Archive &archive) {
+    if (run.recorder)
+      run.recorder->flush(); // run.h5 is never behind the checkpoint
+    const auto write = [&](restart::Archive &archive) {
       archive.put(model.scene.used_prm);
-      archive.put(number);
+      archive.put(fingerprint(model.mesh, model.motion));
       serialize(archive, run);
     };
-    restart::write_checkpoint(checkpoint_file(model.scene.output.directory), layout(run), write);
+    const std::string file = checkpoint_file(model.scene.output.directory);
+    if (shares_bedrock())
+      {
+        std::vector<restart::SharedVector> vectors =
+          model.continuum->shared_vectors(state.continuum);
+        vectors.push_back(model.continuum->shared_rest());
+        run.add_shared_peaks(vectors);
+        restart::write_shared_checkpoint(file, layout(run), write, vectors, model.processes);
+      }
+    else
+      restart::write_checkpoint(file, layout(run), write);
     run.schedule.written();
     run.count_processor_time("writing");
   }
@@ -115,14 +138,23 @@ namespace hybrid
       throw InputError("the checkpoint '" + checkpoint_file(model.scene.output.directory) +
                        "' was written by a program whose state has other parts: resume with that "
                        "program");
-    restart::Archive archive = restart::Archive::reader(checkpoint.state);
+    restart::Archive archive = restart::Archive::reader_of(checkpoint.state);
     std::string      parameters;
     std::uint64_t    number = 0;
     archive(parameters, number);
+    std::vector<restart::SharedVector> vectors;
+    if (shares_bedrock())
+      {
+        vectors.push_back(model.continuum->shared_rest());
+        run.add_shared_peaks(vectors);
+      }
+    restart::SharedReading reading(archive, vectors);
     serialize(archive, run);
     if (run.recorder && !archive.at_end())
       throw InputError("the checkpoint '" + checkpoint_file(model.scene.output.directory) +
                        "' is longer than its state");
+    if (shares_bedrock())
+      reading.take(checkpoint.state, model.processes);
   }
 
 
@@ -130,7 +162,7 @@ namespace hybrid
   RunStatus Simulation::resume(const restart::CheckpointContent &checkpoint,
                                const Interruption               &interruption)
   {
-    restart::Archive archive = restart::Archive::reader(checkpoint.state);
+    restart::Archive archive = restart::Archive::reader_of(checkpoint.state);
     std::string      parameters;
     std::uint64_t    number = 0;
     archive(parameters, number);
@@ -148,8 +180,6 @@ namespace hybrid
 
     Run run(*this, output::HistoryFile::Mode::resume);
     load(checkpoint, run);
-    if (run.shared_peaks)
-      run.shared_peaks->spread(run.peaks_of_all);
     run_report.resumed(run.clock.time(), run.summary.steps, run.clock.at_end());
     if (run.recorder)
       {

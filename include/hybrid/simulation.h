@@ -6,6 +6,7 @@
 #include <hybrid/dda/statics/static_stage.h>
 #include <hybrid/interruption.h>
 #include <hybrid/output/mesh_orders.h>
+#include <hybrid/output/run_recorder.h>
 #include <hybrid/output/step_record.h>
 #include <hybrid/restart/checkpoint_file.h>
 #include <hybrid/run_report.h>
@@ -123,8 +124,17 @@ namespace hybrid
     /// Of processes that compute together, the one that writes.
     bool is_first() const;
 
-    /// On the first process, what it asks for.
-    void collect(const continuum::Continuum::Collection &what);
+    /// Processes that compute together share the unknowns of the bedrock.
+    bool shares_bedrock() const;
+
+    /// What the first process asks for, on it and from all. @return the same on all
+    output::RunRecorder::Needs collect(const output::RunRecorder::Needs &of_first);
+
+    /// From the state before the first step on.
+    void start_recording(Run &run);
+
+    /// Peaks of a bedrock that processes share, at the end.
+    void write_shared_peaks(Run &run) const;
 
     /// The first process records the step.
     void record_step(Run &run, const dda::StepResult &result, double dt, double wall_time);

@@ -30,12 +30,14 @@ namespace hybrid
   {
     Run(Simulation &simulation, output::HistoryFile::Mode mode);
 
-    std::unique_ptr<dda::BlockSolver>  solver; ///< null without blocks
-    coupling::CoupledStep              step;
-    Clock                              clock;
-    std::optional<output::RunRecorder> recorder;     ///< of the first process only
-    std::optional<output::SharedPeaks> shared_peaks; ///< of processes that compute together
-    output::PeakMotion                *peaks_of_all = nullptr; ///< of the first of them
+    std::unique_ptr<dda::BlockSolver>      solver; ///< null without blocks
+    coupling::CoupledStep                  step;
+    Clock                                  clock;
+    std::optional<output::RunRecorder>     recorder;        ///< of the first process only
+    std::optional<output::BedrockPictures> shared_pictures; ///< of processes that share a bedrock,
+                                                            ///< but the first one: its recorder
+    std::optional<output::SharedPeaks> shared_peaks;        ///< of all of them
+    output::PeakFields                *peaks_of_first = nullptr; ///< the first one's, without those
     output::Summary                    summary; ///< steps, iterations and timings so far
     CheckpointSchedule                 schedule;
     output::EnergyWatch                energy;
@@ -49,12 +51,8 @@ namespace hybrid
       return earlier_wall_time + seconds_since(start);
     }
 
-    /// Peaks of all processes where the first one writes them.
-    void collect_peaks()
-    {
-      if (shared_peaks)
-        shared_peaks->collect(peaks_of_all);
-    }
+    /// Those of a checkpoint.
+    void add_shared_peaks(std::vector<restart::SharedVector> &vectors);
 
     double processor_time() const;
 

@@ -67,4 +67,63 @@ namespace hybrid::continuum
     if (impl->slip != nullptr)
       impl->slip->serialize_rest(archive);
   }
+
+
+
+  namespace
+  {
+    /// Of a vector of the state: unknowns of the rock, which ranks share, and of the columns behind
+    /// them; so many times. It is read whole, by each rank.
+    restart::SharedVector shared_vector(const std::vector<double> &vector,
+                                        const std::size_t          blocks,
+                                        const Ownership           &ownership)
+    {
+      const std::size_t     n = 2 * ownership.n_nodes(), all = vector.size() / blocks;
+      restart::SharedVector result{&vector, blocks, n, all - n, {}, {}, {}};
+      result.portion = [&vector, &ownership, all](const std::size_t block) {
+        std::vector<double> mine, portion;
+        ownership.pack(vector.data() + block * all, mine);
+        ownership.to_portion(mine.data(), 2, portion);
+        return portion;
+      };
+      result.rest = [&vector, n, all](const std::size_t block) {
+        return vector.data() + block * all + n;
+      };
+      return result;
+    }
+  } // namespace
+
+
+
+  std::vector<restart::SharedVector> Continuum::shared_vectors(const ContinuumState &state) const
+  {
+    const Ownership                   &ownership = *impl->ownership();
+    std::vector<restart::SharedVector> result;
+    for (const std::vector<double> *vector :
+         {&state.displacement, &state.velocity, &state.acceleration, &state.acceleration_change})
+      if (!vector->empty())
+        result.push_back(shared_vector(*vector, 1, ownership));
+    if (!state.maxwell.strain.empty())
+      result.push_back(shared_vector(state.maxwell.strain,
+                                     state.maxwell.strain.size() / state.displacement.size(),
+                                     ownership));
+    return result;
+  }
+
+
+
+  restart::SharedVector Continuum::shared_rest() const
+  {
+    const Ownership      &ownership = *impl->ownership();
+    std::vector<double>  &own       = impl->static_displacement;
+    restart::SharedVector result{&own, 1, 2 * ownership.n_nodes(), 0, {}, {}, {}};
+    result.is_empty = !impl->knows_rest();
+    result.portion  = [&](std::size_t) {
+      std::vector<double> portion;
+      ownership.to_portion(own.data(), 2, portion);
+      return portion;
+    };
+    result.take = [&](std::size_t, const char *numbers) { own = ownership.read(numbers); };
+    return result;
+  }
 } // namespace hybrid::continuum

@@ -87,15 +87,16 @@ namespace hybrid::continuum
   }
 
 
-  std::vector<std::array<int, 4>> Continuum::cells() const
+  std::vector<std::array<int, 4>>
+  Continuum::Implementation::quadrilaterals(const Portion &portion) const
   {
-    const auto                     &nodes = *impl->nodes;
-    const int                       p = nodes.line.degree(), n = p + 1;
+    const auto                     &space = *nodes;
+    const int                       p = space.line.degree(), n = p + 1;
     std::vector<std::array<int, 4>> result;
-    for (std::size_t c = 0; c < nodes.cells.size(); ++c)
+    for (std::size_t c = portion.begin; c < portion.end; ++c)
       {
-        const auto &cell   = nodes.cells[c];
-        const bool  turned = nodes.jacobian(c, Vec2(0.5, 0.5)).determinant() < 0.;
+        const auto &cell   = space.cells[c];
+        const bool  turned = space.jacobian(c, Vec2(0.5, 0.5)).determinant() < 0.;
         for (int j = 0; j < p; ++j)
           for (int i = 0; i < p; ++i)
             {
@@ -109,6 +110,25 @@ namespace hybrid::continuum
             }
       }
     return result;
+  }
+
+
+  std::vector<std::array<int, 4>> Continuum::cells() const
+  {
+    return impl->quadrilaterals({0, impl->nodes->cells.size()});
+  }
+
+
+  std::size_t Continuum::n_cells() const
+  {
+    const int p = impl->nodes->line.degree();
+    return impl->nodes->cells.size() * p * p;
+  }
+
+
+  std::vector<std::array<int, 4>> Continuum::cells_to_write() const
+  {
+    return impl->quadrilaterals(impl->share_of_pictures().cells());
   }
 
 
@@ -190,13 +210,13 @@ namespace hybrid::continuum
   }
 
 
-  std::array<double, 3> Continuum::Implementation::static_stress(const int   cell,
-                                                                 const Vec2 &local) const
+  std::array<double, 3>
+  Continuum::Implementation::static_stress(const int                  cell,
+                                           const Vec2                &local,
+                                           const std::vector<double> &displacement) const
   {
-    if (static_displacement.empty())
-      return {0., 0., 0.};
     std::array<double, 3> result =
-      stress(nodes->gradient(cell, local, static_displacement), cell_material[cell]);
+      stress(nodes->gradient(cell, local, displacement), cell_material[cell]);
     if (initial_stress != nullptr)
       for (int k = 0; k < 3; ++k)
         result[k] += initial_stress->at(cell, local)[k];
@@ -204,37 +224,58 @@ namespace hybrid::continuum
   }
 
 
+  const PictureShare &Continuum::Implementation::share_of_pictures()
+  {
+    if (picture_share == nullptr)
+      picture_share = std::make_unique<PictureShare>(*nodes, ownership());
+    return *picture_share;
+  }
+
+
   Continuum::Picture Continuum::picture(const ContinuumState &state) const
   {
-    const auto                &nodes = *impl->nodes;
+    auto                      &m     = *impl;
+    const ElementNodes        &nodes = *m.nodes;
     const auto                &x     = nodes.line.nodes();
     const int                  p     = nodes.line.degree();
-    Picture                    result;
-    const std::vector<double> *stressed = &state.displacement;
-    std::vector<double>        with_branches;
-    if (impl->maxwell.is_on())
+    const PictureShare        &share = m.share_of_pictures();
+    std::vector<double>        room[4], with_branches;
+    const std::vector<double> &u        = share.bring(state.displacement, room[0]);
+    const std::vector<double> &v        = share.bring(state.velocity, room[1]);
+    const std::vector<double> *stressed = &u;
+    if (m.maxwell.is_on())
       {
-        with_branches.resize(impl->n_dofs());
-        impl->maxwell.stressed(state.maxwell, state.displacement.data(), 0, with_branches);
-        stressed = &with_branches;
+        with_branches.resize(m.n_dofs());
+        m.maxwell.stressed(state.maxwell, state.displacement.data(), 0, with_branches);
+        stressed = &share.bring(with_branches, room[2]);
       }
-    result.points = nodes.positions;
-    result.cells  = cells();
-    for (std::size_t k = 0; k < nodes.positions.size(); ++k)
+    const bool                 rests   = m.knows_rest();
+    const std::vector<double> &at_rest = share.bring_own(m.static_displacement, rests, room[3]);
+
+    Picture result;
+    result.cells = m.quadrilaterals(share.cells());
+    for (std::size_t node = share.nodes().begin; node < share.nodes().end; ++node)
       {
-        result.displacement.emplace_back(state.displacement[2 * k], state.displacement[2 * k + 1]);
-        result.velocity.emplace_back(state.velocity[2 * k], state.velocity[2 * k + 1]);
+        const std::size_t i = 2 * share.place(static_cast<int>(node));
+        result.points.push_back(nodes.positions[node]);
+        result.displacement.emplace_back(u[i], u[i + 1]);
+        result.velocity.emplace_back(v[i], v[i + 1]);
       }
-    for (std::size_t c = 0; c < nodes.cells.size(); ++c)
+    std::vector<double> of_cell, rest_of_cell;
+    for (std::size_t c = share.cells().begin; c < share.cells().end; ++c)
       {
+        share.take_cell(nodes.cells[c], *stressed, of_cell);
+        share.take_cell(nodes.cells[c], at_rest, rest_of_cell);
         for (int j = 0; j < p; ++j)
           for (int i = 0; i < p; ++i)
             {
-              result.region.push_back(impl->cell_region[c]);
+              const int  cell = static_cast<int>(c);
               const Vec2 centre(0.5 * (x[i] + x[i + 1]), 0.5 * (x[j] + x[j + 1]));
+              result.region.push_back(m.cell_region[c]);
               result.stress.push_back(
-                stress(nodes.gradient(c, centre, *stressed), impl->cell_material[c]));
-              result.static_stress.push_back(impl->static_stress(static_cast<int>(c), centre));
+                stress(nodes.gradient(cell, centre, of_cell), m.cell_material[c]));
+              result.static_stress.push_back(rests ? m.static_stress(cell, centre, rest_of_cell)
+                                                   : std::array<double, 3>{0., 0., 0.});
             }
       }
     return result;

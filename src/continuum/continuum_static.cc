@@ -71,14 +71,19 @@ namespace hybrid::continuum
     static_displacement.clear();
     StaticSlip result;
     result.solved = found.converged;
-    if (!result.solved)
-      return result;
-    Ownership owned = waves->ownership();
-    if (owned.is_alone())
+    if (result.solved)
       static_displacement = std::move(found.displacement);
-    else
-      owned.gather(found.displacement, 1, static_displacement);
     return result;
+  }
+
+
+
+  bool Continuum::Implementation::knows_rest() const
+  {
+    int knows = static_displacement.empty() ? 0 : 1; // a rank without cells has nothing either
+    if (const Ownership *shared = ownership())
+      MPI_Allreduce(MPI_IN_PLACE, &knows, 1, MPI_INT, MPI_MAX, shared->communicator());
+    return knows != 0;
   }
 
 

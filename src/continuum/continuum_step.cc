@@ -346,8 +346,7 @@ namespace hybrid::continuum
 
   const Ownership *Continuum::ownership() const
   {
-    const bool is_shared = impl->waves != nullptr && !impl->waves->ownership().is_alone();
-    return is_shared ? &impl->waves->ownership() : nullptr;
+    return impl->ownership();
   }
 
 
@@ -369,16 +368,13 @@ namespace hybrid::continuum
 
 
 
-  void Continuum::collect(ContinuumState &state, const Collection &what) const
+  void Continuum::collect(ContinuumState &state, const bool energy) const
   {
     if (impl->waves == nullptr)
       return;
-    if (what.energy)
+    if (energy)
       impl->waves->take_energy(state);
-    if (what.motion)
-      impl->waves->collect(state);
-    else
-      impl->waves->collect_watched(state);
+    impl->waves->collect_watched(state);
   }
 
 

@@ -67,8 +67,8 @@ namespace hybrid::continuum
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
         {
-          const int node = cells[cell][j * n + i];
-          g += Vec2(u[2 * node], u[2 * node + 1]) *
+          const int k = j * n + i;
+          g += Vec2(u[2 * k], u[2 * k + 1]) *
                Eigen::RowVector2d(line.derivative(i, local.x()) * line.value(j, local.y()),
                                   line.value(i, local.x()) * line.derivative(j, local.y()));
         }

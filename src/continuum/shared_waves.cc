@@ -6,7 +6,7 @@ namespace hybrid::continuum
   SharedWaves::SharedWaves(const ElementSpace &space, const MPI_Comm communicator)
     : all_unknowns(2 * space.nodes.positions.size())
     , shared(space, communicator)
-    , owned(shared.unknowns(), all_unknowns, communicator)
+    , owned(shared.unknowns(), space.nodes.positions.size(), communicator)
   {}
 
 
@@ -60,28 +60,5 @@ namespace hybrid::continuum
     bring(u, state.displacement);
     bring(v, state.velocity);
     bring(a, state.acceleration);
-  }
-
-
-
-  void SharedWaves::collect(ContinuumState &state)
-  {
-    if (is_alone())
-      return;
-    std::vector<double *> parts{state.displacement.data(),
-                                state.velocity.data(),
-                                state.acceleration.data()};
-    if (!state.acceleration_change.empty())
-      parts.push_back(state.acceleration_change.data());
-    for (std::size_t at = 0; at < state.maxwell.strain.size(); at += state.displacement.size())
-      parts.push_back(state.maxwell.strain.data() + at);
-    packed.clear();
-    for (const int unknown : unknowns())
-      for (const double *part : parts)
-        packed.push_back(part[unknown]);
-    whole.clear();
-    owned.gather(packed, static_cast<int>(parts.size()), whole);
-    for (std::size_t k = 0; k < whole.size(); ++k)
-      parts[k % parts.size()][k / parts.size()] = whole[k];
   }
 } // namespace hybrid::continuum

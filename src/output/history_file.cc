@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/hdf5_handle.h>
 #include <hybrid/output/history_file.h>
 #include <hybrid/restart/archive.h>
 #include <hybrid/restart/durable_file.h>
@@ -25,35 +26,7 @@ namespace hybrid::output
     /// By this much the file grows in memory at once [B].
     constexpr std::size_t memory_increment = 1u << 22;
 
-    /// An HDF5 identifier that is closed at the end of its scope.
-    class Handle
-    {
-    public:
-      Handle(const hid_t identifier, herr_t (*close)(hid_t), const std::string &what)
-        : id(identifier)
-        , close_function(close)
-      {
-        if (id < 0)
-          throw std::runtime_error("HDF5 failed to " + what);
-      }
-
-      ~Handle()
-      {
-        close_function(id);
-      }
-
-      Handle(const Handle &)            = delete;
-      Handle &operator=(const Handle &) = delete;
-
-      operator hid_t() const
-      {
-        return id;
-      }
-
-    private:
-      hid_t id;
-      herr_t (*close_function)(hid_t);
-    };
+    using Handle = Hdf5Handle;
 
 
     void check(const herr_t status, const std::string &what)
@@ -151,6 +124,8 @@ namespace hybrid::output
 
   HistoryFile::~HistoryFile()
   {
+    if (file < 0)
+      return;
     try
       {
         flush();
@@ -159,9 +134,18 @@ namespace hybrid::output
       {
         // the file is that of the last flush; nothing may leave a destructor
       }
+    close();
+  }
+
+
+
+  void HistoryFile::close()
+  {
     for (const Series &series : all_series)
       H5Dclose(series.dataset);
+    all_series.clear();
     H5Fclose(file);
+    file = -1;
   }
 
 
@@ -310,6 +294,20 @@ namespace hybrid::output
 
 
 
+  void HistoryFile::declare_table(const std::string &path,
+                                  const std::string &unit,
+                                  const std::size_t  rows,
+                                  const std::size_t  columns,
+                                  const std::string &description)
+  {
+    write_static({path, unit, description, rows, columns},
+                 H5T_IEEE_F64LE,
+                 H5T_NATIVE_DOUBLE,
+                 nullptr);
+  }
+
+
+
   void HistoryFile::write_integers(const std::string      &path,
                                    const std::vector<int> &values,
                                    const std::string      &description)
@@ -337,7 +335,7 @@ namespace hybrid::output
       H5Dcreate2(file, path.c_str(), in_file, space, links, creation, H5P_DEFAULT),
       H5Dclose,
       "create data set " + path + " in " + file_name);
-    if (rows * columns > 0)
+    if (values != nullptr && rows * columns > 0)
       check(H5Dwrite(dataset, in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values),
             "write " + path + " in " + file_name);
     write_text(dataset, "unit", unit);
@@ -392,6 +390,21 @@ namespace hybrid::output
 
   void HistoryFile::flush(const bool durable)
   {
+    write_image(file_name, durable);
+  }
+
+
+
+  void HistoryFile::close_into(const std::string &other_file)
+  {
+    write_image(other_file, false);
+    close();
+  }
+
+
+
+  void HistoryFile::write_image(const std::string &to, const bool durable)
+  {
     for (Series &series : all_series)
       write_buffer(series);
     check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush " + file_name);
@@ -400,7 +413,7 @@ namespace hybrid::output
     std::vector<char> image(static_cast<std::size_t>(size));
     check(H5Fget_file_image(file, image.data(), image.size()) != size ? -1 : 0,
           "copy " + file_name);
-    restart::replace_file(file_name, std::string_view(image.data(), image.size()), durable);
+    restart::replace_file(to, std::string_view(image.data(), image.size()), durable);
   }
 
 

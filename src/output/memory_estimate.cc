@@ -57,6 +57,20 @@ namespace hybrid::output
 
 
 
+  namespace
+  {
+    /// Nodes of the bedrock whose peaks this process keeps.
+    std::size_t nodes_here(const continuum::Continuum *continuum)
+    {
+      if (continuum == nullptr)
+        return 0;
+      const continuum::Ownership *shared = continuum->ownership();
+      return shared != nullptr ? shared->portion().size() : continuum->node_positions().size();
+    }
+  } // namespace
+
+
+
   MemoryEstimate estimate_memory(const scene::SceneParameters &scene,
                                  const scene::SectionMesh     &mesh,
                                  const dda::Model             *blocks,
@@ -80,8 +94,7 @@ namespace hybrid::output
     estimate.histories = sizeof(double) * history_numbers(scene) + lines;
     if (scene.monitors.has_peak_fields)
       estimate.histories +=
-        PeakFields::memory((continuum != nullptr ? continuum->node_positions().size() : 0) +
-                           (blocks != nullptr ? blocks->n_blocks() : 0));
+        PeakFields::memory(nodes_here(continuum) + (blocks != nullptr ? blocks->n_blocks() : 0));
     return estimate;
   }
 

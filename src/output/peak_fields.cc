@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace hybrid::output
 {
@@ -17,6 +18,27 @@ namespace hybrid::output
         numbers.insert(numbers.end(), {x.x(), x.y()});
       return numbers;
     }
+
+
+    /// What run.h5 has of points.
+    struct Table
+    {
+      const char *name, *unit;
+      std::size_t columns;
+      const char *description;
+    };
+
+    constexpr Table tables[] = {
+      {"position", "m", 2, "initial"},
+      {"peak_acceleration", "m/s2", 2, "largest of each component, absolute, low-passed"},
+      {"peak_velocity", "m/s", 2, "largest of each component, absolute"},
+      {"peak_displacement",
+       "m",
+       2,
+       "largest of each component, relative to the base monitor if there is one"},
+      {"peak_slip", "m", 1, "largest magnitude"}};
+
+    constexpr Table cells_table = {"cells", "1", 4, "nodes of quadrilaterals"};
 
 
     /// Fields of points, one after the other.
@@ -89,8 +111,7 @@ namespace hybrid::output
     if (continuum != nullptr)
       {
         const std::vector<double> &u = state.continuum.displacement;
-        if (has_nodes)
-          nodes.add(u.data(), state.continuum.velocity.data(), dt, base.data());
+        nodes.add(u.data(), state.continuum.velocity.data(), dt, base.data());
         for (const auto &[left, right, tangent] : facing)
           {
             const Vec2   jump(u[2 * left] - u[2 * right], u[2 * left + 1] - u[2 * right + 1]);
@@ -113,27 +134,29 @@ namespace hybrid::output
                               const std::vector<Vec2>   &position,
                               const std::vector<double> &slip) const
   {
-    const std::size_t n = position.size();
-    file.write_table(path + "position", "m", flat(position).data(), n, 2, "initial");
-    file.write_table(path + "peak_acceleration",
-                     "m/s2",
-                     peaks.peak_acceleration().data(),
-                     n,
-                     2,
-                     "largest of each component, absolute, low-passed");
-    file.write_table(path + "peak_velocity",
-                     "m/s",
-                     peaks.peak_velocity().data(),
-                     n,
-                     2,
-                     "largest of each component, absolute");
-    file.write_table(path + "peak_displacement",
-                     "m",
-                     peaks.peak_displacement().data(),
-                     n,
-                     2,
-                     "largest of each component, relative to the base monitor if there is one");
-    file.write_table(path + "peak_slip", "m", slip.data(), n, 1, "largest magnitude");
+    const std::vector<double>  positions = flat(position);
+    const std::vector<double> *values[]  = {&positions,
+                                            &peaks.peak_acceleration(),
+                                            &peaks.peak_velocity(),
+                                            &peaks.peak_displacement(),
+                                            &slip};
+    for (std::size_t k = 0; k < std::size(tables); ++k)
+      {
+        const auto &[name, unit, columns, description] = tables[k];
+        file.write_table(
+          path + name, unit, values[k]->data(), position.size(), columns, description);
+      }
+  }
+
+
+
+  void
+  PeakFields::declare_nodes(HistoryFile &file, const std::size_t n_nodes, const std::size_t n_cells)
+  {
+    for (const auto &[name, unit, columns, description] : tables)
+      file.declare_table(std::string(nodes_group) + name, unit, n_nodes, columns, description);
+    const auto &[name, unit, columns, description] = cells_table;
+    file.declare_table(std::string(nodes_group) + name, unit, n_cells, columns, description);
   }
 
 
@@ -146,7 +169,7 @@ namespace hybrid::output
     PointFields fields;
     if (continuum != nullptr && !node_slip.empty())
       {
-        write_part(file, "fields/nodes/", nodes, continuum->node_positions(), node_slip);
+        write_part(file, nodes_group, nodes, continuum->node_positions(), node_slip);
         std::vector<double> cells;
         for (const Vec2 &x : continuum->node_positions())
           fields.add(nodes, node_slip, static_cast<std::size_t>(vtu.add_point(x)));
@@ -155,8 +178,13 @@ namespace hybrid::output
             vtu.add_cell(CellShape::quad, cell.data(), 4);
             cells.insert(cells.end(), cell.begin(), cell.end());
           }
-        file.write_table(
-          "fields/nodes/cells", "1", cells.data(), cells.size() / 4, 4, "nodes of quadrilaterals");
+        const auto &[name, unit, columns, description] = cells_table;
+        file.write_table(nodes_group + std::string(name),
+                         unit,
+                         cells.data(),
+                         cells.size() / 4,
+                         columns,
+                         description);
       }
     if (model != nullptr && !centroids.empty())
       {

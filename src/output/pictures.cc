@@ -7,9 +7,8 @@ namespace hybrid::output
 {
   Pictures::Pictures(const std::string          &directory,
                      const dda::Model           *blocks,
-                     const continuum::Continuum *bedrock)
+                     const continuum::Continuum *continuum)
     : model(blocks)
-    , continuum(bedrock)
   {
     if (model != nullptr)
       {
@@ -22,7 +21,10 @@ namespace hybrid::output
           varied_strength = varied_strength || joint.strength_factor != 1.;
       }
     if (continuum != nullptr)
-      continuum_series = std::make_unique<PvdSeries>(directory, "continuum");
+      {
+        bedrock.emplace(*continuum);
+        continuum_series = std::make_unique<PvdSeries>(directory, "continuum");
+      }
   }
 
 
@@ -41,8 +43,10 @@ namespace hybrid::output
         add_blocks(state);
         add_joints(state);
       }
-    if (continuum != nullptr)
-      add_continuum(state);
+    if (bedrock)
+      continuum_series->add(state.time, [&](const std::string &file_name) {
+        bedrock->write(state.continuum, file_name);
+      });
     writer = VtuWriter(); // rarely used: its memory is others' in between
   }
 
@@ -168,41 +172,5 @@ namespace hybrid::output
         writer.add_cell_field("strength factor", std::move(factor));
       }
     joint_series->add(state.time, writer);
-  }
-
-
-
-  void Pictures::add_continuum(const coupling::CoupledState &state)
-  {
-    const continuum::Continuum::Picture picture = continuum->picture(state.continuum);
-    writer.clear();
-    for (std::size_t k = 0; k < picture.points.size(); ++k)
-      writer.add_point(picture.points[k] + picture.displacement[k]);
-    for (const auto &cell : picture.cells)
-      writer.add_cell(CellShape::quad, cell.data(), 4);
-    const auto pairs = [](const std::vector<Vec2> &values) {
-      std::vector<double> flat;
-      for (const Vec2 &v : values)
-        flat.insert(flat.end(), {v.x(), v.y()});
-      return flat;
-    };
-    const auto triples = [](const std::vector<std::array<double, 3>> &values) {
-      std::vector<double> flat;
-      for (const auto &v : values)
-        flat.insert(flat.end(), v.begin(), v.end());
-      return flat;
-    };
-    writer.add_point_field("displacement [m]", {"x", "y"}, pairs(picture.displacement));
-    writer.add_point_field("velocity [m/s]", {"x", "y"}, pairs(picture.velocity));
-    writer.add_cell_field("stress increment xx, yy, xy [Pa]",
-                          {"xx", "yy", "xy"},
-                          triples(picture.stress));
-    if (picture.static_stress.size() == picture.cells.size())
-      writer.add_cell_field("static stress xx, yy, xy [Pa]",
-                            {"xx", "yy", "xy"},
-                            triples(picture.static_stress));
-    writer.add_cell_field("region",
-                          std::vector<double>(picture.region.begin(), picture.region.end()));
-    continuum_series->add(state.time, writer);
   }
 } // namespace hybrid::output

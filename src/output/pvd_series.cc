@@ -33,7 +33,14 @@ namespace hybrid::output
 
   void PvdSeries::add(const double time, const VtuWriter &picture)
   {
-    picture.write(directory + "/" + file_of(times.size()));
+    add(time, [&picture](const std::string &file_name) { picture.write(file_name); });
+  }
+
+
+
+  void PvdSeries::add(const double time, const std::function<void(const std::string &)> &write)
+  {
+    write(directory + "/" + file_of(times.size()));
     times.push_back(time);
     write_pvd();
   }

@@ -32,7 +32,6 @@ namespace hybrid::output
               !run.scene.edge_loads.tractions.empty(),
               run.blocks != nullptr && run.blocks->blocks_yield,
               run.blocks != nullptr && run.blocks->water.changes()})
-    , has_peaks_of_bedrock(run.scene.monitors.has_peak_fields && run.continuum != nullptr)
     , last_flush(std::chrono::steady_clock::now())
   {
     file.set_attribute("/", "title", parts.scene.title);
@@ -262,10 +261,23 @@ namespace hybrid::output
 
 
 
-  continuum::Continuum::Collection RunRecorder::needs(const double time, const double dt) const
+  RunRecorder::Needs RunRecorder::needs(const double time, const double dt) const
   {
-    const double late = time + early_of(dt), interval = parts.scene.output.picture_interval;
-    return {has_peaks_of_bedrock || (interval > 0. && late >= next_picture), late >= next_audit};
+    return {is_audit_due(time, dt), is_picture_due(time, dt)};
+  }
+
+
+
+  bool RunRecorder::is_audit_due(const double time, const double dt) const
+  {
+    return time >= next_audit - early_of(dt);
+  }
+
+
+
+  bool RunRecorder::is_picture_due(const double time, const double dt) const
+  {
+    return parts.scene.output.picture_interval > 0. && time >= next_picture - early_of(dt);
   }
 
 
@@ -292,7 +304,7 @@ namespace hybrid::output
     peaks.record(state, dt, base_displacement());
 
     const double early = early_of(dt);
-    if (now >= next_audit - early)
+    if (is_audit_due(now, dt))
       {
         record_energy(state);
         const double interval = parts.scene.output.audit_interval;
@@ -301,7 +313,7 @@ namespace hybrid::output
         if (interval < dt) // every step, also after one that is cut
           next_audit = now + interval;
       }
-    if (parts.scene.output.picture_interval > 0. && now >= next_picture - early)
+    if (is_picture_due(now, dt))
       {
         record_picture(state);
         while (next_picture <= now + early)

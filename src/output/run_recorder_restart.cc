@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/run_recorder.h>
 #include <hybrid/restart/archive.h>
+#include <hybrid/restart/durable_file.h>
 
 #include <cstdio>
 
@@ -28,6 +29,15 @@ namespace hybrid::output
                               "section/blocks_peak_displacement"})
       file.remove(table);
     std::remove((parts.scene.output.directory + "/peaks.vtu").c_str());
+  }
+
+
+
+  void RunRecorder::make_room_for_peaks()
+  {
+    const std::size_t nodes = parts.continuum->node_positions().size();
+    PeakFields::declare_nodes(file, nodes, parts.continuum->n_cells());
+    file.close_into(restart::temporary_name(parts.scene.output.directory + "/run.h5"));
   }
 
 

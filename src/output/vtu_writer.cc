@@ -1,63 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/atomic_file.h>
+#include <hybrid/output/shared_vtu.h>
 #include <hybrid/output/vtu_writer.h>
 
 #include <algorithm>
 #include <stdexcept>
-#include <zlib.h>
 
 namespace hybrid::output
 {
   namespace
   {
-    /// Base64 of bytes that come in several pieces.
-    class Base64
-    {
-    public:
-      explicit Base64(std::string &target)
-        : text(target)
-      {}
-
-      void add(const void *data, const std::size_t n_bytes)
-      {
-        const auto *bytes = static_cast<const unsigned char *>(data);
-        for (std::size_t i = 0; i < n_bytes; ++i)
-          {
-            group = (group << 8) | bytes[i];
-            if (++n_in_group == 3)
-              write_group();
-          }
-      }
-
-      void finish()
-      {
-        if (n_in_group == 0)
-          return;
-        const int missing = 3 - n_in_group;
-        group <<= 8 * missing;
-        n_in_group = 3;
-        write_group();
-        for (int i = 0; i < missing; ++i)
-          text[text.size() - 1 - i] = '=';
-      }
-
-    private:
-      void write_group()
-      {
-        static constexpr char digits[] =
-          "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-        for (int shift = 18; shift >= 0; shift -= 6)
-          text += digits[(group >> shift) & 63];
-        group      = 0;
-        n_in_group = 0;
-      }
-
-      std::string  &text;
-      std::uint32_t group      = 0;
-      int           n_in_group = 0;
-    };
-
-
     std::string escaped(const std::string &text)
     {
       std::string result;
@@ -95,52 +47,22 @@ namespace hybrid::output
     const char *vtk_type<std::uint8_t> = "UInt8";
 
 
-    /// One zlib block, as fast as it goes: pictures lose half of their size, and little of it more
-    /// with other levels.
-    std::vector<unsigned char> compressed(const void *data, const std::size_t n_bytes)
-    {
-      uLongf                     size = compressBound(n_bytes);
-      std::vector<unsigned char> result(size);
-      if (compress2(result.data(),
-                    &size,
-                    static_cast<const unsigned char *>(data),
-                    n_bytes,
-                    Z_BEST_SPEED) != Z_OK)
-        throw std::runtime_error("zlib has no memory to compress a picture");
-      result.resize(size);
-      return result;
-    }
-
-
-    void append_base64(std::string &xml, const void *data, const std::size_t n_bytes)
-    {
-      Base64 encoder(xml);
-      encoder.add(data, n_bytes);
-      encoder.finish();
-    }
-
-
     /// @param components names of the components; empty: one without name.
     template <typename Number>
-    void append_array(std::string                    &xml,
-                      const std::string              &name,
-                      const std::vector<std::string> &components,
-                      const std::vector<Number>      &values)
+    void add_array(VtuFile                        &file,
+                   const std::string              &name,
+                   const std::vector<std::string> &components,
+                   const std::vector<Number>      &values)
     {
-      const std::size_t n = components.empty() ? 1 : components.size();
-      xml += "        <DataArray type=\"" + std::string(vtk_type<Number>) + "\" Name=\"" +
-             escaped(name) + "\" NumberOfComponents=\"" + std::to_string(n) + "\"";
+      const std::size_t n   = components.empty() ? 1 : components.size();
+      std::string       xml = "        <DataArray type=\"" + std::string(vtk_type<Number>) +
+                        "\" Name=\"" + escaped(name) + "\" NumberOfComponents=\"" +
+                        std::to_string(n) + "\"";
       for (std::size_t c = 0; c < components.size(); ++c)
         xml += " ComponentName" + std::to_string(c) + "=\"" + escaped(components[c]) + "\"";
-      xml += " format=\"binary\">";
-      const std::uint64_t n_bytes = values.size() * sizeof(Number);
-      const auto          block   = compressed(values.data(), n_bytes);
-      // number of blocks, size of each and of a smaller last one, compressed sizes
-      const std::uint64_t header[] = {n_bytes > 0 ? 1u : 0u, n_bytes, 0, block.size()};
-      append_base64(xml, header, (n_bytes > 0 ? 4 : 3) * sizeof(std::uint64_t));
-      if (n_bytes > 0)
-        append_base64(xml, block.data(), block.size());
-      xml += "</DataArray>\n";
+      file.add_text(xml + " format=\"binary\">");
+      file.add_array(values.data(), values.size() * sizeof(Number));
+      file.add_text("</DataArray>\n");
     }
 
 
@@ -231,9 +153,9 @@ namespace hybrid::output
 
 
 
-  void VtuWriter::append_fields(std::string              &xml,
-                                const std::vector<Field> &fields,
-                                const std::size_t         n_entities)
+  void VtuWriter::add_fields(VtuFile                  &file,
+                             const std::vector<Field> &fields,
+                             const std::size_t         n_entities)
   {
     for (const Field &field : fields)
       {
@@ -247,38 +169,64 @@ namespace hybrid::output
         for (std::size_t i = 0; i < n_entities; ++i)
           for (std::size_t c = 0; c < n; ++c)
             values[i * n_written + c] = static_cast<float>(field.values[i * n + c]);
-        append_array(xml, field.name, n == 2 ? directions : field.components, values);
+        add_array(file, field.name, n == 2 ? directions : field.components, values);
       }
   }
 
 
 
-  void VtuWriter::append_mesh(std::string &xml) const
+  void VtuWriter::add_mesh(VtuFile &file) const
   {
-    xml += "      <Points>\n";
-    append_array(xml, "Points", directions, points);
-    xml += "      </Points>\n      <Cells>\n";
-    append_array(xml, "connectivity", no_names, connectivity);
-    append_array(xml, "offsets", no_names, offsets);
-    append_array(xml, "types", no_names, shapes);
-    xml += "      </Cells>\n";
+    file.add_text("      <Points>\n");
+    add_array(file, "Points", directions, points);
+    file.add_text("      </Points>\n      <Cells>\n");
+    add_array(file, "connectivity", no_names, connectivity);
+    add_array(file, "offsets", no_names, offsets);
+    add_array(file, "types", no_names, shapes);
+    file.add_text("      </Cells>\n");
+  }
+
+
+
+  void VtuWriter::add_to(VtuFile          &file,
+                         const std::size_t n_all_points,
+                         const std::size_t n_all_cells) const
+  {
+    file.add_text(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n    <Piece NumberOfPoints=\"" +
+      std::to_string(n_all_points) + "\" NumberOfCells=\"" + std::to_string(n_all_cells) + "\">\n");
+    add_mesh(file);
+    file.add_text("      <PointData>\n");
+    add_fields(file, point_fields, n_points());
+    file.add_text("      </PointData>\n      <CellData>\n");
+    add_fields(file, cell_fields, n_cells());
+    file.add_text("      </CellData>\n    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n");
   }
 
 
 
   void VtuWriter::write(const std::string &file_name) const
   {
-    std::string xml =
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n  <UnstructuredGrid>\n    <Piece NumberOfPoints=\"" +
-      std::to_string(n_points()) + "\" NumberOfCells=\"" + std::to_string(n_cells()) + "\">\n";
-    append_mesh(xml);
-    xml += "      <PointData>\n";
-    append_fields(xml, point_fields, n_points());
-    xml += "      </PointData>\n      <CellData>\n";
-    append_fields(xml, cell_fields, n_cells());
-    xml += "      </CellData>\n    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
-    write_atomically(file_name, xml);
+    VtuText text;
+    add_to(text, n_points(), n_cells());
+    write_atomically(file_name, text.content());
+  }
+
+
+
+  void VtuWriter::write(const std::string &file_name, const MPI_Comm communicator)
+  {
+    std::uint64_t before = 0, mine = connectivity.size(), all[] = {n_points(), n_cells()};
+    MPI_Exscan(&mine, &before, 1, MPI_UINT64_T, MPI_SUM, communicator);
+    MPI_Allreduce(MPI_IN_PLACE, all, 2, MPI_UINT64_T, MPI_SUM, communicator);
+    int rank = 0;
+    MPI_Comm_rank(communicator, &rank);
+    for (std::int32_t &end : offsets)
+      end += rank > 0 ? static_cast<std::int32_t>(before) : 0; // the first one's is undefined
+    SharedVtu file(file_name, communicator);
+    add_to(file, all[0], all[1]);
+    file.finish();
   }
 } // namespace hybrid::output

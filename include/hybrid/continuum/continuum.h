@@ -4,6 +4,7 @@
 #include <hybrid/continuum/continuum_state.h>
 #include <hybrid/continuum/ownership.h>
 #include <hybrid/continuum/surface_stiffness.h>
+#include <hybrid/restart/shared_checkpoint.h>
 #include <hybrid/scene/mesh/section_mesh.h>
 #include <hybrid/scene/motion/ground_motion.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
@@ -162,7 +163,7 @@ namespace hybrid::continuum
     BeddingValues bedding_values(const ContinuumState &state, const BeddingPlane &plane) const;
 
     /// The sums of @p state with its energies of now (kinetic, strain); after explicit steps
-    /// collect() has to come before.
+    /// collect() comes before.
     [[nodiscard]] ContinuumEnergy audit_energy(const ContinuumState &state) const;
 
     /// What a point of the bedrock does: displacement, velocity, acceleration.
@@ -176,6 +177,10 @@ namespace hybrid::continuum
 
     /// Linear quadrilaterals between the nodes that fill the cells.
     std::vector<std::array<int, 4>> cells() const;
+
+    /// Their number, and those that this rank writes.
+    std::size_t                     n_cells() const;
+    std::vector<std::array<int, 4>> cells_to_write() const;
 
     /// Two nodes at one place on the two sides of a bedding plane, and its tangent.
     struct Facing
@@ -213,23 +218,23 @@ namespace hybrid::continuum
 
     Sample sample(const ContinuumState &state, const Point &point) const;
 
-    /// What the first rank is to know of a state beside its own part.
-    struct Collection
-    {
-      bool motion = true; ///< all of it; else that of the watched points
-      bool energy = true; ///< for audit_energy()
-    };
-
-    /// Whose the unknowns are after explicit steps; null: each rank has all.
+    /// Whose the unknowns are; null: each rank has all.
     const Ownership *ownership() const;
 
-    /// Points whose motion collect() always brings; all ranks name the same.
+    /// Points whose motion collect() brings; all ranks name the same.
     void watch(const std::vector<Point> &points) const;
 
-    /// After explicit steps, which leave each rank with its own part. All ranks call it.
-    void collect(ContinuumState &state, const Collection &what) const;
+    /// After steps that leave each rank with its own part: the motion of the watched points, and
+    /// what audit_energy() needs if @p energy. All ranks call it.
+    void collect(ContinuumState &state, bool energy) const;
 
-    /// Plain arrays for pictures: one linear quadrilateral per sub-cell of each cell.
+    /// What ranks share of a checkpoint of @p state, which stays, and of serialize_rest().
+    std::vector<restart::SharedVector> shared_vectors(const ContinuumState &state) const;
+    restart::SharedVector              shared_rest() const;
+
+    /// Plain arrays for pictures: one linear quadrilateral per sub-cell of each cell. Where ranks
+    /// share the bedrock, each has as many nodes and cells, by number; cells name nodes by their
+    /// numbers in all.
     struct Picture
     {
       std::vector<Vec2>                  points;
@@ -241,6 +246,7 @@ namespace hybrid::continuum
       std::vector<std::array<double, 3>> static_stress; ///< per cell xx, yy, xy [Pa]
     };
 
+    /// All ranks call it.
     Picture picture(const ContinuumState &state) const;
 
     /// Static stresses of the restrained model (base fixed, sides on rollers) under gravity and

@@ -9,6 +9,7 @@
 #include <hybrid/continuum/initial_rock_stress.h>
 #include <hybrid/continuum/maxwell_memory.h>
 #include <hybrid/continuum/node_matrices.h>
+#include <hybrid/continuum/picture_share.h>
 #include <hybrid/continuum/point_loads.h>
 #include <hybrid/continuum/rock_mesh.h>
 #include <hybrid/continuum/shared_waves.h>
@@ -39,7 +40,8 @@ namespace hybrid::continuum
     std::unique_ptr<WavePacket>        wave; ///< at t = 0; null: none
     WaveReach                          wave_reach;
     Newmark                            newmark;
-    std::unique_ptr<SharedWaves>       waves; ///< null: there is a factored system
+    std::unique_ptr<SharedWaves>       waves;         ///< null: there is a factored system
+    std::unique_ptr<PictureShare>      picture_share; ///< null before the first picture
     double                             rayleigh_mass = 0., rayleigh_stiffness = 0.;
     MaxwellMemory                      maxwell; ///< Maxwell damping
 
@@ -49,13 +51,15 @@ namespace hybrid::continuum
       surface_shares; ///< per two of them: what the first bears of a uniform load between them [-]
     std::vector<int> left_nodes, right_nodes, base_nodes;
     std::vector<double>
-      static_displacement; ///< of the restrained model [m], empty before solve_static_state()
+      static_displacement; ///< of the restrained model [m], empty before solve_static_state(); of
+                           ///< this rank's unknowns where ranks share them
 
     // the static model (continuum_static.cc)
     bool              has_weight = false;      ///< the scene has a static stage
     std::vector<char> static_supports() const; ///< per unknown: held at rest
-    /// Without a matrix; the whole displacement on the first rank. All ranks call it.
+    /// Without a matrix. All ranks call it.
     StaticSlip solve_static_waves(const std::vector<double> &forces);
+    bool       knows_rest() const; ///< static_displacement; all ranks call it
 
     // the factored system
     std::vector<int>              dof_of_system, system_of_dof; ///< -1: not in the system
@@ -104,6 +108,13 @@ namespace hybrid::continuum
       return 2 * nodes->positions.size();
     }
 
+    /// Null: each rank has all.
+    const Ownership *ownership() const
+    {
+      const bool is_shared = waves != nullptr && !waves->ownership().is_alone();
+      return is_shared ? &waves->ownership() : nullptr;
+    }
+
     // construction (continuum.cc)
     void take_rock(const scene::SectionMesh &mesh, const scene::SceneParameters &scene);
     void take_static_model(const scene::SectionMesh &mesh, const scene::SceneParameters &scene);
@@ -137,8 +148,15 @@ namespace hybrid::continuum
     /// Cell and shape function values at a position. @throws InputError naming @p what if outside.
     Point cell_point(const Vec2 &position, const std::string &what) const;
 
-    /// Of the static model, xx, yy, xy [Pa]; zero before solve_static_state().
-    std::array<double, 3> static_stress(int cell, const Vec2 &local) const;
+    /// Of the static model, xx, yy, xy [Pa]. @param displacement of the cell's nodes [m]
+    std::array<double, 3>
+    static_stress(int cell, const Vec2 &local, const std::vector<double> &displacement) const;
+
+    /// All ranks call it.
+    const PictureShare &share_of_pictures();
+
+    /// Between the nodes of these cells.
+    std::vector<std::array<int, 4>> quadrilaterals(const Portion &portion) const;
 
     // the wave at t = 0 (continuum_start.cc)
     void add_wave(const scene::InitialWaveParameters &parameters, const scene::SectionMesh &mesh);

@@ -42,7 +42,7 @@ namespace hybrid::continuum
     /// Shape function values at a local point, in the order of cells[c].
     std::vector<double> values(const Vec2 &local) const;
 
-    /// Displacement gradient du_i/dx_j at a local point [-]; @p u holds all unknowns [m].
+    /// Displacement gradient du_i/dx_j at a local point [-]; @p u x and y of cells[cell] [m].
     Eigen::Matrix2d gradient(int cell, const Vec2 &local, const std::vector<double> &u) const;
   };
 } // namespace hybrid::continuum

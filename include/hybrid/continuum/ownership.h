@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/continuum/node_exchange.h>
+#include <hybrid/continuum/portion.h>
+
 #include <cstddef>
 #include <mpi.h>
 #include <vector>
 
 namespace hybrid::continuum
 {
-  /// Which unknowns are whose, among ranks: brings what each has to the first one, and back.
+  /**
+   * Which unknowns are whose, among ranks, and what each writes: cells are shared out so that few
+   * nodes have neighbours elsewhere, files in portions of nodes by number.
+   */
   class Ownership
   {
   public:
     Ownership() = default;
 
-    /// @param mine of this rank, ascending; each unknown is one rank's @param n of all
+    /// @param mine of this rank (2 node + component), ascending; each node is one rank's @param n
+    /// nodes of all
     Ownership(std::vector<int> mine, std::size_t n, MPI_Comm communicator);
 
     /// On a single rank its unknowns are all.
     bool is_alone() const
     {
-      return counts.empty();
+      return alone;
     }
 
     MPI_Comm communicator() const
@@ -32,21 +39,36 @@ namespace hybrid::continuum
       return own;
     }
 
-    /// @p width numbers per unknown, one after the other: of all on the first rank, by number of
-    /// the unknown, from those of each rank; all ranks call it. Nothing on a single rank.
-    void gather(const std::vector<double> &mine, int width, std::vector<double> &all);
+    std::size_t n_nodes() const
+    {
+      return all_nodes;
+    }
 
-    /// The other way.
-    void scatter(const std::vector<double> &all, int width, std::vector<double> &mine);
+    /// Nodes that this rank writes.
+    const Portion &portion() const
+    {
+      return written;
+    }
+
+    /// From a vector of all unknowns those of this rank.
+    void pack(const double *all, std::vector<double> &mine) const;
+
+    /// The same from the bytes of one. @param all 8 bytes per unknown, anywhere in memory
+    std::vector<double> read(const char *all) const;
+
+    /// @p width numbers per node: of this rank's portion, from those of its nodes; all ranks call
+    /// it.
+    void to_portion(const double *mine, int width, std::vector<double> &of_portion) const;
+
+    /// For @p nodes that this rank wants to know.
+    NodeExchange exchange(const std::vector<int> &nodes) const;
 
   private:
-    std::vector<int>    own;
-    MPI_Comm            comm = MPI_COMM_SELF;
-    std::vector<int>    counts, offsets; ///< per rank
-    std::vector<int>    unknown_of;      ///< on the first rank: as the ranks send them
-    std::vector<double> sent;            ///< on the first rank: what they send
-
-    /// Counts and offsets for @p width numbers per unknown.
-    std::vector<int> times(const std::vector<int> &numbers, int width) const;
+    std::vector<int> own, own_nodes;
+    std::size_t      all_nodes = 0;
+    MPI_Comm         comm      = MPI_COMM_SELF;
+    bool             alone     = true;
+    Portion          written;
+    NodeExchange     writing; ///< to the portion; not on a single rank
   };
 } // namespace hybrid::continuum

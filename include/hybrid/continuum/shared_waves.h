@@ -15,8 +15,7 @@ namespace hybrid::continuum
 {
   /**
    * Waves alone, shared out among the ranks: after a step each rank knows the motion of its own
-   * unknowns, of boundaries and joints, and of the free-field columns; collect() makes the first
-   * one's whole.
+   * unknowns, of boundaries and joints, and of the free-field columns.
    */
   class SharedWaves
   {
@@ -46,9 +45,6 @@ namespace hybrid::continuum
 
     /// What RestrainedRock takes besides, as long as it is there [B].
     double static_memory() const;
-
-    /// The whole motion on the first rank; all ranks call it.
-    void collect(ContinuumState &state);
 
     /// Nodes whose motion collect_watched() brings to all ranks.
     void watch(const std::vector<int> &nodes);
@@ -99,6 +95,6 @@ namespace hybrid::continuum
     SharedRock          shared;
     Ownership           owned;
     SharedNodes         watched;
-    std::vector<double> packed, whole; ///< work of collecting
+    std::vector<double> whole; ///< work of collecting
   };
 } // namespace hybrid::continuum

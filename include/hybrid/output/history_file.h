@@ -87,6 +87,17 @@ namespace hybrid::output
                         const std::vector<int> &values,
                         const std::string      &description = "");
 
+    /// Make a table that is written later, by others (SharedTables).
+    void declare_table(const std::string &path,
+                       const std::string &unit,
+                       std::size_t        rows,
+                       std::size_t        columns,
+                       const std::string &description);
+
+    /// Put all that is there, declared tables included, into another file, and end: the file itself
+    /// is that of the last flush. @throws WriteError
+    void close_into(const std::string &other_file);
+
     /// Take a table or a whole group out of the file, if it is there.
     void remove(const std::string &path);
 
@@ -124,6 +135,11 @@ namespace hybrid::output
 
     void write_buffer(Series &series);
 
+    /// All that is there to a file. @throws WriteError
+    void write_image(const std::string &to, bool durable);
+
+    void close();
+
     std::int64_t create_series(const Series      &series,
                                const std::string &unit,
                                const std::string &description,
@@ -141,7 +157,7 @@ namespace hybrid::output
       std::size_t        rows, columns;
     };
 
-    /// @param in_file, in_memory HDF5 types of the numbers
+    /// @param in_file, in_memory HDF5 types of the numbers @param values null: written later
     void write_static(const StaticArray &array,
                       std::int64_t       in_file,
                       std::int64_t       in_memory,

@@ -20,16 +20,28 @@ namespace hybrid::output
     /// What the scene does not have is nullptr. @param corner of the accelerations' low-pass [Hz]
     PeakFields(const dda::Model *blocks, const continuum::Continuum *bedrock, double corner);
 
-    /// The nodes' are another's (SharedPeaks), who puts them into nodes_of_bedrock() in time.
+    /// The nodes' are another's (SharedPeaks), who writes them, too.
     void leave_nodes()
     {
-      has_nodes = false;
+      continuum = nullptr;
     }
 
+    /// What a checkpoint has of the nodes.
     PeakMotion &nodes_of_bedrock()
     {
       return nodes;
     }
+
+    std::vector<double> &slip_of_nodes()
+    {
+      return node_slip;
+    }
+
+    static constexpr const char *nodes_group = "fields/nodes/";
+
+    /// Places for the tables of nodes, which another writes: position, peak_acceleration,
+    /// peak_velocity, peak_displacement, peak_slip, cells.
+    static void declare_nodes(HistoryFile &file, std::size_t n_nodes, std::size_t n_cells);
 
     /// Motions count from this state.
     void start(const coupling::CoupledState &state);
@@ -57,7 +69,6 @@ namespace hybrid::output
     const dda::Model                         *model;
     const continuum::Continuum               *continuum;
     PeakMotion                                nodes, blocks;
-    bool                                      has_nodes = true; ///< adds up those of the bedrock
     std::vector<continuum::Continuum::Facing> facing;    ///< nodes on the two sides of planes
     std::vector<double>                       node_slip; ///< largest magnitudes [m]
     std::vector<Vec2>                         centroids; ///< at the start [m]

@@ -4,6 +4,7 @@
 #include <hybrid/output/vtu_writer.h>
 #include <hybrid/restart/archive_forward.h>
 
+#include <functional>
 #include <set>
 #include <string>
 #include <utility>
@@ -24,6 +25,9 @@ namespace hybrid::output
 
     /// Write a picture at simulated time @p time [s] and list it.
     void add(double time, const VtuWriter &picture);
+
+    /// The same with what writes it to a file.
+    void add(double time, const std::function<void(const std::string &file_name)> &write);
 
     /// The list of pictures, for the checkpoint. Reading writes the .pvd anew: later pictures of
     /// the earlier run are dropped, and those whose file is gone are left out.

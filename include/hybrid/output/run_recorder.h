@@ -57,19 +57,33 @@ namespace hybrid::output
                      double                        dt,
                      double                        wall_time);
 
-    /// The peaks at the bedrock's nodes, for those whose they are from now on (SharedPeaks).
-    PeakMotion &leave_peaks_of_bedrock()
+    /// The peaks at the bedrock's nodes are SharedPeaks' from now on.
+    PeakFields &leave_peaks_of_bedrock()
     {
       peaks.leave_nodes();
-      has_peaks_of_bedrock = false;
-      return peaks.nodes_of_bedrock();
+      return peaks;
     }
 
     /// Displacement of the base monitor [m].
     Vec2 base_displacement() const;
 
-    /// What record_step() will read of the bedrock at @p time, after a step of @p dt [s].
-    continuum::Continuum::Collection needs(double time, double dt) const;
+    /// What all processes have to do for record_step() at @p time, after a step of @p dt [s].
+    struct Needs
+    {
+      bool energy = false, picture = false;
+    };
+
+    Needs needs(double time, double dt) const;
+
+    /// The same for finish().
+    Needs needs_at_end(double time) const
+    {
+      return {last_audit != time, last_picture != time};
+    }
+
+    /// After finish(): run.h5 under its temporary name and with places for the bedrock's peaks, for
+    /// SharedPeaks; the file itself is that of before. Nothing more is recorded.
+    void make_room_for_peaks();
 
     /// Last picture, joints, section, and what the histories say for the summary.
     void finish(const coupling::CoupledState &state, Summary &summary);
@@ -125,7 +139,6 @@ namespace hybrid::output
     LineRecorder               lines;
     PeakFields                 peaks;
     EnergyLedger               ledger;
-    bool                       has_peaks_of_bedrock; ///< and adds to them
     std::vector<MonitorSeries> monitors;
     WatchedPoints              watched;        ///< without monitors, for the error alone
     std::vector<MonitorSeries> watched_motion; ///< of these; no series of run.h5
@@ -149,6 +162,8 @@ namespace hybrid::output
       return 1e-9 * dt;
     }
 
+    bool is_audit_due(double time, double dt) const;
+    bool is_picture_due(double time, double dt) const;
     void add_monitors();
     void add_watched_points();
     void add_boreholes();

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/output/vtu_file.h>
 #include <hybrid/scene/types.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <mpi.h>
 #include <string>
 #include <vector>
 
@@ -67,6 +69,11 @@ namespace hybrid::output
     /// Write to a temporary file, then rename: the file is complete or absent.
     void write(const std::string &file_name) const;
 
+    /// One file by all ranks, of which each has a part of the points and cells: as many on each,
+    /// fewer on the last that has any. Cells name points by their numbers in all. Numbers in this
+    /// object are spent then. All ranks call it. @throws as restart::SharedFile.
+    void write(const std::string &file_name, MPI_Comm communicator);
+
   private:
     struct Field
     {
@@ -75,10 +82,11 @@ namespace hybrid::output
       std::vector<double>      values;
     };
 
-    static void
-    append_fields(std::string &xml, const std::vector<Field> &fields, std::size_t n_entities);
+    static void add_fields(VtuFile &file, const std::vector<Field> &fields, std::size_t n_entities);
 
-    void append_mesh(std::string &xml) const;
+    void add_mesh(VtuFile &file) const;
+
+    void add_to(VtuFile &file, std::size_t n_all_points, std::size_t n_all_cells) const;
 
     std::vector<double>       points;       ///< x, y, z of each [m]
     std::vector<std::int32_t> connectivity; ///< nodes of all cells

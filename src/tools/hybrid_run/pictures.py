@@ -14,7 +14,7 @@ import numpy as np
 from .errors import MissingData, UserError
 
 TYPES = {"Float64": "<f8", "Float32": "<f4", "Int32": "<i4", "UInt8": "u1"}
-HEADER = 3 * 8  # numbers of 8 bytes: blocks (none or one), their size, that of a smaller last one; then the compressed size
+HEADER = 3 * 8  # numbers of 8 bytes: blocks, their size, that of a smaller last one; then the compressed size of each
 
 
 class Picture:
@@ -50,15 +50,14 @@ class Picture:
 
 
 def values_of(array):
-    """Numbers of a DataArray: base64 of a header, then of one zlib block."""
+    """Numbers of a DataArray: base64 of a header, then of zlib blocks, one of each process that wrote it."""
     text = "".join((array.text or "").split())
     kind, columns = np.dtype(TYPES[array.get("type")]), int(array.get("NumberOfComponents", 1))
-    n_blocks = np.frombuffer(base64.b64decode(text[: 4 * HEADER // 3]), "<u8")[0]
-    data = b""
-    if n_blocks:
-        coded = -(-(HEADER + 8) // 3) * 4  # base64 of the header, filled up with =
-        data = zlib.decompress(base64.b64decode(text[coded:]))
-    values = np.frombuffer(data, kind)
+    n_blocks = int(np.frombuffer(base64.b64decode(text[: 4 * HEADER // 3]), "<u8")[0])
+    coded = -(-(HEADER + 8 * n_blocks) // 3) * 4  # base64 of the header, filled up with =
+    sizes = np.frombuffer(base64.b64decode(text[:coded]), "<u8")[3:]
+    blocks, ends = base64.b64decode(text[coded:]), np.cumsum(sizes).astype(int)
+    values = np.frombuffer(b"".join(zlib.decompress(blocks[end - size : end]) for size, end in zip(sizes.astype(int), ends)), kind)
     return values.reshape(-1, columns) if columns > 1 else values
 
 
