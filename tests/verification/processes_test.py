@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Scenes under mpirun: the same answers on any number of processes, and nothing is lost when one ends.
 
-Usage: processes_test.py HYBRID_BINARY PART WORK_DIR     PART: equal, solvers, resume, faults, blocks
+Usage: processes_test.py HYBRID_BINARY PART WORK_DIR     PART: equal, solvers, resume, faults, files, blocks
 """
 import json
 import os
 import pathlib
+import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -15,11 +17,13 @@ import time
 
 import h5py
 import numpy
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
 
 BINARY, PART, WORK = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]).resolve()
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "src/tools"))
-from hybrid_run.pictures import Pictures  # noqa: E402
+from hybrid_run.pictures import Picture, Pictures  # noqa: E402
 
 SCENES = ROOT / "parameters/verification"
 ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
@@ -296,14 +300,134 @@ def check_kinds_of_machines():
     require(result.returncode != 0 and "come to different results" in result.stdout + result.stderr, "machines of two kinds: refused in a sentence")
 
 
+def arrays_by_vtk(file):
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(file))
+    reader.Update()
+    grid = reader.GetOutput()
+    arrays = {"points": grid.GetPoints().GetData(), "cells": grid.GetCells().GetData()}
+    for data in (grid.GetPointData(), grid.GetCellData()):
+        arrays.update({data.GetArrayName(k): data.GetArray(k) for k in range(data.GetNumberOfArrays())})
+    return {name: vtk_to_numpy(array) for name, array in arrays.items()}
+
+
+def arrays_by_tools(file):
+    picture = Picture(str(file))
+    return {"points": picture.points, "cells": picture.connectivity, "starts": picture.starts, **picture.fields}
+
+
+def require_same_picture(known, found, tolerances):
+    """Alike but for how many blocks arrays are compressed in, and round-off; fields are in single precision."""
+    text = [re.sub(r'(format="binary">)[^<]*', r"\1", file.read_text()) for file in (known, found)]
+    require(text[0] == text[1], f"{found}: the text of one process")
+    for read in (arrays_by_vtk, arrays_by_tools):
+        one, other = read(known), read(found)
+        require(list(one) == list(other), f"{found}: the arrays of one process")
+        for name, values in one.items():
+            require(values.shape == other[name].shape and values.size > 0, f"{found}: {name} of as many")
+            off = numpy.abs(values.astype(float) - other[name]).max()
+            tolerance = tolerances.get(name, 0.)
+            require(off <= tolerance, f"{found}, {name}: {off:.3g} off, more than {tolerance:.3g}")
+
+
+def check_pictures(name, known, found):
+    """All pictures of two runs: 1e-6 of the largest value that a field has in any, more than single precision rounds off."""
+    files = sorted(file.relative_to(known) for file in [*known.glob("vtu/*.vtu"), known / "peaks.vtu"])
+    require(len(files) > 2 and files == sorted(f.relative_to(found) for f in [*found.glob("vtu/*.vtu"), found / "peaks.vtu"]), f"{name}: the same pictures")
+    require((known / "continuum.pvd").read_bytes() == (found / "continuum.pvd").read_bytes(), f"{name}: the same series of pictures")
+    largest = {}
+    for file in files:
+        for field, values in arrays_by_vtk(known / file).items():
+            if field not in ("cells", "region"):
+                largest[field] = max(largest.get(field, 0.), float(numpy.abs(values).max()))
+    motion = largest["displacement [m]"]
+    require(motion > 0. and largest["velocity [m/s]"] > 0. and largest["peak velocity [m/s]"] > 0., f"{name}: something moves")
+    tolerances = {field: 1e-6 * value for field, value in largest.items()} | {"points": 1e-9 * motion + 1e-12}
+    for file in files:
+        require_same_picture(known / file, found / file, tolerances)
+
+
+def no_leftovers(directory):
+    left = [str(file) for file in directory.rglob("*.tmp")]
+    require(not left, f"{directory.name}: no file is left half written: {left}")
+
+
+def check_files():
+    """Files that all processes write: those of one, in the same order; nothing is lost on a full disk or by a kill while they write."""
+    pictures = ["Output/Picture interval=0.1", "Checkpoint/Step interval=50"]
+    for name in ("lamb", "joints", "free_field"):
+        scene, overrides = SHARED[name]
+        directories = {processes: WORK / f"files_{name}_{processes}" for processes in (1, 2, 4)}
+        for processes, directory in directories.items():
+            run(processes, words_of(scene, directory, [*overrides, *pictures]))
+            no_leftovers(directory)
+        sizes = {(directory / "checkpoint/state.bin").stat().st_size for directory in directories.values()}
+        require(len(sizes) == 1, f"{name}: checkpoints of 1, 2, 4 processes are of one size: {sizes}")
+        for processes in (2, 4):
+            check_pictures(f"{name}, {processes} processes", directories[1], directories[processes])
+            with h5py.File(directories[1] / "run.h5") as one, h5py.File(directories[processes] / "run.h5") as other:
+                names = []
+                one["fields/nodes"].visit(names.append)
+                for table in names:
+                    a, b = one["fields/nodes/" + table], other["fields/nodes/" + table]
+                    require(a.shape == b.shape and a.dtype == b.dtype and dict(a.attrs) == dict(b.attrs), f"{name}: {table} is described as by one process")
+                    off = numpy.abs(a[()] - b[()]).max() / max(numpy.abs(a[()]).max(), 1e-300)
+                    print(f"{name}: {table} of {processes} processes is {off:.2g} off")
+                    require(off < 1e-10, f"{name}: {table} of {processes} processes is {off:.2g} off")
+    scene, overrides = SHARED["lamb"]
+    again = WORK / "files_again"
+    run(2, words_of(scene, again, [*overrides, *pictures]))
+    for file in [*(WORK / "files_lamb_2").glob("vtu/*.vtu"), WORK / "files_lamb_2/peaks.vtu"]:
+        require(file.read_bytes() == (again / file.relative_to(WORK / "files_lamb_2")).read_bytes(), f"two runs of two processes have the same {file.name}")
+    check_full_disk_of_some()
+    check_kills()
+
+
+LONG_LAMB = [o for o in SMALL_LAMB if "End time" not in o and "Picture" not in o] + ["Time/End time=0.4", "Checkpoint/Step interval=10", "Output/Picture interval=0.02"]
+
+
+def check_full_disk_of_some():
+    """A process whose files may not grow any more: all end with one sentence, the checkpoint is that of before."""
+    whole = WORK / "full_whole"
+    run(2, words_of("lamb", whole, LONG_LAMB))
+    expected = series(whole)
+    for which in (0, 1):
+        directory = WORK / f"full_{which}"
+        output = []
+        stopped(directory, lambda process: resource.prlimit(children(process)[which], resource.RLIMIT_FSIZE, (1000, 1000)), LONG_LAMB, output=output)
+        require(output[1].count("error: ") == 1 and "cannot write" in output[1] and "File too large" in output[1], f"process {which} cannot write: one says so: {output[1][-400:]}")
+        no_leftovers(directory)
+        resume(2, directory)
+        found = series(directory)
+        different = [n for n in expected if n.startswith(("monitors/", "fields/")) and expected[n].tobytes() != found[n].tobytes()]
+        require(not different, f"process {which} could not write: resumed to the same bits, but for {different[:4]}")
+
+
+def check_kills():
+    """Killed at many moments while pictures and checkpoints are written in each step: what is there can be read, and goes on."""
+    words = [o for o in LONG_LAMB if "interval" not in o] + ["Checkpoint/Step interval=1", "Output/Picture interval=0.0001", "Time/End time=3", "Output/Flush interval=0"]
+    for k in range(8):
+        directory = WORK / f"killed_{k}"
+        stopped(directory, lambda process: (time.sleep(0.037 * k), os.kill(children(process)[k % 2], signal.SIGKILL)), words)
+        with h5py.File(directory / "run.h5") as file:
+            steps = len(file["time"])
+            require("fields" not in file, f"{directory.name}: no peaks before the end")
+        require(steps > 0, f"{directory.name}: run.h5 can be read")
+        series_of = Pictures(str(directory), "continuum")
+        for number in range(len(series_of)):
+            series_of[number]
+        resume(2 if k % 2 else 1, directory, [f"Time/End time={series_of.times[-1] + 0.004:.4f}"])
+        no_leftovers(directory)
+
+
 def children(process):
     """Ids of the processes that mpirun has started."""
     text = subprocess.run(["ps", "-o", "pid=,args=", "--ppid", str(process.pid)], capture_output=True, text=True).stdout
     return [int(line.split()[0]) for line in text.splitlines() if BINARY in line]
 
 
-def stopped(directory, how, overrides, scene="lamb"):
-    """A run of two processes that is stopped once it has written a checkpoint. @return its exit code."""
+def stopped(directory, how, overrides, scene="lamb", output=None):
+    """A run of two processes that is stopped once it has written a checkpoint. @param output gets what it says. @return its exit code."""
     process = subprocess.Popen([*launcher(2), "--mca", "odls_base_sigkill_timeout", "5", *words_of(scene, directory, overrides)],
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=ENVIRONMENT)
     while process.poll() is None and not (directory / "checkpoint/state.bin").exists():
@@ -311,7 +435,9 @@ def stopped(directory, how, overrides, scene="lamb"):
     time.sleep(0.3)
     require(process.poll() is None, f"{directory.name}: still runs when it is stopped")
     how(process)
-    process.communicate(timeout=120)
+    said = process.communicate(timeout=120)
+    if output is not None:
+        output.extend(said)
     return process.returncode
 
 
@@ -341,7 +467,7 @@ def check_faults():
 
 
 shutil.rmtree(WORK, ignore_errors=True)
-{"equal": check_equal, "solvers": check_solvers, "resume": check_resume, "faults": check_faults, "blocks": check_blocks}[PART]()
+{"equal": check_equal, "solvers": check_solvers, "resume": check_resume, "faults": check_faults, "files": check_files, "blocks": check_blocks}[PART]()
 if complaints:
     sys.exit(f"{len(complaints)} complaints, first: {complaints[0]}")
 print("ok")
