@@ -119,7 +119,7 @@ namespace
         for (std::size_t i = 0; i < points.size(); ++i)
           result.top[i].push_back(continuum.sample(state, points[i]).velocity[component]);
       }
-    continuum.collect(state, {});
+    continuum.collect(state, true);
     result.energy = continuum.audit_energy(state);
     return result;
   }

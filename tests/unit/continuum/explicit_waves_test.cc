@@ -64,7 +64,7 @@ namespace
 
     ContinuumEnergy audit()
     {
-      rock->collect(state, {});
+      rock->collect(state, true);
       return rock->audit_energy(state);
     }
   };
