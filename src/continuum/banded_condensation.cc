@@ -2,6 +2,8 @@
 #include <hybrid/continuum/banded_condensation.h>
 #include <hybrid/continuum/surface_band.h>
 
+#include <algorithm>
+
 namespace hybrid::continuum
 {
   struct BandedCondensation::Parts final : Factor
