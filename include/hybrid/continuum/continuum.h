@@ -103,9 +103,8 @@ namespace hybrid::continuum
     /// Number of unknowns of the finite-element space (free-field columns not counted).
     std::size_t n_unknowns() const;
 
-    /// Nodes of the contact surface [m], from the left end to the right end of the model's top;
-    /// where a bedding plane with joints crops out two nodes follow each other at one place.
-    /// Empty if the scene has no blocks.
+    /// Nodes of the contact surface [m], left to right; where a bedding plane with joints crops out
+    /// two nodes follow each other at one place. Empty if the scene has no blocks.
     const std::vector<Vec2> &surface_nodes() const;
 
     /// Of a uniform load between two nodes of the surface, the part that the first one bears [-],
