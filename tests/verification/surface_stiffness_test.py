@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The surface of the bedrock as a band and with all entries: the same histories; the same bits on two processes and when
-resumed; automatic takes the band where the surface is long.
+"""The surface of the bedrock as a band and with all entries: the same histories; the same bits on two processes, on two
+threads and when resumed; automatic takes the band where the surface is long.
 
 Usage: surface_stiffness_test.py HYBRID_BINARY SOURCE_DIR WORK_DIR
 """
@@ -91,11 +91,13 @@ def check_histories():
 
 
 def check_bits():
-    """On two processes, which share the blocks, and resumed: the same bits."""
+    """On two processes, which share the blocks, on two threads, and resumed: the same bits."""
     scene, overrides = FLUTTERS
     whole = read(run("whole", scene, overrides, "banded"))
     names = differences(whole, read(run("two processes", scene, overrides, "banded", 2)))
     require(not names, f"two processes: the same bits, but for {names[:4]}")
+    names = differences(whole, read(run("two threads", scene, [*overrides, "Parallel/Threads=2"], "banded")))
+    require(not names, f"two threads: the same bits, but for {names[:4]}")
     part = run("stopped", scene, [*overrides, "Time/End time=0.2", "Checkpoint/Step interval=20"], "banded")
     subprocess.run([BINARY, "--resume", str(part), "-s", "Time/End time=0.31"], check=True, stdout=subprocess.DEVNULL, env=ENVIRONMENT)
     names = [n for n in differences(whole, read(part)) if n.startswith(("monitors/", "energy/", "time"))]
