@@ -12,6 +12,7 @@ STRONG = ["Materials/soil/Friction angle=35", "Materials/soil/Cohesion=1e9", "Ma
 SLIDES = ["Materials/Names=rock, belt", "Materials/belt/Friction angle=15", "Materials/belt/Cohesion=0", "Materials/belt/Tensile strength=0",
           "Blocks/Belt material=belt", "Gravity/Acceleration=9.81", "Blocks/Damping ratio=0.05", "Blocks/Damping frequency=5", "Motion/Frequency=3",
           "Motion/Peak=4", "Time/End time=0.9"]
+BONDED = ["Motion/Peak=0.05 g", "Blocks/Belt material=body", "Materials/body/Cohesion=1e9", "Materials/body/Tensile strength=1e9"]
 ELASTIC = ["Bedding planes/Strength=elastic", "Motion/Type=ricker", "Motion/Frequency=8", "Motion/Peak=1"]
 
 
@@ -38,11 +39,11 @@ def layers(width, height, soft, cells, times, points, *settings):
         *run(*times), "Monitors/Points=" + points, *settings]
 
 
-def pit(width, depth, margin, below, cells, wave, ratio, times, angle=0):
+def pit(width, depth, margin, below, cells, wave, ratio, times, ground=15, angle=0):
     middle = margin + width / 2
     return "continuum_into_blocks", "Pit width = %g; Pit depth = %g; Margin = %g; Rock below = %g; Resolution/h = %g; Resolution/far = %g" % (
         width, depth, margin, below, *cells), [*rock_and_soil(wave, ratio, 0.25), *STRONG, *run(*times), "Motion/Angle=%g" % angle,
-                                              "Monitors/Points=" + OF_PIT.format(middle, below, middle + 1, margin + 1, 15)]
+                                              "Monitors/Points=" + OF_PIT.format(middle, below, middle + 1, margin + 1, ground)]
 
 
 def planes(cells, end, *settings):
@@ -80,8 +81,8 @@ SCENES = {
     "layers, degree 3": layers(10, 90, 50, 10, (2, 6, 0.002), "surface: 5, 90; deep: 5, 30", "Continuum/Degree=3"),
     "layers, degree 1": layers(10, 90, 50, 2.5, (2, 5, 0.004), "surface: 5, 90; deep: 5, 30", "Continuum/Degree=1"),
     "pit, soft": pit(40, 20, 40, 60, (4, 15), 400, 0.5, (3, 1.5)),
-    "pit, flat, oblique motion": pit(60, 12, 40, 40, (3, 10), 500, 0.4, (5, 1), 60),
-    "pit, stiff": pit(30, 15, 30, 45, (2.5, 7.5), 300, 1.5, (3, 1.2)),
+    "pit, flat, oblique motion": pit(60, 12, 40, 40, (3, 10), 500, 0.4, (5, 1), angle=60),
+    "pit, stiff": pit(30, 15, 30, 45, (2.5, 7.5), 300, 1.5, (3, 1.2), ground=10),
     "column": ("time_order", "Width = 10; Height = 30; Block height = 15; Resolution/h = 2.5",
                ["Motion/Frequency=4", "Monitors/Points=top: 5, 30; interface: 5, 15; rock: 5, 5"]),
     "bar": ("bonded_bar", "Width = 4; Height = 60; Resolution/h = 2", [*run(5, 0.6), "Monitors/Points=station: 2, 40; foot: 2, 10"]),
@@ -93,12 +94,8 @@ SCENES = {
     "slope": mass("slope", "Height = 10; Slope = 1.5; Depth = 5; Front = 10; Behind = 15; Resolution/h = 1.5",
                   "crest: 16, 9.8; toe: -0.5, -0.5; back: 25, 9.8; face: 7.5, 4.5", *run(5, 0.6)),
     "slab that slides": mass("bonded_blocks", "Width = 20; Height = 4; Base beyond = 5; Resolution/h = 1", "mid: 10.1, 2.1; top: 10.1, 3.8", *SLIDES),
-    "landslide": ("new", "Resolution/h = 6.3; Resolution/far = 50; Resolution/ground = 12", []),
-    "landslide, weak motion": ("new", "Resolution/h = 6.3; Resolution/far = 50; Resolution/ground = 12",
-                               ["Motion/Peak=0.01 g", "Motion/Frequency=3", "Blocks/Damping ratio=0"]),
-    "landslide, bonded": ("new", "Resolution/h = 6.3; Resolution/far = 50; Resolution/ground = 12",
-                          ["Motion/Peak=0.05 g", "Blocks/Belt material=body", "Motion/Frequency=1.5", "Materials/body/Cohesion=1e9",
-                           "Materials/body/Tensile strength=1e9"])}
+    "landslide": ("new", "Resolution/h = 6.3; Resolution/far = 50; Resolution/ground = 12", [*BONDED, *run(1.5, 2.2)]),
+    "landslide, shorter waves": ("new", "Resolution/h = 6.3; Resolution/far = 50; Resolution/ground = 12", [*BONDED, *run(3, 2)])}
 
 
 def scene_file(binary, source, work, name):
