@@ -198,13 +198,13 @@ namespace hybrid::output
   std::string RunRecorder::why_no_error(const bool any_monitor) const
   {
     const scene::SceneParameters &scene = parts.scene;
+    if (scene.time.dynamic_coefficient < 1.)
+      return "Time/Dynamic coefficient damps step by step";
     if (times.size() < least_rows || !any_monitor)
       return any_monitor                 ? "the run is too short"
              : points_of_error().empty() ? "there is no monitor, and nothing that moves to watch"
              : monitors.empty()          ? "no joint holds a block that is watched"
                                          : "all monitors are on blocks that no joint holds";
-    if (scene.time.dynamic_coefficient < 1.)
-      return "Time/Dynamic coefficient damps step by step";
     if (parts.blocks != nullptr && !scene.edge_loads.tractions.empty())
       return "edge loads set the pace";
     if (parts.blocks != nullptr && parts.blocks->water.changes())

@@ -12,6 +12,7 @@ namespace hybrid::output
                              const double      slip_threshold)
     : model(blocks)
     , sign(downhill < 0. ? -1. : 1.)
+    , is_level(downhill == 0.)
     , threshold(slip_threshold)
     , slip(blocks, downhill)
     , farthest(slip.n_soles(), 0.)
@@ -63,7 +64,9 @@ namespace hybrid::output
 
   double SlipRecorder::mobilised(const dda::SurfaceForce &force) const
   {
-    return force.strength > 0. ? sign * force.shear / force.strength : 0.;
+    if (!(force.strength > 0.))
+      return 0.;
+    return (is_level ? std::abs(force.shear) : sign * force.shear) / force.strength;
   }
 
 

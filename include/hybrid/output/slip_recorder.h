@@ -41,6 +41,7 @@ namespace hybrid::output
   private:
     const dda::Model *model;
     const double      sign; ///< of forces, for a shear that is positive downhill
+    const bool        is_level;
     const double      threshold;
     SoleSlip          slip;
     int               mean_series = -1, largest_series = -1, part_series = -1, time_series = -1,
@@ -53,7 +54,7 @@ namespace hybrid::output
     double              mobilised_at_rest = MonitorSummary::unknown; ///< downhill [-]
     double              largest_mobilised = -std::numeric_limits<double>::infinity(); ///< the same
 
-    /// Shear over strength, downhill positive [-].
+    /// Shear over strength, downhill positive; on level ground its size [-].
     double mobilised(const dda::SurfaceForce &force) const;
   };
 } // namespace hybrid::output

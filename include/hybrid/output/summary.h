@@ -53,7 +53,7 @@ namespace hybrid::output
     };
 
     /// Force of the mass on what it stands on; NaN: nothing stands on it. Mobilised is the shear
-    /// over the shear strength [-].
+    /// over the shear strength, downhill positive; on level ground its size [-].
     struct BaseShear
     {
       double shear             = MonitorSummary::unknown; ///< of largest size, downhill + [N/m]

@@ -8,7 +8,7 @@ import h5py
 import numpy as np
 
 from .blocks import Blocks
-from .errors import MissingData, UserError
+from .errors import MissingData, NotInScene, UserError
 from .line import Line
 from .monitor import Monitor
 from .parameters import parameters_of_run, units
@@ -115,8 +115,10 @@ class Run:
         return path in self.file
 
     def get(self, path):
-        """A data set as an array; MissingData if it is absent or empty."""
+        """A data set as an array; MissingData if it is absent or empty, NotInScene if it is of blocks and there are none."""
         if path not in self.file or self.file[path].size == 0:
+            if path.startswith("section/blocks") and self.summary.get("blocks") == 0:
+                raise NotInScene("the scene has no blocks")
             raise MissingData("no " + path + " in run.h5")
         return self.file[path][:]
 

@@ -25,7 +25,7 @@ WIDTH = 12.0  # [inches]
 
 def motion_failures(run):
     """Times at which joints failed after the static stage [s], in order. @raises NotInScene if none did."""
-    times = run.get("joints/failure_time") if run.has("joints") else np.zeros(0)
+    times = run.file["joints/failure_time"][:] if run.has("joints/failure_time") else np.zeros(0)
     failures = np.sort(times[np.isfinite(times) & (times >= 0)])
     if not len(failures):
         raise NotInScene("no joint failed in the motion")
