@@ -216,12 +216,14 @@ namespace hybrid
 
 
 
-    void tell_mesh_error(const std::vector<output::StepRecord> &coarser,
-                         const FurtherRuns                     &runs,
-                         const double                           time_of_coarser,
-                         FinishedRun                           &run,
-                         output::Log                           &log)
+    void tell_mesh_error(std::vector<output::StepRecord> coarser,
+                         const FurtherRuns              &runs,
+                         const double                    time_of_coarser,
+                         FinishedRun                    &run,
+                         output::Log                    &log)
     {
+      for (output::StepRecord &record : coarser) // watched points are monitors there
+        record.least_motion = run.record.least_motion;
       output::Summary::MeshError &error = run.summary.mesh_error;
       if (coarser.empty())
         error.reason = runs.why_not();

@@ -10,6 +10,7 @@
 #include <hybrid/output/mesh_progress.h>
 #include <hybrid/output/probes.h>
 #include <hybrid/output/sample_line.h>
+#include <hybrid/output/watched_points.h>
 #include <hybrid/partners.h>
 #include <hybrid/scene/checks/mesh_check.h>
 #include <hybrid/scene/mesh/edge_chain.h>
@@ -197,6 +198,13 @@ namespace hybrid
       }
     for (const output::SampleLine &line : output::sample_lines(scene, mesh))
       output::add_line_probes(line, probes);
+    if (scene.monitors.monitors.empty()) // RunRecorder asks for these
+      for (const scene::Monitor &point :
+           output::watched_points(mesh,
+                                  blocks.get(),
+                                  continuum != nullptr || scene.has_bedrock_blocks())
+             .points)
+        probes.add(point.position, point.name);
     if (continuum != nullptr)
       continuum->watch(probes.points_of_bedrock());
   }

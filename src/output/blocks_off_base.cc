@@ -11,19 +11,22 @@ namespace hybrid::output
     const dda::Geometry &drawn = model.initial;
     if (drawn.foundation_nodes.empty())
       return 0;
-    const auto [left, right] =
-      std::minmax_element(drawn.foundation_nodes.begin(),
-                          drawn.foundation_nodes.end(),
-                          [](const Vec2 &a, const Vec2 &b) { return a.x() < b.x(); });
-    const auto is_over_base = [from = left->x(), to = right->x()](const Vec2 &point) {
-      return from <= point.x() && point.x() <= to;
+    const std::vector<Vec2> &nodes = drawn.foundation_nodes;
+    const auto [first, last] =
+      std::minmax_element(nodes.begin(), nodes.end(), [](const Vec2 &a, const Vec2 &b) {
+        return a.x() < b.x();
+      });
+    const auto now_at = [&](const auto node) {
+      return node->x() + state.foundation_displacement[2 * (node - nodes.begin())];
     };
-    int count = 0;
+    const double left_end = now_at(first), right_end = now_at(last);
+    int          count = 0;
     for (int b = 0; b < model.n_mass(); ++b)
       {
-        const int first = drawn.offset[b], n = drawn.offset[b + 1] - first;
-        if (is_over_base(dda::polygon_moments(&drawn.vertices[first], n).centroid) &&
-            !is_over_base(state.blocks[b].centroid))
+        const int    begin = drawn.offset[b], n = drawn.offset[b + 1] - begin;
+        const double before = dda::polygon_moments(&drawn.vertices[begin], n).centroid.x(),
+                     now    = state.blocks[b].centroid.x();
+        if (first->x() <= before && before <= last->x() && (now < left_end || now > right_end))
           ++count;
       }
     return count;

@@ -4,6 +4,8 @@
 #include <hybrid/scene/mesh/reentrant_corner.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
+#include <algorithm>
+
 namespace hybrid::output
 {
   MeshOrders mesh_orders(const scene::SceneParameters &scene,
@@ -13,9 +15,12 @@ namespace hybrid::output
     if (has_blocks)
       return {1., 2., 1.};
     constexpr double of_elements   = 2.;
+    constexpr double most_assumed  = 4.;
     const double     of_dispersion = 2. * scene.continuum.degree;
     const bool       is_smooth = scene.bedding.names.empty() && scene.point_loads.loads.empty() &&
                            scene::has_level_layers(mesh) && !scene::has_reentrant_corner(mesh);
-    return {of_elements, of_dispersion, is_smooth ? of_dispersion : of_elements};
+    return {of_elements,
+            of_dispersion,
+            is_smooth ? std::min(of_dispersion, most_assumed) : of_elements};
   }
 } // namespace hybrid::output

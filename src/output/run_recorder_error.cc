@@ -238,16 +238,20 @@ namespace hybrid::output
   void RunRecorder::estimate_error(Summary &summary) const
   {
     ErrorRecord record;
-    record.time                              = times;
-    record.source                            = shaking(parts.scene, parts.motion);
-    record.corner                            = parts.scene.monitors.filter_frequency;
-    record.until                             = summary.first_failure_time;
-    const std::vector<MonitorSeries> &points = points_of_error();
+    record.time                               = times;
+    record.source                             = shaking(parts.scene, parts.motion);
+    record.corner                             = parts.scene.monitors.filter_frequency;
+    record.until                              = summary.first_failure_time;
+    const std::vector<MonitorSeries> &points  = points_of_error();
+    int                               n_loose = 0; // points on blocks that no joint holds
     for (std::size_t m = 0; m < points.size(); ++m)
       {
         const int block = probes.block(points[m].probe);
         if (block >= 0 && !parts.blocks->bonded[block])
-          continue;
+          {
+            ++n_loose;
+            continue;
+          }
         if (static_cast<int>(m) == base_of_error())
           record.base = static_cast<int>(record.monitors.size());
         record.monitors.push_back({points[m].name,
@@ -256,10 +260,13 @@ namespace hybrid::output
                                    are_led(times, points[m].histories[2], parts.motion)});
       }
     Summary::ProbableError &error = summary.probable_error;
-    error.watched                 = watched.text();
     if (monitors.empty())
       record.least_motion = WatchedPoints::least_motion;
-    error.reason        = why_no_error(!record.monitors.empty());
+    const bool has_base_alone = n_loose > 0 && record.monitors.size() == 1 && record.base == 0;
+    error.reason              = why_no_error(!record.monitors.empty() && !has_base_alone);
+    WatchedPoints counted     = watched;
+    counted.of_mass -= error.reason.empty() && monitors.empty() ? n_loose : 0;
+    error.watched       = counted.text();
     error.blocks_strike = blocks_strike(count_loose(parts.blocks), ledger);
     if (parts.scene.time.newmark.corrected_step > 0.)
       error.assumed_order = 2.; // of joints; waves have more

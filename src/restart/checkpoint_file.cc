@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -92,9 +94,12 @@ namespace hybrid::restart
   {
     CheckpointContent content;
     std::string_view  bytes;
+    errno                         = 0;
     std::tie(content.file, bytes) = map_file(file_name);
-    if (content.file == nullptr)
+    if (content.file == nullptr && (errno == 0 || errno == ENOENT))
       throw InputError("there is no checkpoint '" + file_name + "'");
+    if (content.file == nullptr)
+      throw InputError("cannot read the checkpoint '" + file_name + "': " + std::strerror(errno));
     if (bytes.size() < sizeof(magic) || !std::equal(magic.begin(), magic.end(), bytes.begin()))
       throw InputError("'" + file_name + "' is no checkpoint of hybrid");
     const InputError damaged("the checkpoint '" + file_name + "' is damaged");

@@ -162,6 +162,20 @@ def check_solvers():
     require(not different, f"iterated, resumed by as many: the same bits, but for {different[:4]}")
 
 
+def check_watched_points():
+    """Waves without monitors: what is watched for the error moves alike on any number of processes."""
+    for name in ("lamb", "free_field"):
+        scene, overrides = SHARED[name]
+        told = {}
+        for processes in (1, 2, 4):
+            directory = WORK / f"no_monitors_{name}_{processes}"
+            run(processes, words_of(scene, directory, [o for o in overrides if "Monitors/" not in o] + ["Monitors/Points="]))
+            error = json.loads((directory / "summary.json").read_text())["probable_error"]
+            require(error["estimated"] and "bedrock" in error["watched"], f"{name}, no monitors, {processes} processes: {error}")
+            told[processes] = [error["time_step"][q]["part_of_peak"] for q in ("velocity", "acceleration")]
+            require(numpy.allclose(told[processes], told[1], rtol=1e-6, atol=0), f"{name}, no monitors: {processes} processes tell {told[processes]}, one {told[1]}")
+
+
 def check_equal():
     for name, (scene, overrides) in SHARED.items():
         runs = {}
@@ -187,6 +201,7 @@ def check_equal():
     require(all(before[n].tobytes() == after[n].tobytes() for n in before), "two runs of two processes have the same bits")
 
     check_static_stress()
+    check_watched_points()
 
     alone, told = WORK / "coupled_1", WORK / "coupled_2"
     subprocess.run(words_of(*COUPLED[:1], alone, COUPLED[1]), check=True, capture_output=True, env=ENVIRONMENT, timeout=600)

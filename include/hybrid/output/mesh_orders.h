@@ -23,7 +23,8 @@ namespace hybrid::output
    *
    * Of elements of degree q 2 to 2 q, that of the waves' dispersion (Ainsworth & Wajid 2009), which
    * is the only error of waves in level layers; where corners, planes or point loads are, the
-   * lowest is assumed.
+   * lowest is assumed. More than 4 is assumed nowhere: meshes that show no order do not resolve the
+   * waves, and high orders need that most.
    */
   MeshOrders
   mesh_orders(const scene::SceneParameters &scene, const scene::SectionMesh &mesh, bool has_blocks);

@@ -23,6 +23,9 @@ TEST(BlocksOffBase, counts_those_that_have_come_beyond_an_end)
   EXPECT_EQ(output::blocks_off_base(model, state), 1);
   state.blocks[0].centroid.x() = -1.1;
   EXPECT_EQ(output::blocks_off_base(model, state), 2);
+  for (int k = 0; k < model.n_foundation_nodes(); ++k) // the base has moved, too
+    state.foundation_displacement[2 * k] = -0.2;
+  EXPECT_EQ(output::blocks_off_base(model, state), 1);
 }
 
 

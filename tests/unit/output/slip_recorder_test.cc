@@ -16,11 +16,11 @@ namespace
   /// What a mass of two blocks mobilises that is sheared along -x by half of its strength.
   output::Summary::BaseShear sheared_back(const double downhill)
   {
-    const dda::Model model = dda::build_model(test::square_blocks(2, 1, 2.),
+    const dda::Model     model = dda::build_model(test::square_blocks(2, 1, 2.),
                                               test::block_parameters(30.),
                                               test::straight_foundation(0., 1., 6., 7));
-    dda::DdaState    state = dda::initial_state(model);
-    const std::string path = std::filesystem::temp_directory_path() / "slip_recorder_test.h5";
+    dda::DdaState        state = dda::initial_state(model);
+    const std::string    path  = std::filesystem::temp_directory_path() / "slip_recorder_test.h5";
     output::HistoryFile  file(path, output::HistoryFile::Mode::create);
     output::SlipRecorder recorder(&model, downhill, 1e-3);
     recorder.add_series(file);
