@@ -144,8 +144,8 @@ namespace hybrid
           throw InputError(
             path + " = '" + value + "' differs from the run that is resumed" +
             (old == old_values.end() ? ", which does not have it" : " ('" + old->second + "')") +
-            "; only Time/End time and the sections Output, Checkpoint and Parallel may "
-            "change");
+            "; only Time/End time, Error target, Error estimate and the sections Output, "
+            "Checkpoint and Parallel may change");
       }
     for (const auto &entry : old_values)
       if (new_values.count(entry.first) == 0)

@@ -287,15 +287,10 @@ namespace hybrid::output
       const std::string strikes =
         error.blocks_strike ? "; blocks strike each other, runs in other steps may go another way"
                             : "";
-      const std::string at_end =
-        error.peak_at_end.empty()
-          ? ""
-          : "; the acceleration of " + error.peak_at_end +
-              " is largest at an end of the record, where nothing is filtered nor told";
       const std::string source =
         of_runs ? format("by the run in steps of %.4g s", error.measured_from) : "probably";
       return begin + ", " + source + until + ": " + peaks_text(error.step) +
-             half_text(error.step, error.left_by_half(), "step", as_much) + strikes + at_end;
+             half_text(error.step, error.left_by_half(), "step", as_much) + strikes;
     }
 
 
@@ -342,6 +337,17 @@ namespace hybrid::output
              format(error.cost < 100. ? "%.2g s" : "%.0f s", std::max(error.cost, 0.1)) +
              " more of processor time";
     }
+
+
+
+    /// What the error of accelerations leaves out.
+    std::string peak_text(const Summary::ProbableError &error)
+    {
+      return !error.reason.empty() || error.peak_at_end.empty()
+               ? ""
+               : "; the acceleration of " + error.peak_at_end +
+                   " is largest at an end of the record, where nothing is filtered nor told";
+    }
   } // namespace
 
 
@@ -349,7 +355,10 @@ namespace hybrid::output
   EndText error_text(const Summary &summary)
   {
     const std::string text = step_error_text(summary);
-    return {text + (text.empty() ? "" : cost_text(summary.probable_error)), text};
+    if (text.empty())
+      return {};
+    const Summary::ProbableError &error = summary.probable_error;
+    return {text + cost_text(error) + peak_text(error), text + peak_text(error)};
   }
 
 

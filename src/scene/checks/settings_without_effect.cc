@@ -84,6 +84,17 @@ namespace hybrid::scene
                          (scene.bedding.names.size() > 1 ? ", ..." : "") +
                          " has no effect, as the bedrock is rigid (Model/Bedrock)");
     }
+
+
+    void look_at_surface(const SceneParameters &scene, std::vector<std::string> &warnings)
+    {
+      if (scene.continuum.surface_form == SurfaceForm::automatic ||
+          (scene.has_continuum() && scene.blocks.enabled))
+        return;
+      warnings.push_back(std::string("Continuum/Surface stiffness has no effect, as ") +
+                         (scene.has_continuum() ? "there are no blocks (Model/Blocks)"
+                                                : "the bedrock is no continuum (Model/Bedrock)"));
+    }
   } // namespace
 
 
@@ -94,6 +105,7 @@ namespace hybrid::scene
     look_at_motion(scene, warnings);
     look_at_water(mesh, scene, warnings);
     look_at_planes(scene, warnings);
+    look_at_surface(scene, warnings);
     return warnings;
   }
 } // namespace hybrid::scene

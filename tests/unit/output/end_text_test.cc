@@ -175,6 +175,9 @@ namespace hybrid::output
       error.step.part[2]            = 0.1;
       EXPECT_EQ(error_text(run).in_file.find("an end of the record"), std::string::npos);
       error.peak_at_end = "crest";
+      error.cost        = 84.;
+      EXPECT_NE(error_text(run).on_screen.find("of processor time; the acceleration of crest is"),
+                std::string::npos);
       EXPECT_NE(error_text(run).in_file.find("; the acceleration of crest is largest at an end of "
                                              "the record, where nothing is filtered nor told"),
                 std::string::npos);

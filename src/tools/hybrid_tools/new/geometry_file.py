@@ -5,6 +5,7 @@ import numpy as np
 
 from .section import GROWTH
 
+RANGE = 25  # sizes may be as many times smaller and larger; gmsh makes up 5 or 20 where a file has no range
 HEAD = """// %s: section made by hybrid new, x along the profile, y up [m].
 // The bedrock is cut into %d surfaces along the bedding planes and unnamed continuations of them to the sides.
 
@@ -39,13 +40,13 @@ def geometry_text(section, title):
     curve = {edge: i for i, edge in enumerate(sorted(mesh.edges, key=lambda e: (mesh.edges[e], mesh.points[e[0]][0], mesh.points[e[0]][1])), 1)}
     has_mass, has_planes = section.slip is not None, bool(section.planes)
     def constant(text, value, words=None):
-        return text % (words or value, value / 20, 20 * value)
+        return text % (words or value, value / RANGE, RANGE * value)
 
     more = constant(FAR, far, "%.10g" % far if has_mass else "%.6g * h" % (far / h)) if is_graded(section) else ""
     more += constant(PLANES, section.plane_size) if has_planes else ""
     more += constant(GROUND, section.ground_size) if has_mass and section.slope_line is not None else ""
     where = " in the mass and at the sliding surface" if has_mass else " at the slope; far grows with it" if is_graded(section) else ""
-    text = HEAD % (title, len(section.bedrock), h, h / 20, 20 * h, "edge length" + where, more)
+    text = HEAD % (title, len(section.bedrock), h, h / RANGE, RANGE * h, "edge length" + where, more)
     text += "\n".join(["\n// ---- points"] + ["Point(%d) = {%.10g, %.10g, 0};" % (point[k], *mesh.points[k]) for k in used])
     text += "\n\n// ---- lines\n" + "\n".join("Line(%d) = {%d, %d};" % (i, point[a], point[b]) for (a, b), i in curve.items())
     text += "\n\n// ---- surfaces\n"

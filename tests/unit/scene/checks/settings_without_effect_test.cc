@@ -51,6 +51,19 @@ namespace hybrid::scene
   }
 
 
+  TEST_F(SettingsWithoutEffect, TheSurfaceOfAContinuumBelowBlocksHasAStiffness)
+  {
+    scene.continuum.surface_form = SurfaceForm::banded;
+    expect({});
+    scene.blocks.enabled = false;
+    expect({"Continuum/Surface stiffness has no effect", "no blocks"});
+    scene.bedrock = rigid_bedrock();
+    expect({"Continuum/Surface stiffness has no effect", "no continuum"});
+    scene.continuum.surface_form = SurfaceForm::automatic;
+    expect({});
+  }
+
+
   TEST_F(SettingsWithoutEffect, ARecordIsReadByItsTypesOnly)
   {
     scene.motion.file = "quake.txt";
