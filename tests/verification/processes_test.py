@@ -418,12 +418,20 @@ def check_full_disk_of_some():
         require(not different, f"process {which} could not write: resumed to the same bits, but for {different[:4]}")
 
 
+def wait_for_pictures(directory, count=3):
+    """Steps are taken: the checkpoint of the start comes before the first."""
+    for _ in range(6000):
+        if len(list(directory.glob("vtu/continuum_*.vtu"))) >= count:
+            return
+        time.sleep(0.01)
+
+
 def check_kills():
     """Killed at many moments while pictures and checkpoints are written in each step: what is there can be read, and goes on."""
     words = [o for o in LONG_LAMB if "interval" not in o] + ["Checkpoint/Step interval=1", "Output/Picture interval=0.0001", "Time/End time=3", "Output/Flush interval=0"]
     for k in range(8):
         directory = WORK / f"killed_{k}"
-        stopped(directory, lambda process: (time.sleep(0.037 * k), os.kill(children(process)[k % 2], signal.SIGKILL)), words)
+        stopped(directory, lambda process: (wait_for_pictures(directory), time.sleep(0.037 * k), os.kill(children(process)[k % 2], signal.SIGKILL)), words)
         with h5py.File(directory / "run.h5") as file:
             steps = len(file["time"])
             require("fields" not in file, f"{directory.name}: no peaks before the end")
