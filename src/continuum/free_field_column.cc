@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/continuum/free_field_column.h>
 #include <hybrid/continuum/inertia_correction.h>
+#include <hybrid/scene/lapack_band.h>
 
 #include <algorithm>
 #include <stdexcept>
 
 extern "C"
 {
-  // BLAS and LAPACK on a symmetric band matrix: y = alpha A x + beta y; Cholesky factorisation and
-  // solve.
+  // BLAS on a symmetric band matrix: y = alpha A x + beta y.
   void dsbmv_(const char   *uplo,
               const int    *n,
               const int    *k,
@@ -20,17 +20,6 @@ extern "C"
               const double *beta,
               double       *y,
               const int    *incy);
-  void
-  dpbtrf_(const char *uplo, const int *n, const int *kd, double *ab, const int *ldab, int *info);
-  void dpbtrs_(const char   *uplo,
-               const int    *n,
-               const int    *kd,
-               const int    *nrhs,
-               const double *ab,
-               const int    *ldab,
-               double       *b,
-               const int    *ldb,
-               int          *info);
 }
 
 namespace hybrid::continuum

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/continuum/surface_band.h>
+#include <hybrid/scene/lapack_band.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,22 +8,6 @@
 #include <random>
 #include <stdexcept>
 #include <vector>
-
-extern "C"
-{
-  // LAPACK: Cholesky factorisation and solve of a symmetric band matrix.
-  void
-  dpbtrf_(const char *uplo, const int *n, const int *kd, double *ab, const int *ldab, int *info);
-  void dpbtrs_(const char   *uplo,
-               const int    *n,
-               const int    *kd,
-               const int    *nrhs,
-               const double *ab,
-               const int    *ldab,
-               double       *b,
-               const int    *ldb,
-               int          *info);
-}
 
 namespace hybrid::continuum
 {

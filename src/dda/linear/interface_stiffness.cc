@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/linear/interface_stiffness.h>
+#include <hybrid/scene/lapack_band.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-extern "C"
-{
-  // LAPACK: Cholesky factorisation and solve of a symmetric band matrix.
-  void
-  dpbtrf_(const char *uplo, const int *n, const int *kd, double *ab, const int *ldab, int *info);
-  void dpbtrs_(const char   *uplo,
-               const int    *n,
-               const int    *kd,
-               const int    *nrhs,
-               const double *ab,
-               const int    *ldab,
-               double       *b,
-               const int    *ldb,
-               int          *info);
-}
 
 namespace hybrid::dda
 {
