@@ -4,6 +4,7 @@
 #include <hybrid/command_line.h>
 #include <hybrid/directory_lock.h>
 #include <hybrid/error_runs.h>
+#include <hybrid/output/advice.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/version.h>
 #include <hybrid/processes.h>
@@ -27,6 +28,7 @@
 #include <memory>
 #include <new>
 #include <omp.h>
+#include <thread>
 
 extern "C" void
 openblas_set_num_threads(int threads);
@@ -72,10 +74,22 @@ namespace
 
 
   /// The same once its parts are known.
-  bool takes_part(const Simulation &simulation, Processes &processes, output::Log &log)
+  bool takes_part(const Simulation &simulation,
+                  const int         threads,
+                  Processes        &processes,
+                  output::Log      &log)
   {
-    return processes.count() == 1 || processes.is_alone() || !simulation.is_alone() ||
-           compute_alone(processes, log);
+    if (processes.count() == 1 || processes.is_alone())
+      return true;
+    if (simulation.is_alone())
+      return compute_alone(processes, log);
+    if (const std::string warning =
+          output::processes_warning(processes.on_this_machine(),
+                                    threads,
+                                    static_cast<int>(std::thread::hardware_concurrency()));
+        !warning.empty())
+      log.warning(warning);
+    return true;
   }
 
 
@@ -223,7 +237,7 @@ namespace
     if (!may_take_part(scene, processes, voice.log))
       return processes.wait_for_first();
     auto simulation = make_simulation(command.target, scene, processes, voice.log);
-    if (!takes_part(*simulation, processes, voice.log))
+    if (!takes_part(*simulation, scene.threads, processes, voice.log))
       {
         simulation.reset();
         return processes.wait_for_first();
@@ -269,7 +283,7 @@ namespace
     if (!may_take_part(scene, processes, voice.log))
       return processes.wait_for_first();
     auto simulation = make_simulation(command.target, scene, processes, voice.log);
-    if (!takes_part(*simulation, processes, voice.log))
+    if (!takes_part(*simulation, scene.threads, processes, voice.log))
       {
         simulation.reset();
         return processes.wait_for_first();

@@ -59,6 +59,18 @@ namespace hybrid
 
 
 
+  int Processes::on_this_machine() const
+  {
+    int      result = 1;
+    MPI_Comm neighbours;
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &neighbours);
+    MPI_Comm_size(neighbours, &result);
+    MPI_Comm_free(&neighbours);
+    return result;
+  }
+
+
+
   void Processes::on_first(const std::function<void()> &work) const
   {
     int                failed = 0;

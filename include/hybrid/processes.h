@@ -32,6 +32,9 @@ namespace hybrid
       return size;
     }
 
+    /// Those of them that run on this one's machine; all call it.
+    int on_this_machine() const;
+
     /// Let the first one do @p work alone. Where it throws, the others throw FirstProcessFailed.
     void on_first(const std::function<void()> &work) const;
 

@@ -230,6 +230,18 @@ namespace hybrid::output
   }
 
 
+  std::string processes_warning(const int processes, const int threads, const int processors)
+  {
+    if (processors < 1 || processes < 2 || processes * threads <= processors)
+      return "";
+    return std::to_string(processes) + " processes" +
+           (threads > 1 ? " of " + std::to_string(threads) + " threads" : "") +
+           " on a machine of " + std::to_string(processors) +
+           (processors == 1 ? " processor" : " processors") +
+           " are slow: one that waits for another takes a whole processor; start fewer";
+  }
+
+
   std::string pictures_warning(const scene::OutputParameters &output,
                                const scene::TimeParameters   &time)
   {

@@ -60,6 +60,9 @@ namespace hybrid::output
   /// More threads than processors, or "".
   std::string threads_warning(int threads, int processors);
 
+  /// Processes of one machine whose threads are more than its processors, or "".
+  std::string processes_warning(int processes, int threads, int processors);
+
   /// So many files for ParaView that nobody can want them, or "".
   std::string pictures_warning(const scene::OutputParameters &output,
                                const scene::TimeParameters   &time);

@@ -106,6 +106,12 @@ namespace hybrid::output
     EXPECT_NE(threads_warning(1000, 2).find(
                 "Parallel/Threads = 1000 is more than the 2 processors"),
               std::string::npos);
+    EXPECT_EQ(processes_warning(1, 4, 2), ""); // threads_warning() says so
+    EXPECT_EQ(processes_warning(2, 2, 4), "");
+    EXPECT_EQ(processes_warning(8, 2, 0), ""); // unknown
+    EXPECT_NE(processes_warning(4, 1, 2).find("4 processes on a machine of 2 processors"),
+              std::string::npos);
+    EXPECT_NE(processes_warning(2, 2, 2).find("2 processes of 2 threads"), std::string::npos);
     scene::OutputParameters output;
     scene::TimeParameters   time;
     time.end_time           = 12.;
