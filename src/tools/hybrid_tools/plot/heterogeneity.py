@@ -10,6 +10,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from hybrid_run import NotInScene
 from hybrid_tools import style
 
+from . import colour_bar
 from .section_view import Section, draw_rock, margin_of, set_view
 
 
@@ -33,8 +34,7 @@ def draw_histogram(axes, values, shape, label):
 def draw_section(section, axes, collection, label):
     draw_rock(section, axes)
     axes.add_collection(collection)
-    bar = axes.figure.colorbar(collection, cax=axes.inset_axes([1.012, 0.0, 0.014, 1.0]))
-    bar.set_label(label)
+    colour_bar.draw_beside(axes, collection, label)
     set_view(axes, section.low, section.high, margin_of(section))
 
 

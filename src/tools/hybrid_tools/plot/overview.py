@@ -18,8 +18,8 @@ def facts(run):
     lines = ["%s: %g s simulated in %.0f s, %s steps, %s cuts" % (
         "finished" if s.get("finished") else "not finished", s.get("simulated_time_s", 0), s.get("wall_time_s", 0),
         s.get("steps", "?"), s.get("cuts", "?"))]
-    lines.append("%s blocks, %s unknowns of the continuum; joints failed: %s tensile, %s shear (static stage: %s, %s)" % (
-        s.get("blocks", 0), s.get("continuum_unknowns", 0), joints.get("tensile", 0), joints.get("shear", 0),
+    lines.append("%s block%s, %s unknowns of the continuum; joints failed: %s tensile, %s shear (static stage: %s, %s)" % (
+        s.get("blocks", 0), "" if s.get("blocks") == 1 else "s", s.get("continuum_unknowns", 0), joints.get("tensile", 0), joints.get("shear", 0),
         static.get("tensile", 0), static.get("shear", 0)))
     if isinstance(s.get("energy_residual"), float):
         lines[-1] += "; energy residual %.2g %%" % (100 * s["energy_residual"])

@@ -12,6 +12,8 @@ from matplotlib.patches import Patch
 from hybrid_run.geometry import chains
 from hybrid_tools import style
 
+from . import colour_bar
+
 OUTLINE = [effects.withStroke(linewidth=2.6, foreground="#ffffffb0")]
 HALO = [effects.withStroke(linewidth=2.2, foreground="white")]
 
@@ -128,9 +130,7 @@ def draw_blocks(axes, blocks, values, title, scale):
     edge = 0.12 if len(blocks) > 300 or width > 200 else 0.4
     collection = PolyCollection(blocks, array=factor * values, cmap=style.DISPLACEMENT_MAP, norm=norm, edgecolors="#5b4a3a", lw=edge, zorder=3)
     axes.add_collection(collection)
-    bar = axes.figure.colorbar(collection, cax=axes.inset_axes([1.012, 0.0, 0.014, 1.0]))
-    bar.set_label("displacement [%s]" % unit)
-    bar.outline.set_linewidth(0.5)
+    colour_bar.draw_beside(axes, collection, "displacement [%s]" % unit)
     axes.set_title(title)
 
 
