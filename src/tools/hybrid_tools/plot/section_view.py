@@ -205,6 +205,16 @@ def margin_of(section):
     return 0.05 if len(section.blocks) > 20 else 0.4
 
 
+def is_high(section):
+    size = section.high - section.low
+    return size[1] > size[0]
+
+
+def line_end(section):
+    """Within a title: panels of few blocks and of high sections are narrow."""
+    return "\n" if len(section.blocks) <= 20 or is_high(section) else " "
+
+
 def draw_whole(section, axes):
     """The whole model, small: where the sliding mass lies in it."""
     draw_rock(section, axes)
@@ -231,9 +241,8 @@ def draw_main(section, axes):
         axes.set_title("blocks at their initial place (displacements are written at the end of a run)")
     else:
         label = "largest displacement" if section.peak is not None else "displacement at the end"
-        place = "\n" if len(section.blocks) <= 20 else " "
-        place += "(blocks at their initial place)"
-        draw_blocks(axes, section.blocks, values, label + section.reference + place, scale_of(values))
+        title = label + section.reference + line_end(section) + "(blocks at their initial place)"
+        draw_blocks(axes, section.blocks, values, title, scale_of(values))
     set_view(axes, section.low, section.high, margin_of(section))
     make_room_for_names(section, axes)
     draw_water(section, axes)
@@ -244,7 +253,8 @@ def draw_main(section, axes):
 def draw_final(section, axes):
     """Blocks where they lie at the end, drawn to scale."""
     draw_rock(section, axes)
-    draw_blocks(axes, section.final_blocks, section.final, "displacement at the end (blocks where they lie then)", scale_of(section.final))
+    title = "displacement at the end" + line_end(section) + "(blocks where they lie then)"
+    draw_blocks(axes, section.final_blocks, section.final, title, scale_of(section.final))
     points = np.vstack(section.final_blocks)
     inside = (np.abs(points - 0.5 * (section.low + section.high)) < 1.5 * (section.high - section.low)).all(axis=1)
     if inside.mean() > 0.5:  # the few that flew away are not shown
@@ -260,23 +270,42 @@ def scale_of(values):
     return factor, unit, Normalize(0, max(factor * top, 1e-9))
 
 
+def panels_of(section):
+    """Functions that draw, row by row; high sections stand side by side."""
+    size = section.high - section.low
+    is_wide = section.outline is not None and np.ptp(section.outline[:, 0::2]) > 1.4 * size[0]
+    rows = [[draw_whole]] if is_wide or len(section.block_material) else []
+    rows.append([draw_main])
+    if section.final_blocks is not None and section.final is not None and section.final.max() > 0.01 * size.max():
+        if is_high(section):
+            rows[-1].append(draw_final)
+        else:
+            rows.append([draw_final])
+    return rows
+
+
+def height_of(axes, width):
+    """What axes of equal scales need in a column of @p width [in]."""
+    return np.clip(width * np.ptp(axes.get_ylim()) / np.ptp(axes.get_xlim()), 1.2, 5.0)
+
+
 def draw(run, directory):
     section = Section(run)
+    rows = panels_of(section)
     size = section.high - section.low
-    panels = []
-    is_wide = section.outline is not None and np.ptp(section.outline[:, 0::2]) > 1.4 * size[0]
-    if is_wide or len(section.block_material):
-        panels.append((draw_whole, 0.45))
-    panels.append((draw_main, 1.0))
-    if section.final_blocks is not None and section.final is not None and section.final.max() > 0.01 * size.max():
-        panels.append((draw_final, 1.0))
-    aspect = np.clip(1.25 * size[1] / size[0], 0.2, 1.2)
-    heights = [np.clip(10.5 * aspect * weight, 2.0, 5.0) for _, weight in panels]
-    width = 12 if aspect < 0.6 else 8
-    figure, axes = plt.subplots(len(panels), 1, figsize=(width, sum(heights) + 0.5 * len(panels) + 0.4), squeeze=False,
-                                gridspec_kw={"height_ratios": heights}, constrained_layout=True)
-    for axis, (function, _) in zip(axes[:, 0], panels):
-        function(section, axis)
-    axes[-1, 0].set_xlabel("x [m]")
+    width = 12 if 1.25 * size[1] < 0.6 * size[0] else 8
+    figure = plt.figure(figsize=(width, 4 * len(rows)), constrained_layout=True)
+    grid = figure.add_gridspec(len(rows), 1)
+    heights = []
+    for row, functions in enumerate(rows):
+        part = grid[row].subgridspec(1, len(functions))
+        axes = [figure.add_subplot(part[k]) for k in range(len(functions))]
+        for axis, function in zip(axes, functions):
+            function(section, axis)
+        heights.append(max(height_of(axis, 0.8 * width / len(axes)) for axis in axes))
+    for axis in axes:
+        axis.set_xlabel("x [m]")
+    grid.set_height_ratios(heights)
+    figure.set_size_inches(width, sum(heights) + 0.6 * len(rows) + 0.5)
     style.title(figure, "Section: " + run.title())
     style.save(figure, directory, "section")
