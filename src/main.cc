@@ -316,6 +316,10 @@ namespace
 
   int act(const CommandLine &command, Processes &processes, int &argc, char **&argv)
   {
+    const bool computes = command.action == Action::resume || command.action == Action::check ||
+                          command.action == Action::run;
+    if (!computes && !processes.is_first())
+      return 0;
     switch (command.action)
       {
         case Action::help:

@@ -41,6 +41,25 @@ namespace hybrid
 
 
 
+    /// The surroundings of this process, but for what makes it one of those that mpirun started:
+    /// a run that a tool starts is alone.
+    std::vector<char *> environment_of_tools()
+    {
+      std::vector<char *> result;
+      for (char **variable = environ; *variable != nullptr; ++variable)
+        {
+          const std::string text    = *variable;
+          const auto        is_like = [&](const char *start) { return text.rfind(start, 0) == 0; };
+          if (is_like("OMPI_ALLOW_RUN_AS_ROOT") ||
+              !(is_like("OMPI_") || is_like("PMIX_") || is_like("PMI_")))
+            result.push_back(*variable);
+        }
+      result.push_back(nullptr);
+      return result;
+    }
+
+
+
     volatile pid_t tool_process = 0;
 
     extern "C" void end_tool(const int signal)
@@ -57,8 +76,10 @@ namespace hybrid
       for (std::string &word : words)
         arguments.push_back(word.data());
       arguments.push_back(nullptr);
-      pid_t process = 0;
-      if (posix_spawn(&process, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0)
+      pid_t               process     = 0;
+      std::vector<char *> environment = environment_of_tools();
+      if (posix_spawn(
+            &process, arguments[0], nullptr, nullptr, arguments.data(), environment.data()) != 0)
         throw InputError("cannot start '" + words[0] +
                          "', the Python that the program was built with");
       std::signal(SIGINT, SIG_IGN); // Ctrl-C reaches the tool too, which ends in its own way

@@ -210,6 +210,9 @@ def check_equal():
     one, other = series(alone), series(told)
     require(all(one[n].tobytes() == other[n].tobytes() for n in one), "few blocks: the bits of one process")
 
+    again = run(2, [BINARY, "accuracy", str(alone)])
+    require(again.stdout.count("Error of the mesh:") == 1 and ALONE not in again.stdout, "a tool, and what it starts, is one process")
+
 
 def resume(processes, directory, overrides=()):
     words = [BINARY, "--resume", str(directory)]
