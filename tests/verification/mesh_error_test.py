@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The error of its mesh that a run says it has (summary.json, mesh_error), beside the true one, from the same scene with cells and blocks of
-a third of the size.
+"""The error of its mesh that a run says it has (summary.json, mesh_error), beside the true one, from the same scene with smaller cells and
+blocks.
 
 True error as in probable_error_test.py. What the finer mesh has left itself (1/r^1.5 of it with blocks, 1/r^2 without, r times as fine) is added.
 
@@ -22,11 +22,11 @@ import numpy as np
 import probable_error_test as steps
 
 SHORT = ("soft_layer_blocks", "wave_packet")
-# name: how many times as fine the reference is
+# name: how many times as fine the reference is. Meshes of blocks differ by chance, too, so three times is too few for a small error of theirs.
 SCENES = {"wave_packet": 3, "free_field": 3, "constant_q_layer": 3, "opening_plane": 3, "oblique_joints": 2, "step": 2, "canyon": 2, "lamb": 2,
-          "bonded_bar": 3, "bedrock_triangles": 3, "block_decrement": 3, "constant_q_blocks": 3, "time_order": 3, "coupled_column": 3,
-          "soft_layer_blocks": 3, "continuum_into_blocks": 2, "lasting_load": 3, "bonded_mass": 2, "brittle_release": 3, "shakedown": 3,
-          "softening_reset": 3, "badong": 2}
+          "bonded_bar": 6, "bedrock_triangles": 3, "block_decrement": 6, "constant_q_blocks": 6, "time_order": 6, "coupled_column": 6,
+          "soft_layer_blocks": 3, "continuum_into_blocks": 2, "lasting_load": 6, "bonded_mass": 2, "brittle_release": 6, "shakedown": 6,
+          "softening_reset": 6, "badong": 2}
 OTHERS_REFERENCE = 3  # of mesh_scenes.py
 SETTINGS = {"badong": ["Time/End time=4"]}
 SIZES = {"badong": "Resolution/h = 8"}
@@ -93,28 +93,48 @@ def misplaced(page):
     return sorted(rows - set().union(*labels.values())) + sorted(name for name, names in labels.items() if not names & rows)
 
 
+def is_warned_of(directory):
+    """Whether the run says that its mesh does not resolve the motion."""
+    return re.search(r"warning: the (continuum|sliding mass) resolves", (directory / "log.txt").read_text()) is not None
+
+
+def say(found):
+    """{what a run is: its ratios of told over true}"""
+    for what, ratios in found.items():
+        values = np.array(ratios)
+        print("%s: %d ratios, %d too small, %d too large, %.2g to %.2g" % (what, len(values), (values < 1 / steps.FACTOR).sum(),
+              (values > steps.FACTOR).sum(), values.min(), values.max()))
+
+
+def ratios_of(told, true):
+    return np.maximum(told, steps.FLOOR) / np.maximum(true, steps.FLOOR)
+
+
 def write(binary, source, work, page):
-    rows = []
+    rows, found = [], {"the motion is resolved": [], "it is not": []}
     for name in SCENES:
         true, estimated, said, blocks = compare(binary, source, work, name)
         if estimated is None:
             sys.exit("%s: not estimated: %s" % (name, said["reason"]))
         size = min(float(h) for h in re.findall(r"Resolution/\w+ = ([0-9.]+)", meshed(source, name, 1)))
         rows.append(steps.row(label(name, blocks, said["coarser_meshes"]), size, true, estimated))
+        found["it is not" if is_warned_of(work / ("%s-1" % name)) else "the motion is resolved"] += list(ratios_of(estimated, true))
+    say(found)
     steps.put(page, ((rows, "mesh lines"),))
 
 
 def told_over_true(binary, source, work, name, finer):
-    """(true errors, what is told over them, whether an order is seen) in a mesh so many times as fine; the ratios are None where nothing is told."""
+    """(true errors, what is told over them, what the run is) in a mesh so many times as fine; the ratios are None where nothing is told."""
     reference = compute_other(binary, source, work, name, OTHERS_REFERENCE)
     own = compute_other(binary, source, work, name, finer)
     summary = json.loads((own / "summary.json").read_text())
     true, summary = beside(own, reference, OTHERS_REFERENCE / finer, summary["simulated_time_s"] / summary["steps"])
     said = summary["mesh_error"]
     if not said["estimated"]:
-        return true, None, False
+        return true, None, ()
     told = [said["mesh"][q]["part_of_peak"] for q in steps.QUANTITIES]
-    return true, np.maximum(told, steps.FLOOR) / np.maximum(true, steps.FLOOR), said["order_is_seen"]
+    return true, ratios_of(told, true), ("an order is seen" if said["order_is_seen"] else "none is",
+                                         "the motion is not resolved" if is_warned_of(own) else "it is resolved")
 
 
 def bold(ratios):
@@ -124,17 +144,15 @@ def bold(ratios):
 
 
 def write_others(binary, source, work, page):
-    rows, found = [], {True: [], False: []}
+    rows, found = [], {}
     for name in mesh_scenes.SCENES:
         parts = [told_over_true(binary, source, work, name, finer) for finer in (1, 0.5)]
         rows.append("| %s | %s | %s | %s |" % (name, steps.percent(parts[0][0]), *(bold(ratios) for _, ratios, _ in parts)))
-        for _, ratios, is_seen in parts:
-            found[is_seen] += [] if ratios is None else list(ratios)
+        for _, ratios, kinds in parts:
+            for kind in kinds:
+                found.setdefault(kind, []).extend(ratios)
         print(rows[-1], flush=True)
-    for is_seen, ratios in found.items():
-        values = np.array(ratios)
-        print("%s: %d ratios, %d too small, %d too large, %.2g to %.2g" % ("an order is seen" if is_seen else "none is", len(values),
-              (values < 1 / steps.FACTOR).sum(), (values > steps.FACTOR).sum(), values.min(), values.max()))
+    say(found)
     steps.put(page, ((rows, "other meshes"),))
 
 
