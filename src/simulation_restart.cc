@@ -145,6 +145,7 @@ namespace hybrid
     std::vector<restart::SharedVector> vectors;
     if (shares_bedrock())
       {
+        vectors = model.continuum->shared_vectors(state.continuum);
         vectors.push_back(model.continuum->shared_rest());
         run.add_shared_peaks(vectors);
       }
@@ -171,7 +172,14 @@ namespace hybrid
       throw InputError("the mesh or the motion is not that of the run in '" +
                        model.scene.output.directory + "': a file of the scene has changed since");
 
-    archive(state); // how far it has got, before any file is opened; load() reads all
+    {
+      // how far it has got, before any file is opened; load() reads all
+      std::vector<restart::SharedVector> shared;
+      if (shares_bedrock())
+        shared = model.continuum->shared_vectors(state.continuum);
+      const restart::SharedReading reading(archive, shared);
+      archive(state);
+    }
     const scene::TimeParameters &time = model.scene.time;
     if (time.end_time + time.time_step < state.time) // the end is rounded to whole steps
       throw InputError("Time/End time = " + scene::number_text(time.end_time) +

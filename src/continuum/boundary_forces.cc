@@ -72,7 +72,7 @@ namespace hybrid::continuum
 
   BoundaryForces::BoundaryForces(const RockMesh               &rock,
                                  const ElementNodes           &element_nodes,
-                                 const std::vector<Material>  &cell_material,
+                                 const CellMaterials          &cell_material,
                                  const scene::SectionMesh     &section,
                                  const scene::SceneParameters &scene,
                                  scene::GroundMotion           m)
@@ -95,6 +95,7 @@ namespace hybrid::continuum
     set_base(rock, element_nodes, cell_material, base, scene);
     if (scene.continuum.boundary_springs)
       set_springs(rock, element_nodes, scene.continuum);
+    place = std::vector<int>();
   }
 
 
@@ -129,7 +130,7 @@ namespace hybrid::continuum
 
   void BoundaryForces::set_base(const RockMesh               &rock,
                                 const ElementNodes           &element_nodes,
-                                const std::vector<Material>  &cell_material,
+                                const CellMaterials          &cell_material,
                                 const std::vector<RockFace>  &base,
                                 const scene::SceneParameters &scene)
   {
@@ -158,7 +159,7 @@ namespace hybrid::continuum
 
   void BoundaryForces::set_side(const RockMesh               &rock,
                                 const ElementNodes           &element_nodes,
-                                const std::vector<Material>  &cell_material,
+                                const CellMaterials          &cell_material,
                                 std::vector<RockFace>         side,
                                 const scene::SceneParameters &scene)
   {

@@ -105,6 +105,7 @@ namespace hybrid::continuum
     else
       impl->make_system(mesh, scene, motion, communicator);
     impl->add_wave(scene.initial_wave, mesh);
+    impl->facing = impl->find_facing_nodes();
   }
 
 
@@ -114,10 +115,8 @@ namespace hybrid::continuum
   void Continuum::Implementation::take_rock(const scene::SectionMesh     &mesh,
                                             const scene::SceneParameters &scene)
   {
-    const auto region_material = materials_of_regions(mesh, scene);
-    cell_region                = mesh.bedrock_region;
-    for (const int region : mesh.bedrock_region)
-      cell_material.push_back(region_material[region]);
+    cell_region        = mesh.bedrock_region;
+    cell_material      = CellMaterials(materials_of_regions(mesh, scene), cell_region);
     newmark            = scene.time.newmark;
     rayleigh_mass      = scene.continuum.rayleigh_mass;
     rayleigh_stiffness = scene.continuum.rayleigh_stiffness;
@@ -144,13 +143,13 @@ namespace hybrid::continuum
                                              const scene::GroundMotion    &motion,
                                              MPI_Comm                      communicator)
   {
-    const bool         is_explicit = scene.continuum.is_explicit;
-    const ElementSpace space(rock,
-                             mesh,
-                             scene.continuum.degree,
-                             MPI_COMM_SELF,
-                             is_explicit ? MassQuadrature::lobatto : MassQuadrature::gauss);
-    nodes    = std::make_unique<ElementNodes>(space.nodes);
+    const bool   is_explicit = scene.continuum.is_explicit;
+    ElementSpace space(rock,
+                       mesh,
+                       scene.continuum.degree,
+                       MPI_COMM_SELF,
+                       is_explicit ? MassQuadrature::lobatto : MassQuadrature::gauss);
+    nodes    = space.all_nodes;
     boundary = std::make_unique<BoundaryForces>(rock, *nodes, cell_material, mesh, scene, motion);
     add_point_loads(scene.point_loads);
     const RockDamping damping{rayleigh_mass, rayleigh_stiffness, make_maxwell(scene.maxwell)};
@@ -173,7 +172,7 @@ namespace hybrid::continuum
   {
     {
       const ElementSpace space(rock, mesh, scene.continuum.degree, communicator);
-      nodes = std::make_unique<ElementNodes>(space.nodes);
+      nodes = space.all_nodes;
       matrices =
         assemble_elastic(space, rock, cell_material, joint_stiffness, newmark.corrected_step);
     }
@@ -202,7 +201,7 @@ namespace hybrid::continuum
     const auto       &supports = boundary->supports();
     std::vector<char> isolated(n_dofs(), 0);
     system_of_dof.assign(n_dofs(), -1);
-    std::vector<char> on_surface(nodes->positions.size(), 0);
+    std::vector<char> on_surface(nodes->size(), 0);
     for (const int node : surface)
       on_surface[node] = 1;
     const auto append = [&](const int dof) {
@@ -229,8 +228,8 @@ namespace hybrid::continuum
     // A surface that moves at one place brings u'' = u/l^2 with it, l = c sqrt(beta) dt; elements
     // that do not resolve l let it fall less.
     double fastest = 0.;
-    for (const Material &material : cell_material)
-      fastest = std::max(fastest, material.p_wave_speed());
+    for (std::size_t c = 0; c < cell_material.size(); ++c)
+      fastest = std::max(fastest, cell_material[c].p_wave_speed());
     const double dt = scene.time.time_step, beta = newmark.beta;
     const double damped = 1. + newmark.gamma / (beta * dt) * rayleigh_stiffness;
     const double folds =
@@ -305,7 +304,7 @@ namespace hybrid::continuum
   ContinuumState Continuum::initial_state() const
   {
     ContinuumState    state;
-    const std::size_t n = impl->n_dofs() + impl->boundary->n_column_unknowns();
+    const std::size_t n = impl->n_held() + impl->boundary->n_column_unknowns();
     state.displacement.assign(n, 0.);
     state.velocity.assign(n, 0.);
     state.acceleration.assign(n, 0.);
@@ -318,7 +317,7 @@ namespace hybrid::continuum
         state.column_slip = impl->boundary->column_slip_at_rest();
       }
     state.maxwell =
-      impl->waves != nullptr ? impl->maxwell.strains_at_rest() : impl->maxwell.at_rest();
+      impl->waves != nullptr ? impl->maxwell.strains_at_rest(n) : impl->maxwell.at_rest();
     return state;
   }
 

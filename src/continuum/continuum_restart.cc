@@ -2,6 +2,8 @@
 #include <hybrid/continuum/continuum_implementation.h>
 #include <hybrid/restart/archive.h>
 
+#include <cstring>
+
 namespace hybrid::continuum
 {
   using restart::Archive;
@@ -73,21 +75,26 @@ namespace hybrid::continuum
   namespace
   {
     /// Of a vector of the state: unknowns of the rock, which ranks share, and of the columns behind
-    /// them; so many times. It is read whole, by each rank.
-    restart::SharedVector shared_vector(const std::vector<double> &vector,
-                                        const std::size_t          blocks,
-                                        const Ownership           &ownership)
+    /// them; so many times. Each rank has and reads those of the nodes that it holds.
+    restart::SharedVector
+    shared_vector(std::vector<double> &vector, const std::size_t blocks, const Ownership &ownership)
     {
-      const std::size_t     n = 2 * ownership.n_nodes(), all = vector.size() / blocks;
-      restart::SharedVector result{&vector, blocks, n, all - n, {}, {}, {}};
-      result.portion = [&vector, &ownership, all](const std::size_t block) {
-        std::vector<double> mine, portion;
-        ownership.pack(vector.data() + block * all, mine);
-        ownership.to_portion(mine.data(), 2, portion);
+      const std::size_t n = 2 * ownership.n_nodes(), held = 2 * ownership.held().size(),
+                        size = vector.size() / blocks, columns = size - held;
+      restart::SharedVector result{&vector, blocks, n, columns, {}, {}, {}};
+      result.portion = [&vector, &ownership, size](const std::size_t block) {
+        std::vector<double> portion;
+        ownership.to_portion(vector.data() + block * size, 2, portion); // its own stand first
         return portion;
       };
-      result.rest = [&vector, n, all](const std::size_t block) {
-        return vector.data() + block * all + n;
+      result.rest = [&vector, held, size](const std::size_t block) {
+        return vector.data() + block * size + held;
+      };
+      result.take = [&vector, &ownership, n, held, size, columns](const std::size_t block,
+                                                                  const char       *numbers) {
+        double *const here = vector.data() + block * size;
+        ownership.read_held(numbers, here);
+        std::memcpy(here + held, numbers + n * sizeof(double), columns * sizeof(double));
       };
       return result;
     }
@@ -95,11 +102,11 @@ namespace hybrid::continuum
 
 
 
-  std::vector<restart::SharedVector> Continuum::shared_vectors(const ContinuumState &state) const
+  std::vector<restart::SharedVector> Continuum::shared_vectors(ContinuumState &state) const
   {
     const Ownership                   &ownership = *impl->ownership();
     std::vector<restart::SharedVector> result;
-    for (const std::vector<double> *vector :
+    for (std::vector<double> *vector :
          {&state.displacement, &state.velocity, &state.acceleration, &state.acceleration_change})
       if (!vector->empty())
         result.push_back(shared_vector(*vector, 1, ownership));

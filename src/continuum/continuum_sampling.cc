@@ -87,12 +87,44 @@ namespace hybrid::continuum
   }
 
 
+  const Vec2 &Continuum::node_position(const int node) const
+  {
+    return impl->nodes->position(node);
+  }
+
+
+  const std::vector<Vec2> &Continuum::corners() const
+  {
+    return impl->rock.nodes;
+  }
+
+
+  void Continuum::Implementation::forget_others(const std::vector<Point> &points)
+  {
+    // An initial wave moves all nodes of a rank, and weight acts on all cells.
+    if (wave == nullptr)
+      nodes->keep_positions(ownership()->portion());
+    if (has_weight)
+      return;
+    const Portion   &drawn = share_of_pictures().cells();
+    std::vector<int> sampled;
+    for (const Point &point : points)
+      sampled.push_back(point.cell);
+    std::sort(sampled.begin(), sampled.end());
+    nodes->keep_cells([&](const std::size_t cell) {
+      return drawn.has(cell) ||
+             std::binary_search(sampled.begin(), sampled.end(), static_cast<int>(cell));
+    });
+  }
+
+
   std::vector<std::array<int, 4>>
   Continuum::Implementation::quadrilaterals(const Portion &portion) const
   {
     const auto                     &space = *nodes;
     const int                       p = space.line.degree(), n = p + 1;
     std::vector<std::array<int, 4>> result;
+    result.reserve(portion.size() * p * p);
     for (std::size_t c = portion.begin; c < portion.end; ++c)
       {
         const auto &cell   = space.cells[c];
@@ -132,14 +164,20 @@ namespace hybrid::continuum
   }
 
 
-  std::vector<Continuum::Facing> Continuum::facing_nodes() const
+  const std::vector<Continuum::Facing> &Continuum::facing_nodes() const
+  {
+    return impl->facing;
+  }
+
+
+  std::vector<Continuum::Facing> Continuum::Implementation::find_facing_nodes() const
   {
     std::vector<Facing>          result;
     std::set<std::array<int, 3>> seen;
-    for (const auto &joint : impl->rock.joints)
+    for (const auto &joint : rock.joints)
       {
-        const auto left = impl->nodes->along(joint.first), right = impl->nodes->along(joint.second);
-        const Vec2 along = impl->rock.nodes[joint.first.b] - impl->rock.nodes[joint.first.a];
+        const auto left = nodes->along(joint.first), right = nodes->along(joint.second);
+        const Vec2 along = rock.nodes[joint.first.b] - rock.nodes[joint.first.a];
         for (std::size_t k = 0; k < left.size(); ++k)
           if (left[k] != right[k] &&
               seen.insert({joint.plane, std::min(left[k], right[k]), std::max(left[k], right[k])})
@@ -199,7 +237,7 @@ namespace hybrid::continuum
     Sample result{Vec2(0., 0.), Vec2(0., 0.), Vec2(0., 0.)};
     for (std::size_t k = 0; k < p.weights.size(); ++k)
       {
-        const int i = 2 * impl->nodes->cells[p.cell][k];
+        const int i = 2 * impl->slot(impl->nodes->cells[p.cell][k]);
         result.displacement +=
           p.weights[k] * Vec2(state.displacement[i], state.displacement[i + 1]);
         result.velocity += p.weights[k] * Vec2(state.velocity[i], state.velocity[i + 1]);
@@ -245,7 +283,7 @@ namespace hybrid::continuum
     const std::vector<double> *stressed = &u;
     if (m.maxwell.is_on())
       {
-        with_branches.resize(m.n_dofs());
+        with_branches.resize(m.n_held());
         m.maxwell.stressed(state.maxwell, state.displacement.data(), 0, with_branches);
         stressed = &share.bring(with_branches, room[2]);
       }
@@ -254,10 +292,15 @@ namespace hybrid::continuum
 
     Picture result;
     result.cells = m.quadrilaterals(share.cells());
+    for (std::vector<Vec2> *of_nodes : {&result.points, &result.displacement, &result.velocity})
+      of_nodes->reserve(share.nodes().size());
+    result.region.reserve(result.cells.size());
+    result.stress.reserve(result.cells.size());
+    result.static_stress.reserve(result.cells.size());
     for (std::size_t node = share.nodes().begin; node < share.nodes().end; ++node)
       {
         const std::size_t i = 2 * share.place(static_cast<int>(node));
-        result.points.push_back(nodes.positions[node]);
+        result.points.push_back(nodes.position(static_cast<int>(node)));
         result.displacement.emplace_back(u[i], u[i + 1]);
         result.velocity.emplace_back(v[i], v[i + 1]);
       }

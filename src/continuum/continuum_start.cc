@@ -136,17 +136,20 @@ namespace hybrid::continuum
   {
     if (impl->wave == nullptr)
       return;
-    std::vector<char> at_blocks(impl->nodes->positions.size(), 0);
+    std::vector<char> at_blocks(impl->nodes->size(), 0);
     for (const int node : impl->surface)
       at_blocks[node] = 1;
     for (std::size_t node = 0; node < at_blocks.size(); ++node)
       {
+        const int slot = impl->slot(static_cast<int>(node));
+        if (slot < 0 || at_blocks[node])
+          continue;
         const WavePacket::Motion motion = impl->wave->at(impl->nodes->positions[node]);
-        for (std::size_t c = 0; c < 2; ++c)
-          if (!at_blocks[node] && impl->boundary->supports()[2 * node + c] == Support::none)
+        for (int c = 0; c < 2; ++c)
+          if (impl->boundary->supports()[2 * node + c] == Support::none)
             {
-              state.displacement[2 * node + c] += motion.displacement[c];
-              state.velocity[2 * node + c] += motion.velocity[c];
+              state.displacement[2 * slot + c] += motion.displacement[c];
+              state.velocity[2 * slot + c] += motion.velocity[c];
             }
       }
     if (impl->waves != nullptr)

@@ -12,10 +12,10 @@ namespace hybrid::continuum
     constexpr int max_static_corrections = 20;
 
     /// Weight of all cells, and what pushes them along +x, on their nodes [N/m].
-    std::vector<double> weight_load(const ElementNodes          &nodes,
-                                    const std::vector<Material> &material,
-                                    const double                 gravity,
-                                    const double                 horizontal)
+    std::vector<double> weight_load(const ElementNodes  &nodes,
+                                    const CellMaterials &material,
+                                    const double         gravity,
+                                    const double         horizontal)
     {
       const LagrangeLine line(nodes.line.degree()); // with exact integrals
       const int          n = line.degree() + 1;
@@ -28,7 +28,7 @@ namespace hybrid::continuum
             flat[i] += line.mass()(i, j);
             sloped[i] += line.mass()(i, j) * line.nodes()[j];
           }
-      std::vector<double> load(2 * nodes.positions.size(), 0.);
+      std::vector<double> load(2 * static_cast<std::size_t>(nodes.size()), 0.);
       for (std::size_t c = 0; c < nodes.cells.size(); ++c)
         {
           const double j00 = nodes.jacobian(c, Vec2(0., 0.)).determinant();

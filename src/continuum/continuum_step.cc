@@ -364,6 +364,8 @@ namespace hybrid::continuum
     std::sort(watched.begin(), watched.end());
     watched.erase(std::unique(watched.begin(), watched.end()), watched.end());
     impl->waves->watch(watched);
+    if (impl->ownership() != nullptr)
+      impl->forget_others(points);
   }
 
 

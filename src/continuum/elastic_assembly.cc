@@ -210,7 +210,7 @@ namespace hybrid::continuum
     }
 
     void assemble(const ElementSpace              &space,
-                  const std::vector<Material>     &material,
+                  const CellMaterials             &material,
                   const std::vector<JointElement> &joints,
                   const double                     corrected_step,
                   Matrices                        &matrices)
@@ -249,11 +249,11 @@ namespace hybrid::continuum
   } // namespace
 
 
-  NodeMatrices assemble_elastic(const ElementSpace          &space,
-                                const RockMesh              &rock,
-                                const std::vector<Material> &material,
-                                const JointStiffness        &joint_stiffness,
-                                const double                 corrected_step)
+  NodeMatrices assemble_elastic(const ElementSpace   &space,
+                                const RockMesh       &rock,
+                                const CellMaterials  &material,
+                                const JointStiffness &joint_stiffness,
+                                const double          corrected_step)
   {
     const MPI_Comm comm   = space.triangulation.get_communicator();
     const auto     joints = joint_elements(space, rock, joint_stiffness);

@@ -42,7 +42,7 @@ namespace hybrid::continuum
 
 
   ElasticProduct::ElasticProduct(const DoFHandler<2>             &dofs,
-                                 const std::vector<Material>     &material,
+                                 const CellMaterials             &material,
                                  const AffineConstraints<double> &supported,
                                  const Quadrature<1>             &points)
   {
@@ -55,7 +55,7 @@ namespace hybrid::continuum
 
 
 
-  void ElasticProduct::take_materials(const std::vector<Material> &material)
+  void ElasticProduct::take_materials(const CellMaterials &material)
   {
     moduli.resize(loop.n_cell_batches());
     for (unsigned int batch = 0; batch < loop.n_cell_batches(); ++batch)

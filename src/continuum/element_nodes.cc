@@ -7,6 +7,23 @@
 
 namespace hybrid::continuum
 {
+  void ElementNodes::keep_positions(const Portion &portion)
+  {
+    const auto first = positions.begin() - first_position;
+    positions        = std::vector<Vec2>(first + static_cast<std::ptrdiff_t>(portion.begin),
+                                  first + static_cast<std::ptrdiff_t>(portion.end));
+    first_position   = static_cast<int>(portion.begin);
+  }
+
+
+  void ElementNodes::keep_cells(const std::function<bool(std::size_t)> &is_kept)
+  {
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      if (!is_kept(c))
+        cells[c] = std::vector<int>(); // {} would keep its memory
+  }
+
+
   std::vector<int> ElementNodes::along(const RockFace &face) const
   {
     const int p = line.degree(), n = p + 1;
@@ -28,20 +45,19 @@ namespace hybrid::continuum
 
   Vec2 ElementNodes::map(const int cell, const Vec2 &local) const
   {
-    const int    p = line.degree(), n = p + 1;
-    const auto  &c = cells[cell];
+    const auto  &c  = corners[cell];
+    const auto  &at = corner_positions;
     const double x = local.x(), y = local.y();
-    return (1. - x) * (1. - y) * positions[c[0]] + x * (1. - y) * positions[c[p]] +
-           (1. - x) * y * positions[c[n * p]] + x * y * positions[c[n * n - 1]];
+    return (1. - x) * (1. - y) * at[c[0]] + x * (1. - y) * at[c[1]] + (1. - x) * y * at[c[2]] +
+           x * y * at[c[3]];
   }
 
 
   Eigen::Matrix2d ElementNodes::jacobian(const int cell, const Vec2 &local) const
   {
-    const int   p = line.degree(), n = p + 1;
-    const auto &c  = cells[cell];
-    const Vec2  p0 = positions[c[0]], p1 = positions[c[p]], p2 = positions[c[n * p]],
-               p3 = positions[c[n * n - 1]];
+    const auto &c  = corners[cell];
+    const Vec2  p0 = corner_positions[c[0]], p1 = corner_positions[c[1]],
+               p2 = corner_positions[c[2]], p3 = corner_positions[c[3]];
     Eigen::Matrix2d j;
     j.col(0) = (1. - local.y()) * (p1 - p0) + local.y() * (p3 - p2);
     j.col(1) = (1. - local.x()) * (p2 - p0) + local.x() * (p3 - p1);

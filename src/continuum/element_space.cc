@@ -45,7 +45,8 @@ namespace hybrid::continuum
     , scalar_fe(degree)
     , fe(scalar_fe, 2)
     , dof_handler(triangulation)
-    , nodes(degree, of_mass)
+    , all_nodes(std::make_shared<ElementNodes>(degree, of_mass))
+    , nodes(*all_nodes)
   {
     std::vector<Point<2>> vertices;
     for (const Vec2 &node : rock.nodes)
@@ -67,6 +68,13 @@ namespace hybrid::continuum
   }
 
 
+  void ElementSpace::forget_unknowns()
+  {
+    dof_handler.clear();
+    canonical = std::vector<int>(); // {} would keep its memory
+  }
+
+
   void ElementSpace::number_nodes(const RockMesh &rock)
   {
     const auto &points = nodes.line.nodes();
@@ -84,8 +92,10 @@ namespace hybrid::continuum
         local_node.push_back(place(p[0]) + n * place(p[1]));
       }
 
+    nodes.positions.reserve(dof_handler.n_dofs() / 2);
     nodes.cells.assign(rock.cells.size(), std::vector<int>(n * n));
     nodes.corners.resize(rock.cells.size());
+    nodes.corner_positions = rock.nodes;
     canonical.assign(dof_handler.n_dofs(), -1);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     std::vector<types::global_dof_index> dof_of_local(2 * n * n);
@@ -104,7 +114,7 @@ namespace hybrid::continuum
           {
             if (canonical[dof_of_local[2 * k]] < 0)
               {
-                const int    node = nodes.size();
+                const int    node = nodes.n_nodes++;
                 const double x = points[k % n], y = points[k / n];
                 Vec2         position(0., 0.);
                 for (int v = 0; v < 4; ++v)

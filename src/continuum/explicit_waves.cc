@@ -30,14 +30,14 @@ namespace hybrid::continuum
 
 
 
-  ExplicitWaves::ExplicitWaves(const RockMesh              &rock_mesh,
-                               const ElementSpace          &space,
-                               const std::vector<Material> &material,
-                               const JointStiffness        &joint_stiffness,
-                               const PointLoads            &loads,
-                               BoundaryForces              &boundary,
-                               const RockDamping           &of_rock,
-                               const MPI_Comm               communicator)
+  ExplicitWaves::ExplicitWaves(const RockMesh       &rock_mesh,
+                               ElementSpace         &space,
+                               const CellMaterials  &material,
+                               const JointStiffness &joint_stiffness,
+                               const PointLoads     &loads,
+                               BoundaryForces       &boundary,
+                               const RockDamping    &of_rock,
+                               const MPI_Comm        communicator)
     : SharedWaves(space, communicator)
     , damping(of_rock)
     , stiffness(rock().dofs(),
@@ -51,6 +51,7 @@ namespace hybrid::continuum
     , v(unknowns().size(), 0.)
     , a(v)
   {
+    hold(edges.nodes());
     if (keeps_rock_work())
       {
         strained = stiffness.make_vector();
@@ -133,24 +134,15 @@ namespace hybrid::continuum
     const bool is_asked = edges.has_moving_base() || keeps_rock_work();
     bool       is_same  = true;
     const auto take     = [&](const double *there, double *here) {
-      if (is_alone())
-        {
-          is_same = is_same && (!is_asked || std::equal(there, there + n_unknowns(), here));
-          std::copy(there, there + n_unknowns(), here);
-          return;
-        }
-      for (const int unknown : unknowns())
-        {
-          is_same = is_same && *here == there[unknown];
-          *here++ = there[unknown];
-        }
+      is_same = is_same && (!is_asked || std::equal(there, there + v.size(), here));
+      std::copy_n(there, v.size(), here);
     };
     take(state.displacement.data(), u.begin());
     take(state.velocity.data(), v.data());
     take(state.acceleration.data(), a.data());
     for (std::size_t l = 0; l < branch.size(); ++l)
       take(state.maxwell.strain.data() + l * state.displacement.size(), branch[l].data());
-    edges.take(state, n_unknowns());
+    edges.take(state, {n_held(), slots()});
     if (!is_asked)
       return false;
     int differs = is_same ? 0 : 1;
@@ -163,18 +155,14 @@ namespace hybrid::continuum
   void ExplicitWaves::store(ContinuumState &state) const
   {
     const auto put = [this](const double *here, double *there) {
-      if (is_alone())
-        std::copy(here, here + n_unknowns(), there);
-      else
-        for (const int unknown : unknowns())
-          there[unknown] = *here++;
+      std::copy_n(here, v.size(), there);
     };
     put(u.begin(), state.displacement.data());
     put(v.data(), state.velocity.data());
     put(a.data(), state.acceleration.data());
     for (std::size_t l = 0; l < branch.size(); ++l)
       put(branch[l].data(), state.maxwell.strain.data() + l * state.displacement.size());
-    edges.put(state, n_unknowns());
+    edges.put(state, {n_held(), slots()});
   }
 
 

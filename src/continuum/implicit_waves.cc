@@ -71,11 +71,13 @@ namespace hybrid::continuum
     for (const int node : boundary.boundary_nodes()) // first, as vectors on the boundary have them
       place_of(node);
     for (const int node : boundary.moving_nodes())
-      place_of(node);
+      moving_places.push_back(place_of(node));
     for (const int node : planes.nodes())
       joint_places.push_back(place_of(node));
     point_loads = model.loads.on_places([this](const int node) { return place_of(node); });
     places      = SharedNodes(list, unknowns(), rock().communicator());
+    hold(list);
+    place = std::vector<int>();
 
     const std::vector<Support> &supports = boundary.supports();
     for (std::size_t k = 0; k < unknowns().size(); ++k)
@@ -423,8 +425,8 @@ namespace hybrid::continuum
         now.a[k] = a1.local_element(k);
     gather(now, edges1);
     for (std::size_t k = 0; k < now.a.size(); ++k)
-      state.acceleration[unknowns()[k]] = now.a[k];
+      state.acceleration[k] = now.a[k];
     for (std::size_t k = 0; k < edges1.a.size(); ++k)
-      state.acceleration[2 * list[k / 2] + static_cast<int>(k % 2)] = edges1.a[k];
+      state.acceleration[2 * slots()[k / 2] + static_cast<int>(k % 2)] = edges1.a[k];
   }
 } // namespace hybrid::continuum

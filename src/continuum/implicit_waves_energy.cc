@@ -67,8 +67,8 @@ namespace hybrid::continuum
       }
     places.gather(work.begin(), shared_y);
     Vec2 result(0., 0.);
-    for (const int node : boundary.moving_nodes())
-      result += Vec2(shared_y[2 * place[node]], shared_y[2 * place[node] + 1]);
+    for (const int p : moving_places)
+      result += Vec2(shared_y[2 * p], shared_y[2 * p + 1]);
     const std::vector<int> &nodes = boundary.boundary_nodes();
     for (std::size_t k = 0; k < nodes.size(); ++k)
       if (boundary.supports()[2 * nodes[k]] == Support::base_motion)
@@ -82,7 +82,7 @@ namespace hybrid::continuum
   {
     if (boundary.moving_nodes().empty())
       return 0.;
-    const int  p = 2 * place[boundary.moving_nodes().front()];
+    const int  p = 2 * moving_places.front();
     const Vec2 moved(edges1.u[p] - edges0.u[p], edges1.u[p + 1] - edges0.u[p + 1]);
     const Vec2 r0 = base_reaction(before, branch, force0),
                r1 = base_reaction(now, next_branch, force1);

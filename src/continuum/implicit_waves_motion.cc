@@ -8,16 +8,14 @@ namespace hybrid::continuum
 {
   void ImplicitWaves::load_motion(const ContinuumState &state)
   {
-    const std::size_t of_rock = n_unknowns(), all = state.displacement.size(),
-                      count = columns.u.size();
-    const auto take         = [&](const double        *there,
+    const std::size_t of_rock = n_held(), all = state.displacement.size(), count = columns.u.size();
+    const auto        take = [&](const double        *there,
                           std::vector<double> &mine,
                           std::vector<double> *of_places,
                           double              *of_columns) {
-      for (std::size_t k = 0; k < mine.size(); ++k)
-        mine[k] = there[unknowns()[k]];
+      std::copy_n(there, mine.size(), mine.data());
       for (std::size_t k = 0; of_places != nullptr && k < of_places->size(); ++k)
-        (*of_places)[k] = there[2 * list[k / 2] + static_cast<int>(k % 2)];
+        (*of_places)[k] = there[2 * slots()[k / 2] + static_cast<int>(k % 2)];
       std::copy_n(there + of_rock, count, of_columns);
     };
     take(state.displacement.data(), before.u, &edges0.u, columns.u.data());
@@ -33,16 +31,14 @@ namespace hybrid::continuum
 
   void ImplicitWaves::store(ContinuumState &state, const double dt)
   {
-    const std::size_t of_rock = n_unknowns(), all = state.displacement.size(),
-                      count = columns.u.size();
-    const auto put          = [&](const std::vector<double> &mine,
+    const std::size_t of_rock = n_held(), all = state.displacement.size(), count = columns.u.size();
+    const auto        put = [&](const std::vector<double> &mine,
                          const std::vector<double> *of_places,
                          const double              *of_columns,
                          double                    *there) {
-      for (std::size_t k = 0; k < mine.size(); ++k)
-        there[unknowns()[k]] = mine[k];
+      std::copy_n(mine.data(), mine.size(), there);
       for (std::size_t k = 0; of_places != nullptr && k < of_places->size(); ++k)
-        there[2 * list[k / 2] + static_cast<int>(k % 2)] = (*of_places)[k];
+        there[2 * slots()[k / 2] + static_cast<int>(k % 2)] = (*of_places)[k];
       std::copy_n(of_columns, count, there + of_rock);
     };
     put(now.u, &edges1.u, next_columns.u.data(), state.displacement.data());

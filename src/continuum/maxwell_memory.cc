@@ -29,7 +29,7 @@ namespace hybrid::continuum
     MaxwellState state;
     if (!is_on())
       return state;
-    state = strains_at_rest();
+    state = strains_at_rest(all);
     state.force.assign(body.n_branches() * n, 0.);
     state.elastic.assign(n, 0.);
     return state;
@@ -37,10 +37,10 @@ namespace hybrid::continuum
 
 
 
-  MaxwellState MaxwellMemory::strains_at_rest() const
+  MaxwellState MaxwellMemory::strains_at_rest(const std::size_t unknowns) const
   {
     MaxwellState state;
-    state.strain.assign(body.n_branches() * all, 0.);
+    state.strain.assign(body.n_branches() * unknowns, 0.);
     return state;
   }
 
@@ -129,11 +129,12 @@ namespace hybrid::continuum
                                const std::size_t    first,
                                std::vector<double> &result) const
   {
+    const std::size_t n_branches = body.n_branches(), of_branch = state.strain.size() / n_branches;
     for (std::size_t k = 0; k < result.size(); ++k)
       {
         result[k] = body.relaxed * u[k];
-        for (std::size_t l = 0; l < body.n_branches(); ++l)
-          result[k] += body.weight[l] * state.strain[l * all + first + k];
+        for (std::size_t l = 0; l < n_branches; ++l)
+          result[k] += body.weight[l] * state.strain[l * of_branch + first + k];
       }
   }
 } // namespace hybrid::continuum

@@ -17,21 +17,16 @@ namespace hybrid::continuum
     alone   = ranks == 1;
     written = portion_of(n, rank, ranks);
     if (alone)
-      return;
+      {
+        in_state = HeldNodes(n);
+        return;
+      }
     for (std::size_t k = 0; k < own.size(); k += 2)
       own_nodes.push_back(own[k] / 2);
+    in_state = HeldNodes(own_nodes);
     std::vector<int> nodes(written.size());
     std::iota(nodes.begin(), nodes.end(), static_cast<int>(written.begin));
     writing = exchange(nodes);
-  }
-
-
-
-  void Ownership::pack(const double *all, std::vector<double> &mine) const
-  {
-    mine.resize(own.size());
-    for (std::size_t k = 0; k < own.size(); ++k)
-      mine[k] = all[own[k]];
   }
 
 
@@ -42,6 +37,19 @@ namespace hybrid::continuum
     for (std::size_t k = 0; k < own.size(); ++k)
       std::memcpy(&mine[k], all + own[k] * sizeof(double), sizeof(double));
     return mine;
+  }
+
+
+
+  void Ownership::read_held(const char *all, double *held) const
+  {
+    for (const int unknown : own)
+      std::memcpy(held++, all + unknown * sizeof(double), sizeof(double));
+    for (const int node : in_state.others())
+      {
+        std::memcpy(held, all + 2 * node * sizeof(double), 2 * sizeof(double));
+        held += 2;
+      }
   }
 
 

@@ -7,7 +7,7 @@
 namespace hybrid::continuum
 {
   PictureShare::PictureShare(const ElementNodes &nodes, const Ownership *ownership)
-    : drawn_nodes{0, nodes.positions.size()}
+    : drawn_nodes{0, static_cast<std::size_t>(nodes.size())}
     , drawn_cells{0, nodes.cells.size()}
     , owned(ownership)
   {
@@ -32,15 +32,10 @@ namespace hybrid::continuum
 
 
 
-  const std::vector<double> &PictureShare::bring(const std::vector<double> &all,
+  const std::vector<double> &PictureShare::bring(const std::vector<double> &held,
                                                  std::vector<double>       &room) const
   {
-    if (owned == nullptr)
-      return all;
-    std::vector<double> own;
-    owned->pack(all.data(), own);
-    bring_own(own, true, room);
-    return room;
+    return bring_own(held, true, room);
   }
 
 

@@ -11,18 +11,20 @@ namespace hybrid::continuum
 {
   using namespace dealii;
 
-  SharedRock::SharedRock(const ElementSpace &space, const MPI_Comm communicator)
+  SharedRock::SharedRock(ElementSpace &space, const MPI_Comm communicator)
     : triangulation(communicator)
     , fe(FE_Q<2>(space.nodes.line.degree()), 2)
     , dof_handler(triangulation)
   {
+    space.forget_unknowns();
+    GridTools::partition_triangulation(Utilities::MPI::n_mpi_processes(communicator),
+                                       space.triangulation);
     {
-      Triangulation<2> whole;
-      whole.copy_triangulation(space.triangulation);
-      GridTools::partition_triangulation(Utilities::MPI::n_mpi_processes(communicator), whole);
-      triangulation.create_triangulation(
-        TriangulationDescription::Utilities::create_description_from_triangulation(whole,
-                                                                                   communicator));
+      const auto description =
+        TriangulationDescription::Utilities::create_description_from_triangulation(
+          static_cast<const Triangulation<2> &>(space.triangulation), communicator);
+      space.triangulation.clear();
+      triangulation.create_triangulation(description);
     }
     dof_handler.distribute_dofs(fe);
     number_unknowns(space);

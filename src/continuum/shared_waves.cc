@@ -3,10 +3,9 @@
 
 namespace hybrid::continuum
 {
-  SharedWaves::SharedWaves(const ElementSpace &space, const MPI_Comm communicator)
-    : all_unknowns(2 * space.nodes.positions.size())
-    , shared(space, communicator)
-    , owned(shared.unknowns(), space.nodes.positions.size(), communicator)
+  SharedWaves::SharedWaves(ElementSpace &space, const MPI_Comm communicator)
+    : shared(space, communicator)
+    , owned(shared.unknowns(), space.nodes.size(), communicator)
   {}
 
 
@@ -39,9 +38,19 @@ namespace hybrid::continuum
 
 
 
+  void SharedWaves::hold(const std::vector<int> &nodes)
+  {
+    owned.hold(nodes);
+    slots_of_held = owned.held().slots(nodes);
+  }
+
+
+
   void SharedWaves::watch(const std::vector<int> &nodes)
   {
     watched = SharedNodes(nodes, unknowns(), shared.communicator());
+    owned.hold(nodes);
+    slots_of_watched = owned.held().slots(nodes);
   }
 
 
@@ -50,11 +59,10 @@ namespace hybrid::continuum
   {
     if (is_alone())
       return;
-    const std::vector<int> &nodes = watched.nodes();
-    const auto              bring = [&](const double *mine, std::vector<double> &all) {
-      watched.gather(mine, whole);
-      for (std::size_t k = 0; k < whole.size(); ++k)
-        all[2 * nodes[k / 2] + k % 2] = whole[k];
+    const auto bring = [&](const double *mine, std::vector<double> &held) {
+      watched.gather(mine, collected);
+      for (std::size_t k = 0; k < collected.size(); ++k)
+        held[2 * slots_of_watched[k / 2] + k % 2] = collected[k];
     };
     const auto [u, v, a] = motion();
     bring(u, state.displacement);

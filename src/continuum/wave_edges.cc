@@ -25,6 +25,7 @@ namespace hybrid::continuum
         place_of(static_cast<int>(i / 2));
     add_joints(rock, nodes, joint_stiffness);
     point_loads = loads.on_places([this](const int node) { return place_of(node); });
+    place       = std::vector<int>();
 
     dashpots = boundary.nodal_dashpots();
     dashpots.resize(list.size(), Eigen::Matrix2d::Zero());
@@ -85,14 +86,16 @@ namespace hybrid::continuum
 
 
 
-  void WaveEdges::take(const ContinuumState &state, const std::size_t n)
+  void WaveEdges::take(const ContinuumState &state, const InState &where)
   {
-    const auto take_from = [&](const std::vector<double> &all,
+    const std::size_t       n         = where.columns;
+    const std::vector<int> &slots     = where.slots;
+    const auto              take_from = [&](const std::vector<double> &held,
                                std::vector<double>       &of_places,
                                std::vector<double>       &of_columns) {
       for (std::size_t k = 0; k < of_places.size(); ++k)
-        of_places[k] = all[2 * list[k / 2] + k % 2];
-      std::copy(all.begin() + static_cast<std::ptrdiff_t>(n), all.end(), of_columns.begin());
+        of_places[k] = held[2 * slots[k / 2] + k % 2];
+      std::copy(held.begin() + static_cast<std::ptrdiff_t>(n), held.end(), of_columns.begin());
     };
     take_from(state.displacement, now.displacement, columns.displacement);
     take_from(state.velocity, now.velocity, columns.velocity);
@@ -108,14 +111,18 @@ namespace hybrid::continuum
 
 
 
-  void WaveEdges::put(ContinuumState &state, const std::size_t n) const
+  void WaveEdges::put(ContinuumState &state, const InState &where) const
   {
-    const auto put_into = [&](const std::vector<double> &of_places,
+    const std::size_t       n        = where.columns;
+    const std::vector<int> &slots    = where.slots;
+    const auto              put_into = [&](const std::vector<double> &of_places,
                               const std::vector<double> &of_columns,
-                              std::vector<double>       &all) {
+                              std::vector<double>       &held) {
       for (std::size_t k = 0; k < of_places.size(); ++k)
-        all[2 * list[k / 2] + k % 2] = of_places[k];
-      std::copy(of_columns.begin(), of_columns.end(), all.begin() + static_cast<std::ptrdiff_t>(n));
+        held[2 * slots[k / 2] + k % 2] = of_places[k];
+      std::copy(of_columns.begin(),
+                of_columns.end(),
+                held.begin() + static_cast<std::ptrdiff_t>(n));
     };
     put_into(now.displacement, columns.displacement, state.displacement);
     put_into(now.velocity, columns.velocity, state.velocity);

@@ -65,7 +65,7 @@ namespace hybrid::output
       if (continuum == nullptr)
         return 0;
       const continuum::Ownership *shared = continuum->ownership();
-      return shared != nullptr ? shared->portion().size() : continuum->node_positions().size();
+      return shared != nullptr ? shared->portion().size() : continuum->n_unknowns() / 2;
     }
   } // namespace
 

@@ -92,7 +92,7 @@ namespace hybrid::output
   {
     if (continuum != nullptr)
       {
-        const std::size_t n = continuum->node_positions().size();
+        const std::size_t n = continuum->n_unknowns() / 2;
         nodes.start(state.continuum.velocity.data(), 2 * n);
         node_slip.assign(n, 0.);
       }

@@ -36,7 +36,7 @@ namespace hybrid::output
           add(blocks->initial.foundation_nodes);
         }
       if (bedrock != nullptr)
-        add(bedrock->node_positions());
+        add(bedrock->corners());
       return low.x() <= high.x() ? (high - low).maxCoeff() : 0.;
     }
   } // namespace

@@ -35,7 +35,7 @@ namespace hybrid::output
 
   void RunRecorder::make_room_for_peaks()
   {
-    const std::size_t nodes = parts.continuum->node_positions().size();
+    const std::size_t nodes = parts.continuum->n_unknowns() / 2;
     PeakFields::declare_nodes(file, nodes, parts.continuum->n_cells());
     file.close_into(restart::temporary_name(parts.scene.output.directory + "/run.h5"));
   }

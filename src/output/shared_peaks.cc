@@ -40,8 +40,12 @@ namespace hybrid::output
     , peaks(corner)
     , facing(bedrock.facing_nodes())
   {
+    const continuum::HeldNodes &held = ownership.held();
     for (const auto &pair : facing)
-      slipping_nodes.insert(slipping_nodes.end(), {pair.left, pair.right});
+      {
+        slipping_nodes.insert(slipping_nodes.end(), {pair.left, pair.right});
+        slots.push_back({held.slot(pair.left), held.slot(pair.right)});
+      }
     std::sort(slipping_nodes.begin(), slipping_nodes.end());
     slipping_nodes.erase(std::unique(slipping_nodes.begin(), slipping_nodes.end()),
                          slipping_nodes.end());
@@ -60,8 +64,7 @@ namespace hybrid::output
 
   void SharedPeaks::start(const continuum::ContinuumState &state)
   {
-    ownership.pack(state.velocity.data(), own_velocity);
-    peaks.start(own_velocity.data(), own_velocity.size());
+    peaks.start(state.velocity.data(), ownership.unknowns().size()); // its own stand first
   }
 
 
@@ -69,12 +72,12 @@ namespace hybrid::output
   void SharedPeaks::add(const continuum::ContinuumState &state, const double dt, const double *base)
   {
     const std::vector<double> &u = state.displacement;
-    ownership.pack(u.data(), own_displacement);
-    ownership.pack(state.velocity.data(), own_velocity);
-    peaks.add(own_displacement.data(), own_velocity.data(), dt, base);
-    for (const auto &[left, right, tangent] : facing) // all processes know their motion
+    peaks.add(u.data(), state.velocity.data(), dt, base);
+    for (std::size_t k = 0; k < facing.size(); ++k) // all processes know their motion
       {
-        const Vec2   jump(u[2 * left] - u[2 * right], u[2 * left + 1] - u[2 * right + 1]);
+        const auto &[left, right, tangent] = facing[k];
+        const int    l = 2 * slots[k][0], r = 2 * slots[k][1];
+        const Vec2   jump(u[l] - u[r], u[l + 1] - u[r + 1]);
         const double now = std::abs(jump.dot(tangent));
         slip_at(left)    = std::max(slip_at(left), now);
         slip_at(right)   = std::max(slip_at(right), now);
@@ -108,7 +111,7 @@ namespace hybrid::output
     std::vector<double> result;
     for (std::size_t n = ownership.portion().begin; n < ownership.portion().end; ++n)
       {
-        const Vec2 &x = continuum.node_positions()[n];
+        const Vec2 &x = continuum.node_position(static_cast<int>(n));
         result.insert(result.end(), {x.x(), x.y()});
       }
     return result;

@@ -88,6 +88,13 @@ namespace
 
 
 
+  std::vector<double> own_of(const std::vector<double> &all, const Ownership &ownership)
+  {
+    return ownership.read(reinterpret_cast<const char *>(all.data()));
+  }
+
+
+
   std::vector<double> part(const std::vector<double> &all, const Portion &nodes, const int width)
   {
     return {all.begin() + nodes.begin * width, all.begin() + nodes.end * width};
@@ -124,9 +131,8 @@ TEST(Ownership, a_portion_has_the_numbers_of_its_owners)
     {
       const Ownership           ownership = dealt_out(n);
       const std::vector<double> all       = roots(2 * n);
-      std::vector<double>       own, portion;
-      ownership.pack(all.data(), own);
-      EXPECT_EQ(own, ownership.read(reinterpret_cast<const char *>(all.data())));
+      const std::vector<double> own       = own_of(all, ownership);
+      std::vector<double>       portion;
       ownership.to_portion(own.data(), 2, portion);
       EXPECT_EQ(portion, part(all, ownership.portion(), 2));
     }
@@ -138,9 +144,8 @@ TEST(NodeExchange, brings_what_is_wanted_in_its_order)
 {
   const Ownership           ownership = dealt_out(50);
   const std::vector<double> all       = roots(100);
-  std::vector<double>       own;
-  ownership.pack(all.data(), own);
-  std::vector<int> wanted;
+  const std::vector<double> own       = own_of(all, ownership);
+  std::vector<int>          wanted;
   for (int k = 0; k < 20 + rank(); ++k)
     wanted.push_back(k * 11 % 50);
   std::vector<double> found(2 * wanted.size());
@@ -350,7 +355,7 @@ TEST(SharedCheckpoint, has_the_bytes_of_one_rank_and_is_read_by_each_for_itself)
     archive.put(std::string("behind"));
   };
   for (int b = 0; b < 2; ++b)
-    ownership.pack(&whole[b * (n + 3)], own[b]);
+    own[b] = ownership.read(reinterpret_cast<const char *>(&whole[b * (n + 3)]));
   restart::SharedVector vector{&whole, 2, n, 3, {}, {}, {}}, none{&nothing, 1, n, 0, {}, {}, {}};
   none.is_empty  = true;
   vector.portion = [&](const std::size_t b) {

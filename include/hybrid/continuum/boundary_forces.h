@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/continuum/boundary_springs.h>
+#include <hybrid/continuum/cell_materials.h>
 #include <hybrid/continuum/element_nodes.h>
 #include <hybrid/continuum/free_field_column.h>
 #include <hybrid/continuum/node_matrices.h>
@@ -38,7 +39,7 @@ namespace hybrid::continuum
   public:
     BoundaryForces(const RockMesh               &rock,
                    const ElementNodes           &nodes,
-                   const std::vector<Material>  &cell_material,
+                   const CellMaterials          &cell_material,
                    const scene::SectionMesh     &section,
                    const scene::SceneParameters &scene,
                    scene::GroundMotion           motion);
@@ -156,13 +157,13 @@ namespace hybrid::continuum
 
     void set_base(const RockMesh &,
                   const ElementNodes &,
-                  const std::vector<Material> &,
+                  const CellMaterials &,
                   const std::vector<RockFace> &,
                   const scene::SceneParameters &);
 
     void set_side(const RockMesh &,
                   const ElementNodes &,
-                  const std::vector<Material> &,
+                  const CellMaterials &,
                   std::vector<RockFace>,
                   const scene::SceneParameters &);
 
@@ -187,7 +188,8 @@ namespace hybrid::continuum
     bool                 compliant = false, moves = false;
     Material             half_space; ///< below the first base cell if none is named
     std::vector<Support> support;
-    std::vector<int>     moving, nodes, place; ///< place: node -> place in nodes
+    std::vector<int>     moving, nodes;
+    std::vector<int>     place;  ///< node -> place in nodes; in the constructor only
     std::vector<double>  across; ///< with springs, per place: x from 0 at the left end to 1 [-]
     std::vector<Face>    faces;
     std::vector<FreeFieldColumn> columns;

@@ -69,8 +69,7 @@ namespace hybrid::continuum
    * Newmark scheme (the discrete integral of the record), so that no step excites high frequencies.
    * In the energy balance
    *   kinetic + strain + boundary_springs = input_work + surface_work - boundary_loss -
-   * damping_loss - integration_loss the free-field columns stand outside: what they send in is
-   * input work.
+   * damping_loss - integration_loss the free-field columns stand outside; they send in input work.
    */
   class Continuum
   {
@@ -85,13 +84,11 @@ namespace hybrid::continuum
     /// State of rest at t = 0.
     ContinuumState initial_state() const;
 
-    /// Put the scene's initial wave into @p state, with the acceleration of its equilibrium; no
-    /// more than its tail may be at the contact surface, which stays at rest. Nothing without a
-    /// wave.
+    /// Put the scene's initial wave, if any, into @p state, with the acceleration of its
+    /// equilibrium; only its tail may be at the contact surface, which stays at rest.
     void start_wave(ContinuumState &state);
 
-    /// Where the initial wave is largest on the boundary at t = 0; sides do not count for a plane
-    /// front.
+    /// Where the initial wave is largest on the boundary at t = 0; on sides only if it is no plane.
     struct WaveReach
     {
       double fraction = 0.; ///< of the amplitude [-]; 0 without a wave
@@ -171,13 +168,16 @@ namespace hybrid::continuum
       Vec2 displacement, velocity, acceleration;
     };
 
-    /// All nodes before the first step [m].
+    /// All nodes before the first step [m]; once ranks that share them have called watch(), those
+    /// that this one draws.
     const std::vector<Vec2> &node_positions() const;
+    const Vec2              &node_position(int node) const;
 
-    /// Linear quadrilaterals between the nodes that fill the cells.
+    /// Corners of the cells [m].
+    const std::vector<Vec2> &corners() const;
+
+    /// Linear quadrilaterals between the nodes, their number, and those that this rank writes.
     std::vector<std::array<int, 4>> cells() const;
-
-    /// Their number, and those that this rank writes.
     std::size_t                     n_cells() const;
     std::vector<std::array<int, 4>> cells_to_write() const;
 
@@ -189,7 +189,7 @@ namespace hybrid::continuum
     };
 
     /// Every such pair of nodes once; of planes that end on each other once for each.
-    std::vector<Facing> facing_nodes() const;
+    const std::vector<Facing> &facing_nodes() const;
 
     /// A material point: nodes of its cell with weights.
     struct Point
@@ -227,8 +227,8 @@ namespace hybrid::continuum
     /// what audit_energy() needs if @p energy. All ranks call it.
     void collect(ContinuumState &state, bool energy) const;
 
-    /// What ranks share of a checkpoint of @p state, which stays, and of serialize_rest().
-    std::vector<restart::SharedVector> shared_vectors(const ContinuumState &state) const;
+    /// What ranks share of a checkpoint of @p state, written or read, and of serialize_rest().
+    std::vector<restart::SharedVector> shared_vectors(ContinuumState &state) const;
     restart::SharedVector              shared_rest() const;
 
     /// Plain arrays for pictures: one linear quadrilateral per sub-cell of each cell. Where ranks

@@ -28,8 +28,8 @@ namespace hybrid::continuum
   {
     RockMesh                           rock;
     std::vector<int>                   cell_region;
-    std::vector<Material>              cell_material;
-    std::unique_ptr<ElementNodes>      nodes;
+    CellMaterials                      cell_material;
+    std::shared_ptr<ElementNodes>      nodes;
     NodeMatrices                       matrices;
     JointStiffness                     joint_stiffness; ///< of bedding planes
     std::unique_ptr<BoundaryForces>    boundary;
@@ -49,7 +49,8 @@ namespace hybrid::continuum
     std::vector<int>  surface; ///< nodes of the contact surface from left to right
     std::vector<double>
       surface_shares; ///< per two of them: what the first bears of a uniform load between them [-]
-    std::vector<int> left_nodes, right_nodes, base_nodes;
+    std::vector<Facing> facing;
+    std::vector<int>    left_nodes, right_nodes, base_nodes;
     std::vector<double>
       static_displacement; ///< of the restrained model [m], empty before solve_static_state(); of
                            ///< this rank's unknowns where ranks share them
@@ -105,7 +106,7 @@ namespace hybrid::continuum
 
     std::size_t n_dofs() const
     {
-      return 2 * nodes->positions.size();
+      return 2 * static_cast<std::size_t>(nodes->size());
     }
 
     /// Null: each rank has all.
@@ -113,6 +114,18 @@ namespace hybrid::continuum
     {
       const bool is_shared = waves != nullptr && !waves->ownership().is_alone();
       return is_shared ? &waves->ownership() : nullptr;
+    }
+
+    /// Of the rock, in a state of this rank.
+    std::size_t n_held() const
+    {
+      return waves != nullptr ? 2 * waves->ownership().held().size() : n_dofs();
+    }
+
+    /// Where a state has a node; -1: it does not.
+    int slot(const int node) const
+    {
+      return waves != nullptr ? waves->ownership().held().slot(node) : node;
     }
 
     // construction (continuum.cc)
@@ -151,6 +164,12 @@ namespace hybrid::continuum
     /// Of the static model, xx, yy, xy [Pa]. @param displacement of the cell's nodes [m]
     std::array<double, 3>
     static_stress(int cell, const Vec2 &local, const std::vector<double> &displacement) const;
+
+    std::vector<Facing> find_facing_nodes() const;
+
+    /// Of nodes and cells that ranks share only what this one draws, or samples at @p points, is
+    /// left, once the rest has been set up with all.
+    void forget_others(const std::vector<Point> &points);
 
     /// All ranks call it.
     const PictureShare &share_of_pictures();

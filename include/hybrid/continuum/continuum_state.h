@@ -33,8 +33,9 @@ namespace hybrid::continuum
     double time      = 0.;            ///< [s]
     double last_step = 0.;            ///< of acceleration_change, or of the parts of explicit
                                       ///< steps [s]; 0: none
-    std::vector<double> displacement; ///< u [m], all unknowns, free-field columns last; increment
-                                      ///< since the static state
+    std::vector<double> displacement; ///< u [m], all unknowns, or where ranks share them those of
+                                      ///< HeldNodes, free-field columns last; increment since the
+                                      ///< static state
     std::vector<double> velocity;     ///< v [m/s]
     std::vector<double> acceleration; ///< a [m/s2]
     std::vector<double> contact_acceleration; ///< part of a that ends with the step, see

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/continuum/cell_materials.h>
 #include <hybrid/continuum/element_space.h>
 #include <hybrid/continuum/joint_stiffness.h>
 #include <hybrid/continuum/node_matrices.h>
-#include <hybrid/scene/material.h>
 
 #include <vector>
 
@@ -19,9 +19,9 @@ namespace hybrid::continuum
    * @param material per cell.
    * @param corrected_step see Newmark; 0: no correction of the inertia.
    */
-  NodeMatrices assemble_elastic(const ElementSpace          &space,
-                                const RockMesh              &rock,
-                                const std::vector<Material> &material,
-                                const JointStiffness        &joints,
-                                double                       corrected_step = 0.);
+  NodeMatrices assemble_elastic(const ElementSpace   &space,
+                                const RockMesh       &rock,
+                                const CellMaterials  &material,
+                                const JointStiffness &joints,
+                                double                corrected_step = 0.);
 } // namespace hybrid::continuum

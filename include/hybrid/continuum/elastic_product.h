@@ -11,7 +11,7 @@
 #include <deal.II/matrix_free/matrix_free.h>
 
 #include <hybrid/continuum/cell_corrections.h>
-#include <hybrid/scene/material.h>
+#include <hybrid/continuum/cell_materials.h>
 
 #include <utility>
 #include <vector>
@@ -32,7 +32,7 @@ namespace hybrid::continuum
     /// @param supported unknowns that do not move: their rows and columns are left out
     /// @param points of the integrals, along an edge; as many as an edge has nodes
     ElasticProduct(const dealii::DoFHandler<2>             &dofs,
-                   const std::vector<Material>             &material,
+                   const CellMaterials                     &material,
                    const dealii::AffineConstraints<double> &supported,
                    const dealii::Quadrature<1>             &points);
 
@@ -81,7 +81,7 @@ namespace hybrid::continuum
     /// Shape and material of a cell: the same numbers for the same matrices.
     CellCorrections::Key key(unsigned int batch, unsigned int lane) const;
 
-    void take_materials(const std::vector<Material> &material);
+    void take_materials(const CellMaterials &material);
     void add_masses(const MatrixFree &, Vector &mass, const Vector &, const Range &) const;
 
     MatrixFree                        loop;

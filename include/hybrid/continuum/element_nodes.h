@@ -2,8 +2,10 @@
 #pragma once
 
 #include <hybrid/continuum/lagrange_line.h>
+#include <hybrid/continuum/portion.h>
 #include <hybrid/continuum/rock_mesh.h>
 
+#include <functional>
 #include <vector>
 
 namespace hybrid::continuum
@@ -20,15 +22,31 @@ namespace hybrid::continuum
     {}
 
     LagrangeLine                  line;      ///< one-dimensional basis
-    std::vector<Vec2>             positions; ///< [m]
+    std::vector<Vec2>             positions; ///< from node first_position on [m]
     std::vector<std::vector<int>> cells; ///< per cell (p+1)^2 nodes, first local direction fastest
     std::vector<std::array<int, 4>>
-      corners; ///< per cell: RockMesh nodes at (0,0), (1,0), (0,1), (1,1)
+                      corners;          ///< per cell: RockMesh nodes at (0,0), (1,0), (0,1), (1,1)
+    std::vector<Vec2> corner_positions; ///< of the RockMesh's nodes [m]
+
+    int n_nodes        = 0;
+    int first_position = 0; ///< until keep_positions(): the first of all
 
     int size() const
     {
-      return static_cast<int>(positions.size());
+      return n_nodes;
     }
+
+    /// [m]. @pre it has been kept
+    const Vec2 &position(const int node) const
+    {
+      return positions[node - first_position];
+    }
+
+    /// Positions of other nodes go.
+    void keep_positions(const Portion &portion);
+
+    /// Nodes of other cells go; their corners stay. @param is_kept whether a cell is
+    void keep_cells(const std::function<bool(std::size_t)> &is_kept);
 
     /// The p+1 nodes along a cell's face, from a to b.
     std::vector<int> along(const RockFace &face) const;

@@ -11,6 +11,8 @@
 #include <hybrid/continuum/element_nodes.h>
 #include <hybrid/continuum/rock_mesh.h>
 
+#include <memory>
+
 namespace hybrid::continuum
 {
   /// Boundary ids of the triangulation; bedding planes and the ground keep 0.
@@ -42,13 +44,17 @@ namespace hybrid::continuum
     const dealii::FE_Q<2>                      scalar_fe;
     const dealii::FESystem<2>                  fe;
     dealii::DoFHandler<2>                      dof_handler;
-    ElementNodes                               nodes;
+    const std::shared_ptr<ElementNodes>        all_nodes; ///< may outlive the space
+    ElementNodes                              &nodes;     ///< the same
 
     /// deal.II's number of an unknown -> ours (2 node + component).
     std::vector<int> canonical;
 
     /// Per shape function of scalar_fe: its place in ElementNodes::cells.
     std::vector<int> local_node;
+
+    /// deal.II's unknowns go, with `canonical`; cells and nodes stay.
+    void forget_unknowns();
 
   private:
     void number_nodes(const RockMesh &rock);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/continuum/cell_materials.h>
 #include <hybrid/continuum/elastic_product.h>
 #include <hybrid/continuum/shared_waves.h>
 #include <hybrid/continuum/wave_edges.h>
@@ -33,15 +34,16 @@ namespace hybrid::continuum
   class ExplicitWaves final : public SharedWaves
   {
   public:
-    /// @param boundary on an edge basis by Lobatto's quadrature; must outlive this object.
-    ExplicitWaves(const RockMesh              &rock,
-                  const ElementSpace          &space,
-                  const std::vector<Material> &material,
-                  const JointStiffness        &joint_stiffness,
-                  const PointLoads            &loads,
-                  BoundaryForces              &boundary,
-                  const RockDamping           &damping,
-                  MPI_Comm                     communicator);
+    /// @param space as of SharedRock @param boundary on an edge basis by Lobatto's quadrature; must
+    /// outlive this object.
+    ExplicitWaves(const RockMesh       &rock,
+                  ElementSpace         &space,
+                  const CellMaterials  &material,
+                  const JointStiffness &joint_stiffness,
+                  const PointLoads     &loads,
+                  BoundaryForces       &boundary,
+                  const RockDamping    &damping,
+                  MPI_Comm              communicator);
 
     int    parts(double dt) const override;
     void   start(ContinuumState &state) override;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/continuum/boundary_forces.h>
+#include <hybrid/continuum/cell_materials.h>
 #include <hybrid/continuum/elastic_joints.h>
 #include <hybrid/continuum/elastic_product.h>
 #include <hybrid/continuum/point_loads.h>
@@ -29,14 +30,14 @@ namespace hybrid::continuum
   public:
     struct Model
     {
-      const RockMesh              &rock;
-      const ElementSpace          &space;
-      const std::vector<Material> &material; ///< per cell
-      const JointStiffness        &joints;   ///< of bedding planes
-      const PointLoads            &loads;
-      BoundaryForces              &boundary; ///< must outlive this object
-      RockDamping                  damping;
-      Newmark                      newmark;
+      const RockMesh       &rock;
+      ElementSpace         &space;    ///< as of SharedRock
+      const CellMaterials  &material; ///< per cell
+      const JointStiffness &joints;   ///< of bedding planes
+      const PointLoads     &loads;
+      BoundaryForces       &boundary; ///< must outlive this object
+      RockDamping           damping;
+      Newmark               newmark;
     };
 
     ImplicitWaves(const Model &model, MPI_Comm communicator);
@@ -156,10 +157,11 @@ namespace hybrid::continuum
     const Newmark     newmark;
     ElasticProduct    cells;
     ElasticJoints     planes;
-    std::vector<int>  list;         ///< nodes with a place; first those of the boundary
-    std::vector<int>  place;        ///< per node of the rock, -1: none
-    std::vector<int>  joint_places; ///< of the planes' nodes
-    PointLoads        point_loads;  ///< on places
+    std::vector<int>  list;          ///< nodes with a place; first those of the boundary
+    std::vector<int>  place;         ///< per node, -1: none; in the constructor only
+    std::vector<int>  joint_places;  ///< of the planes' nodes
+    std::vector<int>  moving_places; ///< of the moving base's
+    PointLoads        point_loads;   ///< on places
     SharedNodes       places;
 
     std::vector<unsigned int>                held;               ///< of this rank, that do not move

@@ -46,8 +46,8 @@ namespace hybrid::continuum
     /// Nothing is strained.
     MaxwellState at_rest() const;
 
-    /// The same for explicit steps, which keep no forces.
-    MaxwellState strains_at_rest() const;
+    /// The same for explicit steps, which keep no forces. @param unknowns of a state
+    MaxwellState strains_at_rest(std::size_t unknowns) const;
 
     /// Of the excess's force, per K u at the end of a step [-].
     double step_modulus(const double dt) const
@@ -76,8 +76,8 @@ namespace hybrid::continuum
     /// Force of the excess on one of the model's unknowns [N/m].
     double excess_force(const MaxwellState &state, std::size_t unknown) const;
 
-    /// u with the excess, for stresses [m], of unknowns from @p first on. @param u of these
-    /// unknowns
+    /// u with the excess, for stresses [m], of a state's unknowns from @p first on. @pre is_on()
+    /// @param u of these unknowns
     void stressed(const MaxwellState  &state,
                   const double        *u,
                   std::size_t          first,

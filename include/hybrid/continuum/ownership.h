@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/continuum/held_nodes.h>
 #include <hybrid/continuum/node_exchange.h>
 #include <hybrid/continuum/portion.h>
 
@@ -50,11 +51,24 @@ namespace hybrid::continuum
       return written;
     }
 
-    /// From a vector of all unknowns those of this rank.
-    void pack(const double *all, std::vector<double> &mine) const;
+    /// Nodes that states of this rank hold.
+    const HeldNodes &held() const
+    {
+      return in_state;
+    }
 
-    /// The same from the bytes of one. @param all 8 bytes per unknown, anywhere in memory
+    /// Further ones that they are to hold.
+    void hold(const std::vector<int> &nodes)
+    {
+      in_state.add(nodes);
+    }
+
+    /// This rank's unknowns from the bytes of a vector of all. @param all 8 bytes per unknown,
+    /// anywhere in memory
     std::vector<double> read(const char *all) const;
+
+    /// The same of all nodes that a state holds. @param held takes x and y of each
+    void read_held(const char *all, double *held) const;
 
     /// @p width numbers per node: of this rank's portion, from those of its nodes; all ranks call
     /// it.
@@ -70,5 +84,6 @@ namespace hybrid::continuum
     bool             alone     = true;
     Portion          written;
     NodeExchange     writing; ///< to the portion; not on a single rank
+    HeldNodes        in_state;
   };
 } // namespace hybrid::continuum

@@ -27,9 +27,9 @@ namespace hybrid::continuum
     }
 
     /// x and y of the nodes that are drawn and of those of the cells, in the order of place(); all
-    /// ranks call it. @param all unknowns; those of this rank count @return on a single rank these,
-    /// else @p room
-    const std::vector<double> &bring(const std::vector<double> &all,
+    /// ranks call it. @param held of a state; this rank's nodes count @return on a single rank
+    /// these, else @p room
+    const std::vector<double> &bring(const std::vector<double> &held,
                                      std::vector<double>       &room) const;
 
     /// The same. @param own this rank's unknowns, on a single rank all @param are_there on any

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/continuum/cell_materials.h>
 #include <hybrid/continuum/joint_stiffness.h>
 #include <hybrid/continuum/rock_mesh.h>
 #include <hybrid/continuum/shared_rock.h>
-#include <hybrid/scene/material.h>
 
 #include <vector>
 
@@ -13,11 +13,11 @@ namespace hybrid::continuum
   /// What the static stage of waves alone is solved on.
   struct RestrainedModel
   {
-    const SharedRock            &shared;
-    const RockMesh              &rock;
-    const ElementNodes          &nodes;
-    const std::vector<Material> &material;  ///< per cell
-    const JointStiffness        &joints;    ///< of bedding planes
-    const std::vector<char>     &supported; ///< per unknown (2 node + component): does not move
+    const SharedRock        &shared;
+    const RockMesh          &rock;
+    const ElementNodes      &nodes;
+    const CellMaterials     &material;  ///< per cell
+    const JointStiffness    &joints;    ///< of bedding planes
+    const std::vector<char> &supported; ///< per unknown (2 node + component): does not move
   };
 } // namespace hybrid::continuum

@@ -18,8 +18,8 @@ namespace hybrid::continuum
   class SharedRock
   {
   public:
-    /// @param space on the whole bedrock; it may go afterwards
-    SharedRock(const ElementSpace &space, MPI_Comm communicator);
+    /// @param space on the whole bedrock; only its nodes are left afterwards
+    SharedRock(ElementSpace &space, MPI_Comm communicator);
 
     MPI_Comm communicator() const
     {

@@ -46,7 +46,8 @@ namespace hybrid::continuum
     /// What RestrainedRock takes besides, as long as it is there [B].
     double static_memory() const;
 
-    /// Nodes whose motion collect_watched() brings to all ranks.
+    /// Nodes whose motion collect_watched() brings to all ranks. States made before do not hold
+    /// them.
     void watch(const std::vector<int> &nodes);
 
     void collect_watched(ContinuumState &state);
@@ -62,7 +63,7 @@ namespace hybrid::continuum
     }
 
   protected:
-    SharedWaves(const ElementSpace &space, MPI_Comm communicator);
+    SharedWaves(ElementSpace &space, MPI_Comm communicator);
 
     /// Displacement, velocity, acceleration of this rank's unknowns after a step.
     virtual std::array<const double *, 3> motion() const = 0;
@@ -78,10 +79,19 @@ namespace hybrid::continuum
       return shared.unknowns();
     }
 
-    /// Of the whole rock.
-    std::size_t n_unknowns() const
+    /// Of the rock, in a state of this rank: its own, then others.
+    std::size_t n_held() const
     {
-      return all_unknowns;
+      return 2 * owned.held().size();
+    }
+
+    /// Nodes that act on the rock, which all ranks know.
+    void hold(const std::vector<int> &nodes);
+
+    /// Where a state has them, in their order.
+    const std::vector<int> &slots() const
+    {
+      return slots_of_held;
     }
 
     /// Sums over the ranks.
@@ -91,10 +101,10 @@ namespace hybrid::continuum
     static const dealii::AffineConstraints<double> &nothing_supported();
 
   private:
-    const std::size_t   all_unknowns;
     SharedRock          shared;
     Ownership           owned;
+    std::vector<int>    slots_of_held, slots_of_watched;
     SharedNodes         watched;
-    std::vector<double> whole; ///< work of collecting
+    std::vector<double> collected; ///< work
   };
 } // namespace hybrid::continuum

@@ -54,11 +54,18 @@ namespace hybrid::continuum
       return now;
     }
 
-    /// From a state whose places and columns are those of its time, after a step in parts of
-    /// ContinuumState::last_step. @param n unknowns of the rock
-    void take(const ContinuumState &state, std::size_t n);
+    /// Where a state has what moves here.
+    struct InState
+    {
+      std::size_t             columns; ///< first unknown of the free-field columns
+      const std::vector<int> &slots;   ///< of the nodes with a place (HeldNodes)
+    };
 
-    void put(ContinuumState &state, std::size_t n) const;
+    /// From a state whose places and columns are those of its time, after a step in parts of
+    /// ContinuumState::last_step.
+    void take(const ContinuumState &state, const InState &where);
+
+    void put(ContinuumState &state, const InState &where) const;
 
     /// First half of a part of a step: velocity at its middle, displacement at its end.
     void move(double dt);
@@ -123,7 +130,7 @@ namespace hybrid::continuum
     BoundaryForces              &boundary;
     const RockDamping            damping;
     std::vector<int>             list;
-    std::vector<int>             place; ///< per node of the rock, -1: none
+    std::vector<int>             place; ///< per node, -1: none; in the constructor only
     std::vector<Joint>           joints;
     PointLoads                   point_loads; ///< on places
     std::vector<Eigen::Matrix2d> dashpots;    ///< per place

@@ -6,6 +6,7 @@
 #include <hybrid/output/peak_motion.h>
 #include <hybrid/restart/shared_checkpoint.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,7 @@ namespace hybrid::output
     std::vector<continuum::Continuum::Facing> facing;         ///< nodes on the two sides of planes
     std::vector<int>                          slipping_nodes; ///< of these, ascending
     std::vector<double>                       slip;           ///< at them, largest magnitudes [m]
-    std::vector<double>                       own_displacement, own_velocity; ///< work
+    std::vector<std::array<int, 2>>           slots;          ///< of facing nodes, in a state
 
     double &slip_at(int node);
 

@@ -115,8 +115,8 @@ namespace
       test::rectangle_mesh(test::equal_spacing(0., 100., n), test::equal_spacing(0., 100., n));
     for (int i = 0; i < n; ++i)
       section.lines["bedding_1"].push_back({n / 2 * (n + 1) + i, n / 2 * (n + 1) + i + 1});
-    const RockMesh     rock = split_bedding_planes(section, {"bedding_1"});
-    const ElementSpace space(rock, section, degree, MPI_COMM_SELF, MassQuadrature::lobatto);
+    const RockMesh rock = split_bedding_planes(section, {"bedding_1"});
+    ElementSpace   space(rock, section, degree, MPI_COMM_SELF, MassQuadrature::lobatto);
     const std::vector<Material> material(rock.cells.size(), test::rock_material());
     const SharedRock            shared(space, MPI_COMM_SELF);
     std::vector<char>           supported;
