@@ -3,6 +3,24 @@
 
 namespace hybrid::output
 {
+  namespace
+  {
+    /// The numbers of @p values, which go.
+    template <typename Value>
+    std::vector<double> flat(std::vector<Value> &values)
+    {
+      std::vector<double> numbers;
+      if (!values.empty())
+        numbers.reserve(values.size() * values.front().size());
+      for (const Value &value : values)
+        numbers.insert(numbers.end(), value.data(), value.data() + value.size());
+      values = std::vector<Value>(); // {} would keep its memory
+      return numbers;
+    }
+  } // namespace
+
+
+
   BedrockPictures::BedrockPictures(const continuum::Continuum &bedrock)
     : continuum(bedrock)
   {}
@@ -24,33 +42,24 @@ namespace hybrid::output
 
   VtuWriter BedrockPictures::draw(const continuum::ContinuumState &state) const
   {
-    const continuum::Continuum::Picture picture = continuum.picture(state);
-    VtuWriter                           writer;
+    continuum::Continuum::Picture picture = continuum.picture(state);
+    VtuWriter                     writer;
+    writer.reserve(picture.points.size(), picture.cells.size(), 4 * picture.cells.size());
     for (std::size_t k = 0; k < picture.points.size(); ++k)
       writer.add_point(picture.points[k] + picture.displacement[k]);
+    picture.points = std::vector<Vec2>();
     for (const auto &cell : picture.cells)
       writer.add_cell(CellShape::quad, cell.data(), 4);
-    const auto pairs = [](const std::vector<Vec2> &values) {
-      std::vector<double> flat;
-      for (const Vec2 &v : values)
-        flat.insert(flat.end(), {v.x(), v.y()});
-      return flat;
-    };
-    const auto triples = [](const std::vector<std::array<double, 3>> &values) {
-      std::vector<double> flat;
-      for (const auto &v : values)
-        flat.insert(flat.end(), v.begin(), v.end());
-      return flat;
-    };
-    writer.add_point_field("displacement [m]", {"x", "y"}, pairs(picture.displacement));
-    writer.add_point_field("velocity [m/s]", {"x", "y"}, pairs(picture.velocity));
+    picture.cells = std::vector<std::array<int, 4>>();
+    writer.add_point_field("displacement [m]", {"x", "y"}, flat(picture.displacement));
+    writer.add_point_field("velocity [m/s]", {"x", "y"}, flat(picture.velocity));
     writer.add_cell_field("stress increment xx, yy, xy [Pa]",
                           {"xx", "yy", "xy"},
-                          triples(picture.stress));
-    if (picture.static_stress.size() == picture.cells.size())
+                          flat(picture.stress));
+    if (picture.static_stress.size() == writer.n_cells())
       writer.add_cell_field("static stress xx, yy, xy [Pa]",
                             {"xx", "yy", "xy"},
-                            triples(picture.static_stress));
+                            flat(picture.static_stress));
     writer.add_cell_field("region",
                           std::vector<double>(picture.region.begin(), picture.region.end()));
     return writer;

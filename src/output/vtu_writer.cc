@@ -83,6 +83,18 @@ namespace hybrid::output
 
 
 
+  void VtuWriter::reserve(const std::size_t of_points,
+                          const std::size_t of_cells,
+                          const std::size_t nodes_of_cells)
+  {
+    points.reserve(3 * of_points);
+    connectivity.reserve(nodes_of_cells);
+    offsets.reserve(of_cells);
+    shapes.reserve(of_cells);
+  }
+
+
+
   int VtuWriter::add_point(const Vec2 &position)
   {
     points.insert(points.end(), {position.x(), position.y(), 0.});

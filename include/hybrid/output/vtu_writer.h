@@ -36,6 +36,9 @@ namespace hybrid::output
   public:
     void clear();
 
+    /// Room for what will be added.
+    void reserve(std::size_t n_points, std::size_t n_cells, std::size_t n_nodes_of_cells);
+
     /// @return the index of the point.
     int add_point(const Vec2 &position);
 
