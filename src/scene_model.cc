@@ -20,6 +20,7 @@
 #include <hybrid/scene_model.h>
 
 #include <algorithm>
+#include <malloc.h>
 
 namespace hybrid
 {
@@ -30,6 +31,27 @@ namespace hybrid
       int size = 1;
       MPI_Comm_size(communicator, &size);
       return size;
+    }
+
+
+
+    bool has_waves_alone(const scene::SceneParameters &scene)
+    {
+      return scene.continuum.is_explicit ||
+             scene.continuum.linear_solver == scene::LinearSolver::conjugate_gradients;
+    }
+
+
+
+    /// Let vectors of 1 MB and more go back to the system at once. SuperLU, which comes with
+    /// deal.II, has glibc keep all memory there ever was as soon as it is loaded: no block is
+    /// mapped, no end of the heap is given back. Steps of waves alone ask for no memory.
+    void return_large_vectors()
+    {
+      constexpr int megabyte = 1 << 20, blocks = 1 << 16;
+      mallopt(M_MMAP_MAX, blocks);
+      mallopt(M_MMAP_THRESHOLD, megabyte);
+      mallopt(M_TRIM_THRESHOLD, megabyte);
     }
 
 
@@ -83,12 +105,16 @@ namespace hybrid
     if (scene.environment.is_staged())
       dda::check_lifts(*blocks);
     check_points();
+    if (has_waves_alone(scene))
+      malloc_trim(0); // what set-up has left
   }
 
 
 
   void SceneModel::make_continuum(output::Log &log, const MPI_Comm communicator)
   {
+    if (has_waves_alone(scene))
+      return_large_vectors();
     continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
     if (scene.continuum.is_explicit ||
         scene.continuum.linear_solver != scene::LinearSolver::automatic ||
