@@ -96,7 +96,7 @@ namespace hybrid
     const auto heartbeat = output::tell_of_preparation(mesh, log);
     scene::check_section_mesh(mesh, scene);
     if (scene.has_continuum())
-      make_continuum(log, scene.has_blocks() ? MPI_COMM_SELF : communicator);
+      make_continuum(log, communicator);
     if (scene.has_blocks())
       {
         make_blocks();
@@ -115,10 +115,13 @@ namespace hybrid
   {
     if (has_waves_alone(scene))
       return_large_vectors();
-    continuum = std::make_unique<continuum::Continuum>(mesh, scene, motion, communicator);
+    const bool iterates = scene.continuum.linear_solver == scene::LinearSolver::conjugate_gradients;
+    continuum           = std::make_unique<continuum::Continuum>(
+      mesh, scene, motion, scene.has_blocks() && !iterates ? MPI_COMM_SELF : communicator);
     if (scene.continuum.is_explicit ||
         scene.continuum.linear_solver != scene::LinearSolver::automatic ||
-        !scene::why_not_waves_alone(scene).empty())
+        scene.continuum.surface_form == scene::SurfaceForm::dense ||
+        !scene::why_not_iterated(scene).empty())
       return;
     const double needed = output::estimate_memory(scene, mesh, nullptr, continuum.get()).total();
     int          fits   = needed <= output::available_memory() ? 1 : 0;
@@ -162,8 +165,8 @@ namespace hybrid
   {
     if (size_of(processes) > 1 && dda::is_worth_sharing(blocks->blocks.size()))
       blocks->processes = std::make_shared<Partners>(processes);
-    else
-      processes = MPI_COMM_SELF;
+    else if (continuum == nullptr || continuum->ownership() == nullptr)
+      processes = MPI_COMM_SELF; // else all compute all blocks, and the bedrock together
   }
 
 

@@ -157,11 +157,40 @@ namespace hybrid::continuum
       waves = std::make_unique<ExplicitWaves>(
         rock, space, cell_material, joint_stiffness, point_loads, *boundary, damping, communicator);
     else
-      waves = std::make_unique<ImplicitWaves>(
-        ImplicitWaves::Model{
-          rock, space, cell_material, joint_stiffness, point_loads, *boundary, damping, newmark},
-        communicator);
+      {
+        take_surface(mesh, scene);
+        auto steps    = std::make_unique<ImplicitWaves>(ImplicitWaves::Model{rock,
+                                                                          space,
+                                                                          cell_material,
+                                                                          joint_stiffness,
+                                                                          point_loads,
+                                                                          *boundary,
+                                                                          damping,
+                                                                          newmark,
+                                                                          surface},
+                                                     communicator);
+        below_blocks  = surface.empty() ? nullptr : steps.get();
+        waves         = std::move(steps);
+        surface_slots = waves->ownership().held().slots(surface);
+        check_band(scene);
+      }
     take_static_model(mesh, scene);
+  }
+
+
+
+  void Continuum::Implementation::take_surface(const scene::SectionMesh     &mesh,
+                                               const scene::SceneParameters &scene)
+  {
+    if (scene.blocks.enabled && (!mesh.blocks.empty() || !scene.mesh.polygons_file.empty()))
+      {
+        Surface under_blocks = surface_of(rock, mesh, *nodes);
+        surface              = std::move(under_blocks.nodes);
+        surface_shares       = std::move(under_blocks.shares);
+      }
+    for (const int node : surface)
+      surface_positions.push_back(nodes->positions[node]);
+    surface_load = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(surface.size()));
   }
 
 
@@ -178,14 +207,8 @@ namespace hybrid::continuum
     }
     boundary = std::make_unique<BoundaryForces>(rock, *nodes, cell_material, mesh, scene, motion);
     take_static_model(mesh, scene);
-    if (scene.blocks.enabled && (!mesh.blocks.empty() || !scene.mesh.polygons_file.empty()))
-      {
-        Surface under_blocks = surface_of(rock, mesh, *nodes);
-        surface              = std::move(under_blocks.nodes);
-        surface_shares       = std::move(under_blocks.shares);
-      }
-    for (const int node : surface)
-      surface_positions.push_back(nodes->positions[node]);
+    take_surface(mesh, scene);
+    surface_slots = surface;
     number_system();
     make_condensation(scene);
     allocate_work();
@@ -246,6 +269,24 @@ namespace hybrid::continuum
   }
 
 
+  void Continuum::Implementation::check_band(const scene::SceneParameters &scene)
+  {
+    if (below_blocks == nullptr)
+      return;
+    const int n     = 2 * static_cast<int>(surface.size()),
+              reach = std::min(n - 1, expected_reach(scene));
+    if (n >= long_surface && narrow_band * reach > n)
+      throw InputError(
+        "Continuum/Linear solver = conjugate gradients: in a step of " +
+        std::to_string(scene.time.time_step) +
+        " s waves go along so much of the surface below the blocks that " + std::to_string(reach) +
+        " of its " + std::to_string(n) +
+        " unknowns feel each other, and there is no band to be found; set a shorter Time/Time step, or Continuum/Linear solver = factor");
+    is_banded   = true;
+    band_memory = 4. * sizeof(double) * (reach + 1.) * n; // of three step sizes, one at work
+  }
+
+
   void Continuum::Implementation::make_condensation(const scene::SceneParameters &scene)
   {
     const int n = 2 * static_cast<int>(surface.size());
@@ -296,7 +337,6 @@ namespace hybrid::continuum
     if (!boundary->springs().empty())
       for (auto *x : {&edge_u0, &edge_u1, &edge_u_ff})
         x->assign(2 * boundary->boundary_nodes().size(), 0.);
-    surface_load   = Eigen::VectorXd::Zero(2 * surface.size());
     surface_motion = surface_load;
   }
 
@@ -398,7 +438,8 @@ namespace hybrid::continuum
   double Continuum::estimated_memory() const
   {
     if (impl->waves != nullptr)
-      return impl->waves->memory() + (impl->has_weight ? impl->waves->static_memory() : 0.);
+      return impl->waves->memory() + impl->band_memory +
+             (impl->has_weight ? impl->waves->static_memory() : 0.);
     double numbers = static_cast<double>(impl->matrices.stiffness.size() +
                                          impl->matrices.inertia_correction.size());
     if (impl->slip != nullptr)

@@ -199,8 +199,8 @@ namespace hybrid::continuum
       for (int c = 0; c < 2; ++c)
         {
           const std::size_t i = 2 * k + c, dof = 2 * surface[k] + c;
-          const double      contact = force.contacts.size() == 0 ? 0. : force.contacts[i];
-          const double      now     = (force.all.size() == 0 ? 0. : force.all[i]) - contact;
+          const double      contact = SurfaceForce::at(force.contacts, i);
+          const double      now     = SurfaceForce::at(force.all, i) - contact;
           const double      old     = (state.surface_force.empty() ? 0. : state.surface_force[i]) -
                              (state.surface_contact.empty() ? 0. : state.surface_contact[i]);
           const double moved = u1[dof] - state.displacement[dof];

@@ -106,8 +106,11 @@ namespace hybrid::continuum
   {
     const Ownership                   &ownership = *impl->ownership();
     std::vector<restart::SharedVector> result;
-    for (std::vector<double> *vector :
-         {&state.displacement, &state.velocity, &state.acceleration, &state.acceleration_change})
+    for (std::vector<double> *vector : {&state.displacement,
+                                        &state.velocity,
+                                        &state.acceleration,
+                                        &state.contact_acceleration,
+                                        &state.acceleration_change})
       if (!vector->empty())
         result.push_back(shared_vector(*vector, 1, ownership));
     if (!state.maxwell.strain.empty())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/continuum/continuum_implementation.h>
+#include <hybrid/continuum/implicit_waves.h>
 #include <hybrid/scene/stopwatch.h>
 
 #include <algorithm>
@@ -323,8 +324,7 @@ namespace hybrid::continuum
   {
     for (std::size_t i = 0; i < c1.size(); ++i)
       state.acceleration[i] += c1[i];
-    const bool tore = force.ended.size() > 0 && force.ended != force.contacts;
-    if (tore)
+    if (force.has_torn())
       accelerate_by(force.ended, c1);
     state.contact_acceleration = c1;
   }
@@ -390,13 +390,19 @@ namespace hybrid::continuum
 
   const SurfaceStiffness &Continuum::surface_stiffness(const double dt)
   {
-    return impl->step_matrix(dt).surface_stiffness;
+    if (impl->below_blocks == nullptr)
+      return impl->step_matrix(dt).surface_stiffness;
+    const Stopwatch watch(impl->factor_time);
+    return impl->below_blocks->surface_stiffness(dt);
   }
 
 
   const Eigen::VectorXd &Continuum::predict(const ContinuumState &state, const double dt)
   {
-    impl->predict(state, dt);
+    if (impl->below_blocks != nullptr)
+      impl->below_blocks->predict(state, dt, impl->surface_load);
+    else
+      impl->predict(state, dt);
     return impl->surface_load;
   }
 
@@ -409,7 +415,7 @@ namespace hybrid::continuum
     displacement.resize(static_cast<Eigen::Index>(n));
     for (std::size_t k = 0; k < n; ++k)
       {
-        const int i = 2 * impl->surface[k / 2] + static_cast<int>(k % 2);
+        const int i = 2 * impl->surface_slots[k / 2] + static_cast<int>(k % 2);
         displacement[k] =
           state.displacement[i] + dt * state.velocity[i] + 0.5 * dt * dt * state.acceleration[i];
       }
@@ -440,6 +446,11 @@ namespace hybrid::continuum
                           const Eigen::VectorXd &surface_displacement,
                           const SurfaceForce    &surface_force)
   {
+    if (impl->below_blocks != nullptr)
+      {
+        impl->below_blocks->correct(state, dt, surface_displacement, surface_force);
+        return;
+      }
     if (impl->slip == nullptr) // solve_slip() has done it
       impl->expand(dt, surface_displacement);
     impl->finish(state, dt, surface_force);

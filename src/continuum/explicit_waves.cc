@@ -51,7 +51,7 @@ namespace hybrid::continuum
     , v(unknowns().size(), 0.)
     , a(v)
   {
-    hold(edges.nodes());
+    slots = hold(edges.nodes());
     if (keeps_rock_work())
       {
         strained = stiffness.make_vector();
@@ -142,7 +142,7 @@ namespace hybrid::continuum
     take(state.acceleration.data(), a.data());
     for (std::size_t l = 0; l < branch.size(); ++l)
       take(state.maxwell.strain.data() + l * state.displacement.size(), branch[l].data());
-    edges.take(state, {n_held(), slots()});
+    edges.take(state, {n_held(), slots});
     if (!is_asked)
       return false;
     int differs = is_same ? 0 : 1;
@@ -162,7 +162,7 @@ namespace hybrid::continuum
     put(a.data(), state.acceleration.data());
     for (std::size_t l = 0; l < branch.size(); ++l)
       put(branch[l].data(), state.maxwell.strain.data() + l * state.displacement.size());
-    edges.put(state, {n_held(), slots()});
+    edges.put(state, {n_held(), slots});
   }
 
 

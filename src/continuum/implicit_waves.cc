@@ -12,12 +12,7 @@ namespace hybrid::continuum
 {
   namespace
   {
-    constexpr int    most_iterations_of_step = 5000;
-    constexpr double step_residual           = 1e-13; ///< over the right-hand side
-
-    /// The same for the inertia alone, which a correction makes small for what the step does not
-    /// resolve.
-    constexpr double start_residual = 1e-15;
+    constexpr int most_iterations_of_step = 5000;
 
 
 
@@ -49,6 +44,7 @@ namespace hybrid::continuum
     if (newmark.corrected_step != 0.)
       cells.correct_inertia(newmark.corrected_step);
     find_places(model);
+    find_surface(model.surface);
     allocate();
   }
 
@@ -76,8 +72,8 @@ namespace hybrid::continuum
       joint_places.push_back(place_of(node));
     point_loads = model.loads.on_places([this](const int node) { return place_of(node); });
     places      = SharedNodes(list, unknowns(), rock().communicator());
-    hold(list);
-    place = std::vector<int>();
+    slots       = hold(list);
+    place       = std::vector<int>();
 
     const std::vector<Support> &supports = boundary.supports();
     for (std::size_t k = 0; k < unknowns().size(); ++k)
@@ -116,6 +112,8 @@ namespace hybrid::continuum
     assign_zero(2 * joint_places.size(), {&of_joints, &joint_force});
     for (Vector *x : {&f, &a1, &work, &work2, &from_work})
       *x = cells.make_vector();
+    if (!surface.supported.empty())
+      step_load = cells.make_vector();
   }
 
 
@@ -152,6 +150,8 @@ namespace hybrid::continuum
         w.places.add(w.shared_y, to.begin());
       }
     w.set_supported(to, Vec2::Zero());
+    if (holds_surface)
+      w.hold_surface(to);
   }
 
 
@@ -225,19 +225,26 @@ namespace hybrid::continuum
                             Vector       &a)
   {
     // What is known of a goes to the right.
-    if (!boundary.moving_nodes().empty())
+    if (!boundary.moving_nodes().empty() || system.holds_surface)
       {
         work = 0.;
         for (const auto &along : moving)
           for (const unsigned int i : along)
             work.local_element(i) = a.local_element(i);
+        for (std::size_t k = 0; system.holds_surface && k < surface.mine.size(); ++k)
+          work.local_element(surface.mine[k]) = a.local_element(surface.mine[k]);
         system.vmult(work2, work);
         load -= work2;
       }
-    set_supported(load, Vec2::Zero());
+    const auto clear_known = [&](Vector &x) {
+      set_supported(x, Vec2::Zero());
+      if (system.holds_surface)
+        hold_surface(x);
+    };
+    clear_known(load);
     const double size = load.l2_norm();
     from_work         = a;
-    set_supported(from_work, Vec2::Zero());
+    clear_known(from_work);
     system.vmult(work2, from_work);
     load -= work2;
     dealii::DiagonalMatrix<Vector> preconditioner(inverse);
@@ -364,34 +371,57 @@ namespace hybrid::continuum
 
 
 
-  bool ImplicitWaves::step(ContinuumState &state, const double dt)
+  void ImplicitWaves::begin(const ContinuumState &state, const double dt)
   {
     load_motion(state);
+    if (!state.contact_acceleration.empty())
+      for (std::size_t k = 0; k < before.a.size(); ++k)
+        before.a[k] -= state.contact_acceleration[k];
     filter = newmark.filter_in(dt, state.last_step);
     step_columns(state, dt);
     predict(dt);
     find_force(now, next_branch, incoming1, edges1, state.time + dt);
-    const System system = step_system(dt);
+    std::copy(before.a.begin(), before.a.end(), a1.begin());
+    set_supported(a1, boundary.base_acceleration(state.time + dt));
+  }
+
+
+
+  const ImplicitWaves::Vector &ImplicitWaves::step_diagonal(const System &system, const double dt)
+  {
     if (diagonal_step != dt)
       {
         diagonal      = inverse_diagonal(system);
         diagonal_step = dt;
       }
-    std::copy(before.a.begin(), before.a.end(), a1.begin());
-    set_supported(a1, boundary.base_acceleration(state.time + dt));
-    if (!solve(system, diagonal, step_residual, f, a1))
+    return diagonal;
+  }
+
+
+
+  bool ImplicitWaves::step(ContinuumState &state, const double dt)
+  {
+    begin(state, dt);
+    const System system = step_system(dt);
+    if (!solve(system, step_diagonal(system, dt), step_residual, f, a1))
       return false;
     finish(dt);
-    add_energy(state, state.time, dt);
-    if (newmark.filter > 0.)
-      {
-        const double kept = (1. - Newmark::memory) * Newmark::remembered_in(dt, state.last_step);
-        for (std::size_t i = 0; i < change.size(); ++i)
-          change[i] = kept * change[i] + Newmark::memory * (now.a[i] - before.a[i]);
-      }
+    add_energy(state, dt, SurfaceForce());
+    keep_change(dt, state.last_step);
     store(state, dt);
     state.time += dt;
     return true;
+  }
+
+
+
+  void ImplicitWaves::keep_change(const double dt, const double last_step)
+  {
+    if (newmark.filter == 0.)
+      return;
+    const double kept = (1. - Newmark::memory) * Newmark::remembered_in(dt, last_step);
+    for (std::size_t i = 0; i < change.size(); ++i)
+      change[i] = kept * change[i] + Newmark::memory * (now.a[i] - before.a[i]);
   }
 
 
@@ -417,7 +447,7 @@ namespace hybrid::continuum
     find_force(before, branch, incoming1, edges0, state.time);
     now = before;
     a1  = 0.;
-    if (!solve(inertia(), inverse_diagonal(inertia()), start_residual, f, a1))
+    if (!solve(inertia(), inverse_diagonal(inertia()), fine_residual, f, a1))
       return;
     const std::vector<Support> &supports = boundary.supports();
     for (std::size_t k = 0; k < now.a.size(); ++k)
@@ -427,6 +457,8 @@ namespace hybrid::continuum
     for (std::size_t k = 0; k < now.a.size(); ++k)
       state.acceleration[k] = now.a[k];
     for (std::size_t k = 0; k < edges1.a.size(); ++k)
-      state.acceleration[2 * slots()[k / 2] + static_cast<int>(k % 2)] = edges1.a[k];
+      state.acceleration[2 * slots[k / 2] + static_cast<int>(k % 2)] = edges1.a[k];
+    surface.nodes.gather(now.a.data(), surface.a);
+    put_surface(surface.a, state.acceleration);
   }
 } // namespace hybrid::continuum

@@ -86,8 +86,43 @@ namespace hybrid::continuum
     const Vec2 moved(edges1.u[p] - edges0.u[p], edges1.u[p + 1] - edges0.u[p + 1]);
     const Vec2 r0 = base_reaction(before, branch, force0),
                r1 = base_reaction(now, next_branch, force1);
-    state.energy.input_work += moved.dot((1. - newmark.gamma) * r0 + newmark.gamma * r1);
+    state.energy.input_work +=
+      moved.dot((1. - newmark.gamma) * r0 + newmark.gamma * r1 + contact_reaction());
     return moved.dot(r1 - r0);
+  }
+
+
+
+  Vec2 ImplicitWaves::contact_reaction()
+  {
+    Vec2 result(0., 0.);
+    if (!contacts_push)
+      return result;
+    multiply({0., 1., 1.}, c1, work);
+    places.gather(work.begin(), shared_y);
+    for (const int node : boundary.moving_nodes())
+      result += Vec2(shared_y[2 * place[node]], shared_y[2 * place[node] + 1]);
+    return result;
+  }
+
+
+
+  double ImplicitWaves::add_surface_energy(ContinuumState &state, const SurfaceForce &force)
+  {
+    const double gamma         = newmark.gamma;
+    double       strain_change = 0.;
+    for (std::size_t k = 0; k < surface.nodes.n_unknowns(); ++k)
+      {
+        const int    unknown = 2 * surface.slots[k / 2] + static_cast<int>(k % 2);
+        const double contact = SurfaceForce::at(force.contacts, k);
+        const double next    = SurfaceForce::at(force.all, k) - contact;
+        const double old     = (state.surface_force.empty() ? 0. : state.surface_force[k]) -
+                           (state.surface_contact.empty() ? 0. : state.surface_contact[k]);
+        const double moved = surface.u[k] - state.displacement[unknown];
+        state.energy.surface_work += moved * ((1. - gamma) * old + gamma * next + contact);
+        strain_change += moved * (next - old);
+      }
+    return strain_change;
   }
 
 
@@ -122,13 +157,14 @@ namespace hybrid::continuum
 
 
 
-  void ImplicitWaves::add_energy(ContinuumState &state, const double time, const double dt)
+  void ImplicitWaves::add_energy(ContinuumState &state, const double dt, const SurfaceForce &force)
   {
-    const double     gamma  = newmark.gamma;
+    const double     gamma = newmark.gamma, time = state.time;
     ContinuumEnergy &energy = state.energy;
     // Du . K Du, from the equilibrium of both ends.
     double strain_change = add_boundary_energy(state);
     strain_change += add_base_energy(state);
+    strain_change += add_surface_energy(state, force);
     if (!point_loads.empty())
       {
         const double of_peak = point_loads.work_of_peak(edges0.u, edges1.u);

@@ -15,7 +15,7 @@ namespace hybrid::continuum
                           double              *of_columns) {
       std::copy_n(there, mine.size(), mine.data());
       for (std::size_t k = 0; of_places != nullptr && k < of_places->size(); ++k)
-        (*of_places)[k] = there[2 * slots()[k / 2] + static_cast<int>(k % 2)];
+        (*of_places)[k] = there[2 * slots[k / 2] + static_cast<int>(k % 2)];
       std::copy_n(there + of_rock, count, of_columns);
     };
     take(state.displacement.data(), before.u, &edges0.u, columns.u.data());
@@ -38,12 +38,15 @@ namespace hybrid::continuum
                          double                    *there) {
       std::copy_n(mine.data(), mine.size(), there);
       for (std::size_t k = 0; of_places != nullptr && k < of_places->size(); ++k)
-        there[2 * slots()[k / 2] + static_cast<int>(k % 2)] = (*of_places)[k];
+        there[2 * slots[k / 2] + static_cast<int>(k % 2)] = (*of_places)[k];
       std::copy_n(of_columns, count, there + of_rock);
     };
     put(now.u, &edges1.u, next_columns.u.data(), state.displacement.data());
     put(now.v, &edges1.v, next_columns.v.data(), state.velocity.data());
     put(now.a, &edges1.a, next_columns.a.data(), state.acceleration.data());
+    put_surface(surface.u, state.displacement);
+    put_surface(surface.v, state.velocity);
+    put_surface(surface.a, state.acceleration);
     if (newmark.filter > 0.)
       {
         put(change, nullptr, next_column_change.data(), state.acceleration_change.data());

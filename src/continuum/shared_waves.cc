@@ -38,19 +38,18 @@ namespace hybrid::continuum
 
 
 
-  void SharedWaves::hold(const std::vector<int> &nodes)
+  std::vector<int> SharedWaves::hold(const std::vector<int> &nodes)
   {
     owned.hold(nodes);
-    slots_of_held = owned.held().slots(nodes);
+    return owned.held().slots(nodes);
   }
 
 
 
   void SharedWaves::watch(const std::vector<int> &nodes)
   {
-    watched = SharedNodes(nodes, unknowns(), shared.communicator());
-    owned.hold(nodes);
-    slots_of_watched = owned.held().slots(nodes);
+    watched          = SharedNodes(nodes, unknowns(), shared.communicator());
+    slots_of_watched = hold(nodes);
   }
 
 

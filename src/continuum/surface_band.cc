@@ -17,7 +17,9 @@ namespace hybrid::continuum
     constexpr double largest_error = 1e-11;
 
     /// How far the entries of a few columns reach: those beyond are round-off together.
-    int reach_of_samples(const SurfaceProduct &product, const Eigen::VectorXd &scale)
+    int reach_of_samples(const SurfaceProduct  &product,
+                         const Eigen::VectorXd &scale,
+                         const double           noise)
     {
       const int        n = static_cast<int>(scale.size()), count = std::min(n, columns_of_product);
       std::vector<int> sample;
@@ -27,11 +29,10 @@ namespace hybrid::continuum
       for (int k = 0; k < count; ++k)
         x(sample[k], k) = 1.;
       const Eigen::MatrixXd y     = product(x);
-      const double          least = std::numeric_limits<double>::epsilon() / n;
       int                   reach = 0;
       for (int k = 0; k < count; ++k)
         for (int i = 0; i < n; ++i)
-          if (std::abs(y(i, k)) > least * std::sqrt(scale[i] * scale[sample[k]]))
+          if (std::abs(y(i, k)) > noise * std::sqrt(scale[i] * scale[sample[k]]))
             reach = std::max(reach, std::abs(i - sample[k]));
       return reach;
     }
@@ -90,10 +91,12 @@ namespace hybrid::continuum
 
 
 
-  Eigen::MatrixXd surface_band(const SurfaceProduct &product, const Eigen::VectorXd &scale)
+  Eigen::MatrixXd
+  surface_band(const SurfaceProduct &product, const Eigen::VectorXd &scale, const double noise)
   {
-    const int n     = static_cast<int>(scale.size());
-    int       reach = reach_of_samples(product, scale);
+    const int n = static_cast<int>(scale.size());
+    int       reach =
+      reach_of_samples(product, scale, std::max(noise, std::numeric_limits<double>::epsilon() / n));
     for (reach += reach / 4 + 2;; reach *= 2)
       {
         reach                = std::min(reach, n - 1);

@@ -6,13 +6,6 @@
 
 namespace hybrid::continuum
 {
-  namespace
-  {
-    /// A supported unknown is this much stiffer than the rock around it.
-    constexpr double support_ratio = 1e6;
-  } // namespace
-
-
   std::vector<double> SystemPattern::values(const std::vector<double> &blocks) const
   {
     std::vector<double> result(source.size());

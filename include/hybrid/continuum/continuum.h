@@ -3,6 +3,7 @@
 
 #include <hybrid/continuum/continuum_state.h>
 #include <hybrid/continuum/ownership.h>
+#include <hybrid/continuum/surface_force.h>
 #include <hybrid/continuum/surface_stiffness.h>
 #include <hybrid/restart/shared_checkpoint.h>
 #include <hybrid/scene/mesh/section_mesh.h>
@@ -20,40 +21,9 @@
 namespace hybrid::continuum
 {
   /**
-   * Forces lambda of the blocks on the surface at the end of a step, less those at rest [N/m].
-   *
-   * Contacts act fully implicitly, on the rock as on the blocks (dda::Springs): with the force C =
-   * M c at the end of the step, u1 = ... + dt^2/2 c, v1 = ... + dt c, and the next step finds
-   * nothing of it.
-   */
-  struct SurfaceForce
-  {
-    SurfaceForce() = default;
-
-    /// Forces that act with Newmark's weights.
-    template <typename Derived>
-    SurfaceForce(const Eigen::MatrixBase<Derived> &newmark)
-      : all(newmark)
-    {}
-
-    SurfaceForce(const Eigen::VectorXd &at_end,
-                 const Eigen::VectorXd &of_contacts,
-                 const Eigen::VectorXd &not_handed_on)
-      : all(at_end)
-      , contacts(of_contacts)
-      , ended(not_handed_on)
-    {}
-
-    Eigen::VectorXd all;
-    Eigen::VectorXd contacts; ///< part of it that acted fully implicitly; empty: none
-    Eigen::VectorXd ended;    ///< part of it that the next step must not find: contacts, and joints
-                              ///< that tore in this step; empty: none
-  };
-
-  /**
-   * The bedrock: linear elastodynamics in plane strain on deal.II finite elements. Without blocks
-   * and slip the scene can ask for explicit integration or for implicit steps without a matrix,
-   * both shared out among MPI ranks (ExplicitWaves, ImplicitWaves). Else
+   * The bedrock: linear elastodynamics in plane strain on deal.II finite elements. Without slip the
+   * scene can ask for implicit steps without a matrix, without blocks also for explicit ones, both
+   * shared out among MPI ranks (ImplicitWaves, ExplicitWaves). Else
    *   M u'' + C u' + K u = f(t) + B^T lambda,
    * integrated by Newmark's family; the unknowns of the surface that blocks
    * can touch are condensed:

@@ -22,6 +22,8 @@
 
 namespace hybrid::continuum
 {
+  class ImplicitWaves;
+
   /// Inside of Continuum. Unknowns: "dof" is 2 node + component; "system" is the numbering of the
   /// factored matrix, without supported unknowns, the surface last.
   struct Continuum::Implementation
@@ -40,13 +42,15 @@ namespace hybrid::continuum
     std::unique_ptr<WavePacket>        wave; ///< at t = 0; null: none
     WaveReach                          wave_reach;
     Newmark                            newmark;
-    std::unique_ptr<SharedWaves>       waves;         ///< null: there is a factored system
-    std::unique_ptr<PictureShare>      picture_share; ///< null before the first picture
-    double                             rayleigh_mass = 0., rayleigh_stiffness = 0.;
-    MaxwellMemory                      maxwell; ///< Maxwell damping
+    std::unique_ptr<SharedWaves>       waves;    ///< null: there is a factored system
+    ImplicitWaves *below_blocks = nullptr;       ///< waves on which blocks stand; null: none do
+    std::unique_ptr<PictureShare> picture_share; ///< null before the first picture
+    double                        rayleigh_mass = 0., rayleigh_stiffness = 0.;
+    MaxwellMemory                 maxwell; ///< Maxwell damping
 
     std::vector<Vec2> surface_positions;
-    std::vector<int>  surface; ///< nodes of the contact surface from left to right
+    std::vector<int>  surface;       ///< nodes of the contact surface from left to right
+    std::vector<int>  surface_slots; ///< where a state has them (HeldNodes)
     std::vector<double>
       surface_shares; ///< per two of them: what the first bears of a uniform load between them [-]
     std::vector<Facing> facing;
@@ -67,7 +71,8 @@ namespace hybrid::continuum
     std::vector<int>              fixed_dofs;                   ///< displacement zero
     SystemPattern                 pattern;
     std::unique_ptr<Condensation> factorisation;
-    bool                          is_banded = false; ///< of S a band is kept
+    bool                          is_banded   = false; ///< of S a band is kept
+    double                        band_memory = 0.;    ///< without a matrix [B]
 
     /// Forces that a moving base of unit displacement in x or y exerts on an unknown of the system.
     struct BaseCoupling
@@ -131,6 +136,7 @@ namespace hybrid::continuum
     // construction (continuum.cc)
     void take_rock(const scene::SectionMesh &mesh, const scene::SceneParameters &scene);
     void take_static_model(const scene::SectionMesh &mesh, const scene::SceneParameters &scene);
+    void take_surface(const scene::SectionMesh &mesh, const scene::SceneParameters &scene);
     /// Steps without a matrix: explicit ones, or conjugate gradients.
     void make_waves(const scene::SectionMesh     &mesh,
                     const scene::SceneParameters &scene,
@@ -144,7 +150,9 @@ namespace hybrid::continuum
     void number_system();
     void make_condensation(const scene::SceneParameters &scene);
     /// Unknowns as far from one of the surface as S reaches in a step, by the speed of waves.
-    int  expected_reach(const scene::SceneParameters &scene) const;
+    int expected_reach(const scene::SceneParameters &scene) const;
+    /// Of steps without a matrix. @throws InputError if there is none.
+    void check_band(const scene::SceneParameters &scene);
     void allocate_work();
     void add_point_loads(const scene::PointLoadParameters &loads);
 

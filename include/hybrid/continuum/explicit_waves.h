@@ -86,6 +86,7 @@ namespace hybrid::continuum
     ElasticProduct      stiffness;
     std::vector<double> mass; ///< of this rank's unknowns [kg/m]
     WaveEdges           edges;
+    std::vector<int>    slots; ///< of the edges' nodes, in a state
     SharedNodes         places;
     double              stable_step = 0.; ///< [s]
 

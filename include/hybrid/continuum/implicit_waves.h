@@ -8,19 +8,29 @@
 #include <hybrid/continuum/point_loads.h>
 #include <hybrid/continuum/rock_damping.h>
 #include <hybrid/continuum/shared_waves.h>
+#include <hybrid/continuum/surface_force.h>
+#include <hybrid/continuum/surface_stiffness.h>
 
+#include <list>
 #include <vector>
 
 namespace hybrid::continuum
 {
   /**
-   * Waves alone by Newmark's implicit steps without a matrix, shared out among the ranks: the
+   * Newmark's implicit steps of the bedrock without a matrix, shared out among the ranks: the
    * motion of the factored system. The unknown is the acceleration at the end of a step,
    *   [M + N + gamma dt C + beta dt^2 K] a1 = f1 - C v_p - K u_p,
    * u_p and v_p what Newmark's pair gives for a1 = 0, N the correction of the inertia
    * (inertia_correction.h), C = alpha_M M + beta_K K + dashpots, K with joints, springs of the
    * boundary and Maxwell branches. Conjugate gradients with the diagonal as preconditioner solve
    * it, to 1e-13 of the right-hand side, from the acceleration of before.
+   *
+   * Below blocks a step solves for the interior I alone, with the surface G held: once with the
+   * surface's acceleration a0 of before, which leaves the residual r on it, once with that which
+   * the blocks have found. With S = (A_GG - A_GI A_II^-1 A_IG) / (beta dt^2), A the matrix above,
+   *   S u_G = g + lambda,   g = r + S (u_p + beta dt^2 a0)_G.
+   * The band of S comes from products with it, each a solution for the interior (surface_band()).
+   * All ranks know the surface alike, to the bit.
    *
    * All integrals are by Gauss quadrature as in assemble_elastic(). Energy is added up as in
    * continuum_energy.cc, by each rank for its unknowns; for boundaries and loads by all alike.
@@ -30,14 +40,15 @@ namespace hybrid::continuum
   public:
     struct Model
     {
-      const RockMesh       &rock;
-      ElementSpace         &space;    ///< as of SharedRock
-      const CellMaterials  &material; ///< per cell
-      const JointStiffness &joints;   ///< of bedding planes
-      const PointLoads     &loads;
-      BoundaryForces       &boundary; ///< must outlive this object
-      RockDamping           damping;
-      Newmark               newmark;
+      const RockMesh         &rock;
+      ElementSpace           &space;    ///< as of SharedRock
+      const CellMaterials    &material; ///< per cell
+      const JointStiffness   &joints;   ///< of bedding planes
+      const PointLoads       &loads;
+      BoundaryForces         &boundary; ///< must outlive this object
+      RockDamping             damping;
+      Newmark                 newmark;
+      const std::vector<int> &surface; ///< nodes below blocks, left to right; empty: none
     };
 
     ImplicitWaves(const Model &model, MPI_Comm communicator);
@@ -52,6 +63,20 @@ namespace hybrid::continuum
     void   take_energy(ContinuumState &state) override;
     double memory() const override;
 
+    /// S of the surface for steps of @p dt [N/m per m], a band; the last three sizes are kept. All
+    /// ranks call this and what follows.
+    const SurfaceStiffness &surface_stiffness(double dt);
+
+    /// Begin a step below blocks. @param load receives g [N/m].
+    /// @throws std::runtime_error if the equations of the interior are not solved
+    void predict(const ContinuumState &state, double dt, Eigen::VectorXd &load);
+
+    /// End the step that predict() has begun; see Continuum::correct().
+    void correct(ContinuumState        &state,
+                 double                 dt,
+                 const Eigen::VectorXd &surface_displacement,
+                 const SurfaceForce    &force);
+
   private:
     using Vector  = ElasticProduct::Vector;
     using Weights = ElasticProduct::Weights;
@@ -63,6 +88,7 @@ namespace hybrid::continuum
       ImplicitWaves &waves;
       Weights        cells;
       double         joints = 0., dashpots = 0., springs = 0.;
+      bool           holds_surface = false; ///< the surface has no rows, too
 
       void vmult(Vector &to, const Vector &from) const;
     };
@@ -80,6 +106,12 @@ namespace hybrid::continuum
 
     using Branches = std::vector<std::vector<double>>; ///< s_l of this rank's unknowns [m]
 
+    static constexpr double step_residual = 1e-13; ///< over the right-hand side
+
+    /// The same for the inertia alone, which a correction makes small for what the step does not
+    /// resolve, and for entries of S.
+    static constexpr double fine_residual = 1e-15;
+
     int  place_of(int node);
     void find_places(const Model &model);
     void allocate();
@@ -94,22 +126,25 @@ namespace hybrid::continuum
 
     Vector inverse_diagonal(const System &system);
 
-    /// Solve system a = load for free unknowns; supported ones are as @p a has them, the others a
-    /// guess. @param residual_left over the right-hand side @return whether it was found.
+    /// Solve system a = load for free unknowns; supported and held ones are as @p a has them, the
+    /// others a guess. @param residual_left over the right-hand side @return whether it was found.
     bool solve(const System &system,
                const Vector &inverse_diagonal,
                double        residual_left,
                Vector       &load,
                Vector       &a);
 
-    void load_motion(const ContinuumState &state);
-    void store(ContinuumState &state, double dt);
-    void predict(double dt);
-    void step_columns(const ContinuumState &state, double dt);
-    void find_incoming(double                     time,
-                       const Motion              &of_columns,
-                       const std::vector<double> &branches,
-                       BoundaryForces::Incoming  &in);
+    void          load_motion(const ContinuumState &state);
+    void          store(ContinuumState &state, double dt);
+    void          begin(const ContinuumState &state, double dt); ///< a step, up to its force f
+    void          predict(double dt);
+    void          keep_change(double dt, double last_step); ///< of the filter
+    const Vector &step_diagonal(const System &system, double dt);
+    void          step_columns(const ContinuumState &state, double dt);
+    void          find_incoming(double                     time,
+                                const Motion              &of_columns,
+                                const std::vector<double> &branches,
+                                BoundaryForces::Incoming  &in);
 
     /// Force less that of the unknown acceleration, on this rank's unknowns [N/m].
     /// @param of, branches motion that strains @param in, at of the places @param time of loads
@@ -143,8 +178,46 @@ namespace hybrid::continuum
                          const Motion                   &at,
                          std::vector<double>            &force) const;
 
+    /// The contact surface, known alike on all ranks (implicit_waves_surface.cc).
+    struct Surface
+    {
+      /// S of one step size.
+      struct Kept
+      {
+        double           dt = 0.;
+        SurfaceStiffness stiffness;
+      };
+
+      SharedNodes               nodes;
+      std::vector<int>          slots;     ///< of the nodes, in a state
+      std::vector<unsigned int> mine;      ///< of this rank's unknowns
+      std::vector<char>         supported; ///< per unknown
+      std::list<Kept>           kept;      ///< most recently used first, at most 3
+      std::vector<double>       u, v, a;   ///< at the end of the step; a as predicted before
+      std::vector<double>       work;
+      Eigen::VectorXd           known; ///< displacement for the acceleration of before
+    };
+
+    void find_surface(const std::vector<int> &surface_nodes);
+    void hold_surface(Vector &a) const; ///< zero
+    void put_surface(const std::vector<double> &values, std::vector<double> &held) const;
+
+    /// For the acceleration of the surface that @p a holds, find that of the interior.
+    /// @throws std::runtime_error if it is not found
+    void solve_interior(double dt, double residual_left, Vector &load, Vector &a);
+
+    Eigen::MatrixXd  surface_product(double dt, const Eigen::MatrixXd &x);
+    SurfaceStiffness find_surface_stiffness(double dt);
+
+    /// M^-1 of forces on the surface, of this rank's unknowns. @return false without forces
+    bool accelerate_by(const Eigen::VectorXd &surface_force, std::vector<double> &acceleration);
+    void take_contacts(const SurfaceForce &force); ///< off the acceleration of now
+    void add_contacts(ContinuumState &state, const SurfaceForce &force);
+
     // energy (implicit_waves_energy.cc)
-    void   add_energy(ContinuumState &state, double time, double dt);
+    void   add_energy(ContinuumState &state, double dt, const SurfaceForce &force);
+    double add_surface_energy(ContinuumState &state, const SurfaceForce &force);
+    Vec2   contact_reaction(); ///< of the moving base
     double add_boundary_energy(ContinuumState &state);
     double add_base_energy(ContinuumState &state);
     Vec2   base_reaction(const Motion              &of,
@@ -158,6 +231,7 @@ namespace hybrid::continuum
     ElasticProduct    cells;
     ElasticJoints     planes;
     std::vector<int>  list;          ///< nodes with a place; first those of the boundary
+    std::vector<int>  slots;         ///< of these, in a state
     std::vector<int>  place;         ///< per node, -1: none; in the constructor only
     std::vector<int>  joint_places;  ///< of the planes' nodes
     std::vector<int>  moving_places; ///< of the moving base's
@@ -168,7 +242,11 @@ namespace hybrid::continuum
     std::array<std::vector<unsigned int>, 2> moving;             ///< with the base, along x and y
     double                                   diagonal_step = 0.; ///< whose diagonal is kept [s]
     Vector                                   diagonal;           ///< of its matrix, inverted
-    Vector                                   f, a1, work, work2, from_work;
+    Vector                                   inertia_diagonal;   ///< inverted; below blocks
+    Vector                                   f, a1, work, work2, from_work, step_load;
+    Surface                                  surface;
+    std::vector<double>                      c1;                    ///< by contacts [m/s2]
+    bool                                     contacts_push = false; ///< in this step
 
     Motion                   before, now, edges0, edges1, columns, next_columns;
     std::vector<double>      column_change, next_column_change; ///< remembered by a filter

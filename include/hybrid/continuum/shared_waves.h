@@ -85,14 +85,9 @@ namespace hybrid::continuum
       return 2 * owned.held().size();
     }
 
-    /// Nodes that act on the rock, which all ranks know.
-    void hold(const std::vector<int> &nodes);
-
-    /// Where a state has them, in their order.
-    const std::vector<int> &slots() const
-    {
-      return slots_of_held;
-    }
+    /// Nodes that act on the rock, which all ranks know. @return where a state has them, in their
+    /// order
+    std::vector<int> hold(const std::vector<int> &nodes);
 
     /// Sums over the ranks.
     void add_up(double *values, int count) const;
@@ -103,7 +98,7 @@ namespace hybrid::continuum
   private:
     SharedRock          shared;
     Ownership           owned;
-    std::vector<int>    slots_of_held, slots_of_watched;
+    std::vector<int>    slots_of_watched;
     SharedNodes         watched;
     std::vector<double> collected; ///< work
   };

@@ -22,9 +22,11 @@ namespace hybrid::continuum
    *
    * @param scale positive, no less than the diagonal of S; entries of less than its round-off are
    * left out
+   * @param noise of entries of the products, over the diagonal, if that is more than a double's
    * @return rows r: S(j + r, j) in column j
    */
-  Eigen::MatrixXd surface_band(const SurfaceProduct &product, const Eigen::VectorXd &scale);
+  Eigen::MatrixXd
+  surface_band(const SurfaceProduct &product, const Eigen::VectorXd &scale, double noise = 0.);
 
   /// Columns that surface_band() asks for in one product, at most.
   constexpr int columns_of_product = 16;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hybrid::continuum
@@ -12,6 +13,24 @@ namespace hybrid::continuum
   {
     Eigen::MatrixXd entries;         ///< all of them, or rows r of a band: S(j + r, j) in column j
     bool            is_band = false; ///< entries beyond are round-off
+
+    /// y += S x.
+    void add_product(const Eigen::VectorXd &x, Eigen::VectorXd &y) const
+    {
+      if (!is_band)
+        {
+          y.noalias() += entries * x;
+          return;
+        }
+      const Eigen::Index n = entries.cols();
+      for (Eigen::Index j = 0; j < n; ++j)
+        {
+          const Eigen::Index below = std::min(entries.rows(), n - j) - 1;
+          y[j] +=
+            entries(0, j) * x[j] + entries.col(j).segment(1, below).dot(x.segment(j + 1, below));
+          y.segment(j + 1, below) += entries.col(j).segment(1, below) * x[j];
+        }
+    }
 
     Eigen::MatrixXd dense() const
     {

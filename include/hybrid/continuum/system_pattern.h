@@ -7,6 +7,9 @@
 
 namespace hybrid::continuum
 {
+  /// Diagonal of a supported unknown of the surface over that of the matrix.
+  constexpr double support_ratio = 1e6;
+
   /**
    * Lower triangle by columns of the matrix that is factored, and where in the
    * 2 x 2 blocks of a node matrix each entry comes from.

@@ -13,15 +13,30 @@ namespace hybrid::scene
 
 
 
+  std::string why_not_iterated(const SceneParameters &scene)
+  {
+    if (!scene.has_continuum())
+      return "the bedrock is not of finite elements (Model/Bedrock)";
+    if (!scene.bedding.names.empty() && scene.bedding.slips)
+      return "bedding planes may slip (Bedding planes/Strength)";
+    return "";
+  }
+
+
+
   void check_linear_solver(const SceneParameters &scene, const ParameterTable &table)
   {
     if (scene.continuum.linear_solver != LinearSolver::conjugate_gradients)
       return;
-    const std::string reason = why_not_waves_alone(scene);
+    const std::string reason = why_not_iterated(scene);
     if (!reason.empty())
       throw table.error("Continuum/Linear solver",
-                        "conjugate gradients is for waves alone, and " + reason +
+                        "conjugate gradients cannot be, as " + reason +
                           "; allowed here: automatic | factor");
+    if (scene.has_blocks() && scene.continuum.surface_form == SurfaceForm::dense)
+      throw table.error("Continuum/Surface stiffness",
+                        "dense is for a factor; allowed with Continuum/Linear solver = conjugate "
+                        "gradients: automatic | banded");
   }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/parameters/linear_solver.h>
 #include <hybrid/scene/parameters/time_integrator.h>
 
 namespace hybrid::scene
@@ -15,13 +16,8 @@ namespace hybrid::scene
 
   std::string why_not_waves_alone(const SceneParameters &scene)
   {
-    if (!scene.has_continuum())
-      return "the bedrock is not of finite elements (Model/Bedrock)";
-    if (scene.has_blocks())
-      return "blocks stand on the bedrock (Model/Blocks)";
-    if (!scene.bedding.names.empty() && scene.bedding.slips)
-      return "bedding planes may slip (Bedding planes/Strength)";
-    return "";
+    const bool blocks = scene.has_continuum() && scene.has_blocks();
+    return blocks ? "blocks stand on the bedrock (Model/Blocks)" : why_not_iterated(scene);
   }
 
 
