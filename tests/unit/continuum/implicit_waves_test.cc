@@ -8,6 +8,8 @@
 #include <hybrid/scene/boundary/rigid_base.h>
 #include <hybrid/scene/boundary/roller_side.h>
 
+#include <Eigen/Cholesky>
+
 #include "rectangle_mesh.h"
 
 #include <algorithm>
@@ -238,5 +240,151 @@ namespace
     EXPECT_EQ(state.acceleration_change, first.acceleration_change);
     EXPECT_EQ(state.maxwell.strain, first.maxwell.strain);
     EXPECT_EQ(state.energy.input_work, first.energy.input_work);
+  }
+
+
+  /// What blocks that are not there do to a surface: forces of joints, of contacts, of what tore.
+  SurfaceForce made_up_force(const Eigen::Index n, const int step)
+  {
+    Eigen::VectorXd all(n), contacts(n), ended(n);
+    for (Eigen::Index k = 0; k < n; ++k)
+      {
+        all[k] = 1e6 * std::sin(0.7 * static_cast<double>(k) + 0.3 * step);
+        contacts[k] =
+          step % 4 == 0 ? 0. : 3e5 * std::cos(1.1 * static_cast<double>(k) - 0.2 * step);
+        ended[k] =
+          contacts[k] + (step % 3 == 0 ? 1e5 * std::sin(0.4 * static_cast<double>(k)) : 0.);
+      }
+    return {all, contacts, ended};
+  }
+
+
+  /// A step with these forces on the surface.
+  void push(Continuum &rock, ContinuumState &state, const double dt, const SurfaceForce &force)
+  {
+    const Eigen::MatrixXd s    = rock.surface_stiffness(dt).dense();
+    const Eigen::VectorXd load = rock.predict(state, dt);
+    const double          beta = Newmark::preset("filtered").beta; // as that of "dissipative"
+    const Eigen::VectorXd u = s.ldlt().solve(load + force.all + (0.5 / beta - 1.) * force.contacts);
+    rock.correct(state, dt, u, force);
+  }
+
+
+  void expect_equal_motion_below_blocks(Scene &scene, const std::string &what)
+  {
+    SCOPED_TRACE(what);
+    scene.parameters.blocks.enabled = true;
+    test::add_block(scene.section);
+    const auto factor    = scene.make(scene::LinearSolver::factor),
+               krylov    = scene.make(scene::LinearSolver::conjugate_gradients);
+    ContinuumState known = factor->initial_state(), found = krylov->initial_state();
+    const auto     n = 2 * static_cast<Eigen::Index>(krylov->surface_nodes().size());
+    Difference     displacement, velocity, acceleration, of_contacts;
+    for (int k = 0; k < 24; ++k)
+      {
+        const double dt = k < 12 ? time_step : time_step / (1 + k % 4); // more sizes than are kept
+        push(*factor, known, dt, made_up_force(n, k));
+        push(*krylov, found, dt, made_up_force(n, k));
+        displacement.add(found.displacement, known.displacement);
+        velocity.add(found.velocity, known.velocity);
+        acceleration.add(found.acceleration, known.acceleration);
+        of_contacts.add(found.contact_acceleration, known.contact_acceleration);
+      }
+    for (const Difference &of : {displacement, velocity, acceleration, of_contacts})
+      {
+        EXPECT_GT(of.peak, 0.);
+        EXPECT_LT(of.difference, 1e-9 * of.peak);
+      }
+    EXPECT_EQ(found.surface_force, known.surface_force);
+    EXPECT_EQ(found.surface_contact, known.surface_contact);
+    krylov->collect(found, true);
+    const ContinuumEnergy one = krylov->audit_energy(found), other = factor->audit_energy(known);
+    expect_equal_energy(one, other);
+    EXPECT_GT(std::abs(other.surface_work), 0.);
+    EXPECT_NEAR(one.surface_work, other.surface_work, 1e-9 * std::abs(other.surface_work));
+  }
+
+
+  TEST(ImplicitWaves, MoveAsTheFactoredSystemBelowBlocksWithEveryBoundary)
+  {
+    using namespace scene;
+    for (const auto &base : {compliant_base(), rigid_base(), fixed_base()})
+      for (const auto &sides : {viscous_side(), free_field_side(), roller_side(), fixed_side()})
+        {
+          Scene scene;
+          scene.set_scheme("filtered");
+          scene.parameters.continuum.base             = base;
+          scene.parameters.continuum.sides            = sides;
+          scene.parameters.continuum.boundary_springs = base.is_compliant;
+          expect_equal_motion_below_blocks(scene, base.name + ' ' + sides.name);
+        }
+  }
+
+
+  TEST(ImplicitWaves, MoveAsTheFactoredSystemBelowBlocksWithDamping)
+  {
+    for (const std::string name : {"filtered", "dissipative"})
+      for (const auto &base : {scene::compliant_base(), scene::rigid_base()})
+        {
+          Scene scene;
+          scene.set_scheme(name);
+          scene.parameters.continuum.base               = base;
+          scene.parameters.continuum.sides              = scene::free_field_side();
+          scene.parameters.continuum.rayleigh_mass      = 0.5;
+          scene.parameters.continuum.rayleigh_stiffness = 1e-4;
+          scene.parameters.maxwell.bedrock_ratio        = 0.05;
+          expect_equal_motion_below_blocks(scene, name + ' ' + base.name);
+        }
+  }
+
+
+  TEST(ImplicitWaves, StiffnessOfTheSurfaceIsThatOfTheFactor)
+  {
+    Scene scene;
+    scene.set_scheme("filtered");
+    scene.parameters.continuum.sides = scene::roller_side(); // supports at the surface's ends
+    scene.parameters.blocks.enabled  = true;
+    test::add_block(scene.section);
+    const auto factor = scene.make(scene::LinearSolver::factor),
+               krylov = scene.make(scene::LinearSolver::conjugate_gradients);
+    for (const double dt : {time_step, 0.25 * time_step})
+      {
+        const Eigen::MatrixXd known = factor->surface_stiffness(dt).dense(),
+                              found = krylov->surface_stiffness(dt).dense();
+        ASSERT_EQ(found.rows(), known.rows());
+        const Eigen::VectorXd scale = known.diagonal().cwiseSqrt().cwiseInverse();
+        EXPECT_LT((scale.asDiagonal() * (found - known) * scale.asDiagonal()).cwiseAbs().maxCoeff(),
+                  1e-12);
+      }
+  }
+
+
+  TEST(ImplicitWaves, GoOnBelowBlocksFromACopyWithTheSameBits)
+  {
+    Scene scene;
+    scene.set_scheme("filtered");
+    scene.parameters.blocks.enabled = true;
+    test::add_block(scene.section);
+    const auto     rock  = scene.make(scene::LinearSolver::conjugate_gradients);
+    ContinuumState state = rock->initial_state();
+    const auto     n     = 2 * static_cast<Eigen::Index>(rock->surface_nodes().size());
+    const auto     go_on = [&](Continuum &with, const int from) {
+      for (int k = from; k < from + 5; ++k)
+        push(with, state, time_step, made_up_force(n, k));
+    };
+    go_on(*rock, 1);
+    const ContinuumState copy = state;
+    push(*rock, state, 0.5 * time_step, made_up_force(n, 3)); // a step that is taken back
+    state = copy;
+    go_on(*rock, 6);
+    const ContinuumState first = state;
+    state                      = copy;
+    rock->collect(state, true); // output changes no state
+    go_on(*scene.make(scene::LinearSolver::conjugate_gradients), 6);
+    EXPECT_EQ(state.displacement, first.displacement);
+    EXPECT_EQ(state.velocity, first.velocity);
+    EXPECT_EQ(state.acceleration, first.acceleration);
+    EXPECT_EQ(state.contact_acceleration, first.contact_acceleration);
+    EXPECT_EQ(state.energy.surface_work, first.energy.surface_work);
   }
 } // namespace
