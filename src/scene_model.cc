@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/continuum/surface_band.h>
 #include <hybrid/coupling/block_foundation.h>
 #include <hybrid/coupling/condensed_foundation.h>
 #include <hybrid/coupling/rigid_foundation.h>
@@ -52,6 +53,30 @@ namespace hybrid
       mallopt(M_MMAP_MAX, blocks);
       mallopt(M_MMAP_THRESHOLD, megabyte);
       mallopt(M_TRIM_THRESHOLD, megabyte);
+    }
+
+
+
+    /// Processes that keep a factor of the bedrock in the memory of this machine: where blocks are
+    /// shared out each has its own.
+    int factors_here(const std::size_t n_blocks, const MPI_Comm communicator)
+    {
+      if (!dda::is_worth_sharing(n_blocks))
+        return 1;
+      MPI_Comm here;
+      MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
+      const int count = size_of(here);
+      MPI_Comm_free(&here);
+      return count;
+    }
+
+
+
+    /// Whether steps without a matrix find the stiffness of the surface below blocks.
+    bool may_have_band(const continuum::Continuum &with_factor)
+    {
+      const continuum::Continuum::Resolution resolution = with_factor.resolution();
+      return resolution.surface_is_banded || resolution.surface_unknowns < continuum::long_surface;
     }
 
 
@@ -120,11 +145,12 @@ namespace hybrid
       mesh, scene, motion, scene.has_blocks() && !iterates ? MPI_COMM_SELF : communicator);
     if (scene.continuum.is_explicit ||
         scene.continuum.linear_solver != scene::LinearSolver::automatic ||
-        scene.continuum.surface_form == scene::SurfaceForm::dense ||
+        scene.continuum.surface_form == scene::SurfaceForm::dense || !may_have_band(*continuum) ||
         !scene::why_not_iterated(scene).empty())
       return;
-    const double needed = output::estimate_memory(scene, mesh, nullptr, continuum.get()).total();
-    int          fits   = needed <= output::available_memory() ? 1 : 0;
+    const double needed  = output::estimate_memory(scene, mesh, nullptr, continuum.get()).total();
+    const int    factors = factors_here(mesh.blocks.size(), communicator);
+    int          fits    = factors * needed <= output::available_memory() ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &fits, 1, MPI_INT, MPI_MIN, communicator); // all do the same
     if (fits == 1)
       return;

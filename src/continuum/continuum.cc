@@ -4,7 +4,9 @@
 #include <hybrid/continuum/elastic_assembly.h>
 #include <hybrid/continuum/explicit_waves.h>
 #include <hybrid/continuum/implicit_waves.h>
+#include <hybrid/continuum/surface_band.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/parameters/parameter_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,9 +56,8 @@ namespace hybrid::continuum
     }
 
     // When of S a band is kept (doc/scaling.md).
-    constexpr int long_surface             = 6000; ///< its unknowns, at least
-    constexpr int narrow_band              = 4;    ///< unknowns of the surface over the band's
-    constexpr int nodes_of_unresolved_wave = 30;   ///< that entries reach over in any step
+    constexpr int narrow_band              = 4;  ///< unknowns of the surface over the band's
+    constexpr int nodes_of_unresolved_wave = 30; ///< that entries reach over in any step
 
     /// Nodes of the contact surface, and what each bears of the load between it and the next.
     struct Surface
@@ -172,7 +173,7 @@ namespace hybrid::continuum
         below_blocks  = surface.empty() ? nullptr : steps.get();
         waves         = std::move(steps);
         surface_slots = waves->ownership().held().slots(surface);
-        check_band(scene);
+        make_band(scene);
       }
     take_static_model(mesh, scene);
   }
@@ -269,21 +270,22 @@ namespace hybrid::continuum
   }
 
 
-  void Continuum::Implementation::check_band(const scene::SceneParameters &scene)
+  void Continuum::Implementation::make_band(const scene::SceneParameters &scene)
   {
     if (below_blocks == nullptr)
       return;
-    const int n     = 2 * static_cast<int>(surface.size()),
-              reach = std::min(n - 1, expected_reach(scene));
+    const int reach = expected_reach(scene), n = 2 * static_cast<int>(surface.size());
     if (n >= long_surface && narrow_band * reach > n)
       throw InputError(
         "Continuum/Linear solver = conjugate gradients: in a step of " +
-        std::to_string(scene.time.time_step) +
-        " s waves go along so much of the surface below the blocks that " + std::to_string(reach) +
-        " of its " + std::to_string(n) +
-        " unknowns feel each other, and there is no band to be found; set a shorter Time/Time step, or Continuum/Linear solver = factor");
-    is_banded   = true;
-    band_memory = 4. * sizeof(double) * (reach + 1.) * n; // of three step sizes, one at work
+        scene::number_text(scene.time.time_step) +
+        " s waves go so far along the surface below the blocks that " +
+        std::to_string(std::min(2 * reach, n)) + " of its " + std::to_string(n) +
+        " unknowns feel each other, and there is no band to be found; set a shorter Time/Time step, or "
+        "Continuum/Linear solver = factor");
+    is_banded = true;
+    // three step sizes, and one that is found
+    band_memory = 4. * sizeof(double) * std::min(reach + 1., 1. * n) * n;
   }
 
 

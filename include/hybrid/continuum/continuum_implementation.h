@@ -151,8 +151,8 @@ namespace hybrid::continuum
     void make_condensation(const scene::SceneParameters &scene);
     /// Unknowns as far from one of the surface as S reaches in a step, by the speed of waves.
     int expected_reach(const scene::SceneParameters &scene) const;
-    /// Of steps without a matrix. @throws InputError if there is none.
-    void check_band(const scene::SceneParameters &scene);
+    /// Of steps without a matrix. @throws InputError if there is no band.
+    void make_band(const scene::SceneParameters &scene);
     void allocate_work();
     void add_point_loads(const scene::PointLoadParameters &loads);
 

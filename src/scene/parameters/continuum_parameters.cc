@@ -71,10 +71,10 @@ namespace hybrid::scene
       {{"automatic", LinearSolver::automatic},
        {"factor", LinearSolver::factor},
        {"conjugate gradients", LinearSolver::conjugate_gradients}},
-      "Of implicit steps, which a named one asks for. factor: sparse Cholesky, on one process. conjugate gradients: for waves "
-      "alone, with no matrix; mpirun shares the cells out. Both give the same motion. automatic: "
+      "Of implicit steps, which a named one asks for. factor: sparse Cholesky, on one process. conjugate gradients: with no "
+      "matrix; mpirun shares the cells out. Planes that may slip need a factor. Both give the same motion. automatic: "
       "conjugate gradients where they are possible and the factor does not fit the memory, or where "
-      "15 processes or more take less time; else factor.");
+      "15 processes or more take less time for waves alone; else factor.");
     section.choice<SurfaceForm>(
       "Surface stiffness",
       continuum.surface_form,

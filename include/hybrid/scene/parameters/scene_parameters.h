@@ -79,8 +79,8 @@ namespace hybrid::scene
   enum class LinearSolver
   {
     automatic,          ///< what the scene, the machine and the number of processes allow
-    factor,             ///< a sparse Cholesky factor, on one process
-    conjugate_gradients ///< without a matrix, on all processes, for waves alone
+    factor,             ///< a sparse Cholesky factor, of each process alone
+    conjugate_gradients ///< without a matrix, on all processes
   };
 
   /// How the dynamic stiffness of the bedrock's surface below blocks is held.

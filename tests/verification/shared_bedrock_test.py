@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blocks on a bedrock by conjugate gradients, which processes share out: the motion of the factor on 1, 2 and 4 of them, equal bits
+on equal numbers, stopped and resumed by another number, and what is refused.
+
+Usage: shared_bedrock_test.py HYBRID_BINARY SOURCE_DIR WORK_DIR
+"""
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+import numpy
+
+from determinism_test import BREAKS, differences, read
+from surface_stiffness_test import BINARY, COLUMN, ENVIRONMENT, EXACT, LARGEST, ROOT, WORK, complaints, largest_difference, require, run
+
+sys.path.insert(0, str(ROOT.parent / "src/tools"))
+from hybrid_run.pictures import Pictures  # noqa: E402
+
+ITERATED = "Continuum/Linear solver=conjugate gradients"
+FACTOR = "Continuum/Linear solver=factor"
+BADONG = ROOT / "majiagou/badong.prm"
+# 16 cells under a mass one half of which is thrown off, so that joints tear and blocks slide at once, while a motion comes in obliquely.
+THROWN = [*BREAKS, *EXACT, "Motion/Angle=30", "Mesh/Numbers=Width = 40; Height = 20; Block height = 10; Resolution/h = 5",
+          "Blocks/Initial velocities=half: 0, 20, 10, 20, 3, 2, 0", "Time/End time=0.03"]
+LEVEL = WORK / "level.csv"
+SCENES = {
+    "damped": (COLUMN, [*THROWN, "Maxwell damping/Bedrock ratio=0.03", "Continuum/Rayleigh mass=0.3", "Continuum/Sides=free field"], (1, 2, 4)),
+    "cut": (COLUMN, [*THROWN, "Time/Maximum displacement ratio=0.003"], (1, 2)),
+    "water": (COLUMN, [*THROWN, f"Water/Level file={LEVEL}", "Water/Method=pressures"], (1, 2)),
+    "rigid": (COLUMN, [*THROWN, "Continuum/Base=rigid", "Continuum/Rayleigh stiffness=1e-4"], (1, 2)),
+    "sliding": (COLUMN, [*BREAKS, *EXACT, "Mesh/Numbers=Width = 80; Height = 20; Block height = 10; Resolution/h = 5", "Time/End time=0.31"], (1,)),
+    "badong": (BADONG, [*EXACT, "Mesh/Numbers=Resolution/h = 8", "Time/End time=0.2"], (1,)),
+}
+QUIET = ["Output/Audit interval=0.01"]
+
+
+def compute(name, scene, overrides, processes=1, solver=ITERATED):
+    return run(name, scene, [*overrides, *QUIET, solver], "automatic", processes)
+
+
+def check_motion():
+    """The factor's, on any number of processes."""
+    for name, (scene, overrides, counts) in SCENES.items():
+        known = read(compute(f"{name} factor", scene, overrides, 1, FACTOR))
+        for processes in counts:
+            found = read(compute(f"{name} {processes}", scene, overrides, processes))
+            require(known["time"].shape == found["time"].shape, f"{name}, {processes} processes: the same steps")
+            if known["time"].shape != found["time"].shape:
+                continue
+            worst, where = largest_difference(known, found)
+            print(f"{name}: factor and {processes} iterating processes differ by {worst:.2g} of the peak ({where})")
+            require(worst < LARGEST, f"{name}: factor and {processes} iterating processes differ by {worst:.2g} in {where}")
+    told = {name: json.loads((WORK / f"{name}_1/summary.json").read_text(encoding="utf-8")) for name in SCENES}
+    require(told["damped"]["joints"]["tensile"] > 0, "joints tear")
+    require(told["cut"]["cuts"] > 0, "steps are cut")
+    require(told["sliding"]["slip_m"]["part_slipped"] > 0.9, "a mass slides as a whole")
+
+
+def static_stress(directory):
+    pictures = Pictures(str(directory), "continuum")
+    return pictures[len(pictures) - 1].fields["static stress xx, yy, xy [Pa]"]
+
+
+def check_rest():
+    """The static stress under a mass, and peaks of all nodes."""
+    scene, overrides, _ = SCENES["damped"]
+    overrides = [*overrides, "Time/End time=0.004", "Output/Picture interval=0.004"]
+    words = {1: (FACTOR, "rest factor"), 2: (ITERATED, "rest 2")}
+    stress = {}
+    for processes, (solver, name) in words.items():
+        directory = WORK / name.replace(" ", "_")
+        call = [BINARY, str(scene), "--force"]
+        if processes > 1:
+            call = [os.environ["HYBRID_MPIEXEC"], "-n", "2", "--oversubscribe", "--allow-run-as-root", "--mca", "mpi_yield_when_idle", "1", *call]
+        for override in [*overrides, solver, f"Output/Directory={directory}"]:
+            call += ["-s", override]
+        told = subprocess.run(call, check=True, capture_output=True, text=True, env=ENVIRONMENT).stdout
+        require(told.count("Finished") == 1 and "the first one alone" not in told, f"{name}: all compute, one speaks")
+        stress[processes] = static_stress(directory)
+    peak = numpy.abs(stress[1]).max()
+    worst = numpy.abs(stress[2] - stress[1]).max() / peak
+    print(f"static stress under the mass: {worst:.2g} of the largest off that of the factor")
+    require(peak > 1e4 and worst < 1e-7, f"static stress: {worst:.2g} of the largest, {peak:.3g} Pa, off")
+
+
+def resumed(name, scene, overrides, processes):
+    """A run of two processes, stopped on the way, that so many end."""
+    part = compute(name, scene, [*overrides, "Time/End time=0.016", "Checkpoint/Step interval=4"], 2)
+    launcher = [os.environ["HYBRID_MPIEXEC"], "-n", str(processes), "--oversubscribe", "--allow-run-as-root", "--mca", "mpi_yield_when_idle", "1"]
+    subprocess.run([*launcher, BINARY, "--resume", str(part), "-s", "Time/End time=0.03"], check=True, stdout=subprocess.DEVNULL, env=ENVIRONMENT)
+    return read(part)
+
+
+def check_resume():
+    """As many go on with the same bits, another number to round-off."""
+    scene, overrides, _ = SCENES["damped"]
+    whole = read(WORK / "damped_2")
+    again = read(compute("damped again", scene, overrides, 2))
+    require(not differences(whole, again), "two processes twice: the same bits")
+    for processes in (2, 1, 4):
+        found = resumed(f"resumed by {processes}", scene, overrides, processes)
+        if processes == 2:
+            names = [n for n in differences(whole, found) if n.startswith(("monitors/", "energy/", "time"))]
+            require(not names, f"resumed by as many: the same bits, but for {names[:4]}")
+        worst, where = largest_difference(whole, found)
+        print(f"two processes, resumed by {processes}: {worst:.2g} of the peak off ({where})")
+        require(worst < LARGEST, f"resumed by {processes}: {worst:.2g} of the peak off in {where}")
+
+
+def check_refusals():
+    wrong = {
+        "bedding planes may slip": (BADONG, ["Bedding planes/Strength=Mohr-Coulomb", "Mesh/Numbers=Resolution/h = 8"]),
+        "dense is for a factor": (COLUMN, ["Continuum/Surface stiffness=dense"]),
+        "set a shorter Time/Time step": (COLUMN, ["Mesh/Numbers=Width = 8000; Height = 20; Block height = 10; Resolution/h = 2.5",
+                                                  "Time/Time step=0.5", "Time/End time=0.5"]),
+    }
+    for reason, (scene, overrides) in wrong.items():
+        words = [BINARY, "--check", str(scene)]
+        for override in [*overrides, ITERATED]:
+            words += ["-s", override]
+        result = subprocess.run(words, capture_output=True, text=True, env=ENVIRONMENT, check=False)
+        require(result.returncode == 2 and reason in result.stderr, f"'{reason}' is said: {result.returncode}, {result.stderr[-300:]}")
+
+
+def main():
+    shutil.rmtree(WORK, ignore_errors=True)
+    WORK.mkdir(parents=True)
+    LEVEL.write_text("time [s],level [m]\n0,12\n0.3,14\n", encoding="utf-8")
+    check_refusals()
+    check_motion()
+    check_rest()
+    check_resume()
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
