@@ -46,10 +46,10 @@ namespace hybrid::continuum
 
 
   void ImplicitWaves::put_surface(const std::vector<double> &values,
-                                  std::vector<double>       &held) const
+                                  std::vector<double>       &of_state) const
   {
     for (std::size_t k = 0; k < surface.nodes.n_unknowns(); ++k)
-      held[2 * surface.slots[k / 2] + static_cast<int>(k % 2)] = values[k];
+      of_state[2 * surface.slots[k / 2] + static_cast<int>(k % 2)] = values[k];
   }
 
 

@@ -200,7 +200,7 @@ namespace hybrid::continuum
 
     void find_surface(const std::vector<int> &surface_nodes);
     void hold_surface(Vector &a) const; ///< zero
-    void put_surface(const std::vector<double> &values, std::vector<double> &held) const;
+    void put_surface(const std::vector<double> &values, std::vector<double> &of_state) const;
 
     /// For the acceleration of the surface that @p a holds, find that of the interior.
     /// @throws std::runtime_error if it is not found
