@@ -121,11 +121,12 @@ namespace hybrid::output
 
   void SharedPeaks::write(const std::string &run_file, const std::string &picture) const
   {
-    const MPI_Comm                        communicator = ownership.communicator();
-    const std::vector<std::string>        names        = table_names();
-    const std::vector<std::array<int, 4>> cells        = continuum.cells_to_write();
-    const std::vector<double>             positions    = portion_of_positions();
-    VtuWriter                             vtu;
+    const MPI_Comm                  communicator = ownership.communicator();
+    const std::vector<std::string>  names        = table_names();
+    std::vector<std::array<int, 4>> cells        = continuum.cells_to_write();
+    std::vector<double>             positions    = portion_of_positions();
+    VtuWriter                       vtu;
+    vtu.reserve(positions.size() / 2, cells.size(), 4 * cells.size());
     for (std::size_t k = 0; k < positions.size(); k += 2)
       vtu.add_point({positions[k], positions[k + 1]});
     for (const auto &cell : cells)
@@ -136,6 +137,7 @@ namespace hybrid::output
       per_node * ownership.n_nodes() + per_cell * continuum.n_cells();
     SharedTables file(run_file, numbers_of_all * sizeof(double), communicator);
     file.write(names[0], 2, positions);
+    positions = std::vector<double>(); // {} would keep its memory
     const auto add =
       [&](const std::size_t k, const std::string &field, const std::vector<double> &own) {
         std::vector<double> values = portion_of_peaks(own);
@@ -148,8 +150,10 @@ namespace hybrid::output
     file.write(names[4], 1, portion_of_slip());
     vtu.add_point_field("peak slip [m]", portion_of_slip());
     std::vector<double> numbers;
+    numbers.reserve(4 * cells.size());
     for (const auto &cell : cells)
       numbers.insert(numbers.end(), cell.begin(), cell.end());
+    cells = std::vector<std::array<int, 4>>();
     file.write(names[5], 4, numbers);
     file.finish();
     vtu.write(picture, communicator);
