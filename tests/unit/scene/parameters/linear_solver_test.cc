@@ -70,4 +70,41 @@ namespace
           EXPECT_NE(std::string(error.what()).find("Linear solver"), std::string::npos);
         }
   }
+
+
+  SceneParameters scene_with_blocks(const std::vector<std::string> &overrides)
+  {
+    return read_scene(HYBRID_SOURCE_DIR "/parameters/verification/coupled_column.prm", overrides);
+  }
+
+
+  TEST(LinearSolver, ConjugateGradientsBelowBlocksAreTakenByName)
+  {
+    const SceneParameters named =
+      scene_with_blocks({"Continuum/Linear solver=conjugate gradients"});
+    EXPECT_EQ(named.continuum.linear_solver, LinearSolver::conjugate_gradients);
+    EXPECT_EQ(why_not_iterated(named), "");
+    EXPECT_NE(why_not_waves_alone(named), "");
+    EXPECT_EQ(with_linear_solver(scene_with_blocks({}), 15).continuum.linear_solver,
+              LinearSolver::automatic);
+  }
+
+
+  TEST(LinearSolver, AllEntriesOfTheSurfaceNeedAFactor)
+  {
+    for (const char *form : {"automatic", "banded"})
+      EXPECT_NO_THROW(scene_with_blocks({"Continuum/Linear solver=conjugate gradients",
+                                         std::string("Continuum/Surface stiffness=") + form}));
+    try
+      {
+        scene_with_blocks(
+          {"Continuum/Linear solver=conjugate gradients", "Continuum/Surface stiffness=dense"});
+        ADD_FAILURE() << "dense";
+      }
+    catch (const InputError &error)
+      {
+        EXPECT_NE(std::string(error.what()).find("Surface stiffness"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("banded"), std::string::npos);
+      }
+  }
 } // namespace
