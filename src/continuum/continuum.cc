@@ -6,12 +6,12 @@
 #include <hybrid/continuum/implicit_waves.h>
 #include <hybrid/continuum/surface_band.h>
 #include <hybrid/scene/input_error.h>
-#include <hybrid/scene/parameters/parameter_values.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
+#include <sstream>
 
 namespace hybrid::continuum
 {
@@ -276,13 +276,16 @@ namespace hybrid::continuum
       return;
     const int reach = expected_reach(scene), n = 2 * static_cast<int>(surface.size());
     if (n >= long_surface && narrow_band * reach > n)
-      throw InputError(
-        "Continuum/Linear solver = conjugate gradients: in a step of " +
-        scene::number_text(scene.time.time_step) +
-        " s waves go so far along the surface below the blocks that " +
-        std::to_string(std::min(2 * reach, n)) + " of its " + std::to_string(n) +
-        " unknowns feel each other, and there is no band to be found; set a shorter Time/Time step, or "
-        "Continuum/Linear solver = factor");
+      {
+        std::ostringstream text;
+        text << "Continuum/Linear solver = conjugate gradients: in a step of "
+             << scene.time.time_step
+             << " s waves go so far along the surface below the blocks that "
+             << std::min(2 * reach, n) << " of its " << n
+             << " unknowns feel each other, and there is no band to be found; set a shorter "
+                "Time/Time step, or Continuum/Linear solver = factor";
+        throw InputError(text.str());
+      }
     is_banded = true;
     // three step sizes, and one that is found
     band_memory = 4. * sizeof(double) * std::min(reach + 1., 1. * n) * n;
