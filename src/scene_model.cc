@@ -36,7 +36,7 @@ namespace hybrid
 
 
 
-    bool has_waves_alone(const scene::SceneParameters &scene)
+    bool has_no_matrix(const scene::SceneParameters &scene)
     {
       return scene.continuum.is_explicit ||
              scene.continuum.linear_solver == scene::LinearSolver::conjugate_gradients;
@@ -46,7 +46,7 @@ namespace hybrid
 
     /// Let vectors of 1 MB and more go back to the system at once. SuperLU, which comes with
     /// deal.II, has glibc keep all memory there ever was as soon as it is loaded: no block is
-    /// mapped, no end of the heap is given back. Steps of waves alone ask for no memory.
+    /// mapped, no end of the heap is given back.
     void return_large_vectors()
     {
       constexpr int megabyte = 1 << 20, blocks = 1 << 16;
@@ -130,7 +130,7 @@ namespace hybrid
     if (scene.environment.is_staged())
       dda::check_lifts(*blocks);
     check_points();
-    if (has_waves_alone(scene))
+    if (has_no_matrix(scene))
       malloc_trim(0); // what set-up has left
   }
 
@@ -138,7 +138,7 @@ namespace hybrid
 
   void SceneModel::make_continuum(output::Log &log, const MPI_Comm communicator)
   {
-    if (has_waves_alone(scene))
+    if (has_no_matrix(scene))
       return_large_vectors();
     const bool iterates = scene.continuum.linear_solver == scene::LinearSolver::conjugate_gradients;
     continuum           = std::make_unique<continuum::Continuum>(
