@@ -103,6 +103,13 @@ def threads(pairs, base):
     return differ(pairs.reference(base), pairs.run(base + " threads", scene_of(base, threads=2)), 0.0)
 
 
+def solved_otherwise(pairs, base):
+    """The bedrock with a band of the surface's stiffness, and without a matrix."""
+    if BASES[base]["bedrock"] == "continuum":
+        for solver in FACTORS["rock solver"][1:]:
+            yield from differ(pairs.reference(base), pairs.run("%s by %s" % (base, solver), scene_of(base, **{"rock solver": solver})))
+
+
 def in_two_halves(pairs, base):
     """Stopped at half the time and resumed: the same bits."""
     scene = scene_of(base)
@@ -114,7 +121,7 @@ def in_two_halves(pairs, base):
     return differ(pairs.reference(base), type(half)(scene, half.directory), 0.0)
 
 
-RELATIONS = (mirrored, shifted, renumbered, heavier, threads, in_two_halves)
+RELATIONS = (mirrored, shifted, renumbered, heavier, threads, solved_otherwise, in_two_halves)
 
 
 def slab(bedrock, **chosen):

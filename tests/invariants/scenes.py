@@ -33,6 +33,7 @@ FACTORS = {
     "damping": ["none", "blocks", "rock", "Maxwell"],
     "belt rate": [0.0, 0.02, -0.02],  # coefficient of the friction of a belt
     "threads": [1, 2],
+    "rock solver": ["factor", "band", "iterations"],  # a factor with all of the surface's stiffness or a band of it; conjugate gradients
 }
 YOUNG = {"stiff": 5e9, "soft": 2e8, "mud": 1e7}  # of the bedrock [Pa]
 MASS = {"density": 2000.0, "young": 2e8}  # of the blocks [kg/m3, Pa]
@@ -50,6 +51,8 @@ RULES = [
     (("bedrock", "degree"), lambda b, d: b == "continuum" or d == 2),
     (("bedrock", "rock"), lambda b, r: b != "rigid" or r == "stiff"),
     (("bedrock", "springs"), lambda b, s: b == "continuum" or not s),
+    (("bedrock", "rock solver"), lambda b, s: b == "continuum" or s == "factor"),
+    (("bedding", "rock solver"), lambda p, s: p != "Mohr-Coulomb" or s != "iterations"),
     (("springs", "base", "sides"), lambda s, b, e: not s or b == "compliant" or e in ("viscous", "free field")),
     (("bedrock", "damping"), lambda b, d: b != "rigid" or d != "rock"),
     (("belt", "belt rate"), lambda b, r: b != "none" or r == 0),
@@ -212,6 +215,10 @@ class Scene:
         o = self.options
         values = {"Continuum/Materials": "rock", "Continuum/Degree": o["degree"], "Continuum/Base": o["base"],
                   "Continuum/Sides": o["sides"], "Continuum/Boundary springs": "true" if o["springs"] else "false"}
+        if o["rock solver"] == "band":
+            values["Continuum/Surface stiffness"] = "banded"
+        elif o["rock solver"] == "iterations":
+            values["Continuum/Linear solver"] = "conjugate gradients"
         if o["damping"] == "rock":
             values["Continuum/Rayleigh stiffness"] = 1e-4
             if o["bedrock"] == "continuum":
