@@ -41,6 +41,15 @@ def compute(name, scene, overrides, processes=1, solver=ITERATED):
     return run(name, scene, [*overrides, *QUIET, solver], "automatic", processes)
 
 
+def check_peaks(known, found, what):
+    """Of all nodes of the bedrock and of all blocks."""
+    names = [n for n in known if n.startswith("fields/") and "peak_" in n and numpy.abs(known[n]).max(initial=0.) > 0.]
+    require({n.split("/")[1] for n in names} == {"nodes", "blocks"}, f"{what}: there are peaks of nodes and blocks, {names}")
+    for name in names:
+        worst = numpy.abs(known[name] - found[name]).max() / numpy.abs(known[name]).max()
+        require(worst < LARGEST, f"{what}: {name} differ by {worst:.2g} of the largest")
+
+
 def check_motion():
     """The factor's, on any number of processes."""
     for name, (scene, overrides, counts) in SCENES.items():
@@ -53,6 +62,7 @@ def check_motion():
             worst, where = largest_difference(known, found)
             print(f"{name}: factor and {processes} iterating processes differ by {worst:.2g} of the peak ({where})")
             require(worst < LARGEST, f"{name}: factor and {processes} iterating processes differ by {worst:.2g} in {where}")
+            check_peaks(known, found, f"{name}, {processes} processes")
     told = {name: json.loads((WORK / f"{name}_1/summary.json").read_text(encoding="utf-8")) for name in SCENES}
     require(told["damped"]["joints"]["tensile"] > 0, "joints tear")
     require(told["cut"]["cuts"] > 0, "steps are cut")
