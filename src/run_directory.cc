@@ -26,6 +26,7 @@ namespace hybrid
                                            "joints.pvd",
                                            "continuum.pvd",
                                            "peaks.vtu",
+                                           "peaks_blocks.vtu",
                                            "checkpoint/state.bin",
                                            "checkpoint/told_errors.bin"};
 

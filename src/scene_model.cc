@@ -36,14 +36,6 @@ namespace hybrid
 
 
 
-    bool has_no_matrix(const scene::SceneParameters &scene)
-    {
-      return scene.continuum.is_explicit ||
-             scene.continuum.linear_solver == scene::LinearSolver::conjugate_gradients;
-    }
-
-
-
     /// Let vectors of 1 MB and more go back to the system at once. SuperLU, which comes with
     /// deal.II, has glibc keep all memory there ever was as soon as it is loaded: no block is
     /// mapped, no end of the heap is given back.
@@ -68,15 +60,6 @@ namespace hybrid
       const int count = size_of(here);
       MPI_Comm_free(&here);
       return count;
-    }
-
-
-
-    /// Whether steps without a matrix find the stiffness of the surface below blocks.
-    bool may_have_band(const continuum::Continuum &with_factor)
-    {
-      const continuum::Continuum::Resolution resolution = with_factor.resolution();
-      return resolution.surface_is_banded || resolution.surface_unknowns < continuum::long_surface;
     }
 
 
@@ -130,7 +113,7 @@ namespace hybrid
     if (scene.environment.is_staged())
       dda::check_lifts(*blocks);
     check_points();
-    if (has_no_matrix(scene))
+    if (scene.continuum.is_explicit || (continuum != nullptr && continuum->is_iterated()))
       malloc_trim(0); // what set-up has left
   }
 
@@ -138,15 +121,15 @@ namespace hybrid
 
   void SceneModel::make_continuum(output::Log &log, const MPI_Comm communicator)
   {
-    if (has_no_matrix(scene))
-      return_large_vectors();
     const bool iterates = scene.continuum.linear_solver == scene::LinearSolver::conjugate_gradients;
-    continuum           = std::make_unique<continuum::Continuum>(
+    if (iterates || scene.continuum.is_explicit)
+      return_large_vectors();
+    continuum = std::make_unique<continuum::Continuum>(
       mesh, scene, motion, scene.has_blocks() && !iterates ? MPI_COMM_SELF : communicator);
     if (scene.continuum.is_explicit ||
         scene.continuum.linear_solver != scene::LinearSolver::automatic ||
-        scene.continuum.surface_form == scene::SurfaceForm::dense || !may_have_band(*continuum) ||
-        !scene::why_not_iterated(scene).empty())
+        (scene.has_blocks() && scene.continuum.surface_form == scene::SurfaceForm::dense) ||
+        !continuum->resolution().finds_band || !scene::why_not_iterated(scene).empty())
       return;
     const double needed  = output::estimate_memory(scene, mesh, nullptr, continuum.get()).total();
     const int    factors = factors_here(mesh.blocks.size(), communicator);
@@ -158,6 +141,7 @@ namespace hybrid
              "conjugate gradients");
     scene::SceneParameters iterated  = scene;
     iterated.continuum.linear_solver = scene::LinearSolver::conjugate_gradients;
+    return_large_vectors();
     continuum.reset();
     continuum = std::make_unique<continuum::Continuum>(mesh, iterated, motion, communicator);
   }

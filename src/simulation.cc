@@ -131,14 +131,14 @@ namespace hybrid
     if (is_alone())
       return mine;
     const std::uint64_t blocks   = fingerprint_of_blocks();
-    std::uint64_t       calls[5] = {
-            mine.energy_limit, mine.interruption, mine.checkpoint, blocks, ~blocks};
-    MPI_Allreduce(MPI_IN_PLACE, calls, 5, MPI_UINT64_T, MPI_MAX, model.processes);
-    if (calls[3] != ~calls[4])
+    std::uint64_t       calls[6] = {
+            mine.energy_limit, mine.interruption, mine.checkpoint, mine.rest, blocks, ~blocks};
+    MPI_Allreduce(MPI_IN_PLACE, calls, 6, MPI_UINT64_T, MPI_MAX, model.processes);
+    if (calls[4] != ~calls[5])
       throw std::runtime_error(
         "the processes have come to different results at t = " + scene::number_text(state.time) +
-        " s: blocks are shared out among machines of one kind only");
-    return {calls[0] != 0, calls[1] != 0, calls[2] != 0};
+        " s: several processes compute blocks on machines of one kind only");
+    return {calls[0] != 0, calls[1] != 0, calls[2] != 0, calls[3] != 0};
   }
 
 
@@ -228,7 +228,8 @@ namespace hybrid
                               model.scene.time.end_time);
     const long       first_step = summary.steps, first_iteration = summary.iterations;
     RunStatus        status = RunStatus::finished;
-    while (!run.clock.at_end() && !run.rest.is_at_rest() && status == RunStatus::finished)
+    bool             rests  = false;
+    while (!run.clock.at_end() && !rests && status == RunStatus::finished)
       {
         const auto            begin  = SteadyClock::now();
         const double          dt     = run.clock.next_step();
@@ -267,7 +268,9 @@ namespace hybrid
           run.rest.look(run.clock.time(), dda::fastest_block(state.blocks));
         const Call call = agree({!watch_energy(run),
                                  interruption.is_requested(),
-                                 is_first() && run.schedule.is_due(summary.steps)});
+                                 is_first() && run.schedule.is_due(summary.steps),
+                                 is_first() && run.rest.is_at_rest()});
+        rests           = call.rest;
         if (call.energy_limit)
           status = RunStatus::energy_limit;
         else if (call.interruption)
@@ -278,7 +281,7 @@ namespace hybrid
     run.count_processor_time_of_steps();
     if (status != RunStatus::no_convergence)
       progress.finish();
-    if (run.rest.is_at_rest())
+    if (rests)
       run_report.at_rest(run.clock.time());
     if (status == RunStatus::interrupted || status == RunStatus::energy_limit ||
         model.scene.checkpoint.is_on())

@@ -45,12 +45,15 @@ namespace hybrid
     /// a run that a tool starts is alone.
     std::vector<char *> environment_of_tools()
     {
+      const bool by_mpirun = std::getenv("OMPI_COMM_WORLD_RANK") != nullptr ||
+                             std::getenv("PMIX_RANK") != nullptr ||
+                             std::getenv("PMI_RANK") != nullptr;
       std::vector<char *> result;
       for (char **variable = environ; *variable != nullptr; ++variable)
         {
           const std::string text    = *variable;
           const auto        is_like = [&](const char *start) { return text.rfind(start, 0) == 0; };
-          if (is_like("OMPI_ALLOW_RUN_AS_ROOT") ||
+          if (!by_mpirun || is_like("OMPI_ALLOW_RUN_AS_ROOT") ||
               !(is_like("OMPI_") || is_like("PMIX_") || is_like("PMI_")))
             result.push_back(*variable);
         }

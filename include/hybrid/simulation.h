@@ -108,7 +108,7 @@ namespace hybrid
     /// What a step calls for after it; any process may.
     struct Call
     {
-      bool energy_limit, interruption, checkpoint;
+      bool energy_limit, interruption, checkpoint, rest = false;
     };
 
     output::Log                      &log;

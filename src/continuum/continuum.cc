@@ -210,6 +210,7 @@ namespace hybrid::continuum
     take_static_model(mesh, scene);
     take_surface(mesh, scene);
     surface_slots = surface;
+    may_find_band = finds_band(scene);
     number_system();
     make_condensation(scene);
     allocate_work();
@@ -270,12 +271,19 @@ namespace hybrid::continuum
   }
 
 
+  bool Continuum::Implementation::finds_band(const scene::SceneParameters &scene) const
+  {
+    const int n = 2 * static_cast<int>(surface.size());
+    return n < long_surface || narrow_band * expected_reach(scene) <= n;
+  }
+
+
   void Continuum::Implementation::make_band(const scene::SceneParameters &scene)
   {
     if (below_blocks == nullptr)
       return;
     const int reach = expected_reach(scene), n = 2 * static_cast<int>(surface.size());
-    if (n >= long_surface && narrow_band * reach > n)
+    if (!finds_band(scene))
       {
         std::ostringstream text;
         text << "Continuum/Linear solver = conjugate gradients: in a step of "
@@ -299,7 +307,7 @@ namespace hybrid::continuum
       {
         const int reach = expected_reach(scene);
         is_banded       = scene.continuum.surface_form == scene::SurfaceForm::banded ||
-                    (n >= long_surface && narrow_band * reach <= n);
+                    (n >= long_surface && finds_band(scene));
         if (is_banded)
           {
             factorisation =
@@ -392,6 +400,7 @@ namespace hybrid::continuum
     result.cells             = static_cast<int>(m.nodes->cells.size());
     result.surface_unknowns  = 2 * m.surface.size();
     result.surface_is_banded = m.is_banded;
+    result.finds_band        = m.may_find_band;
     result.slowest_s_wave = result.highest_frequency = 1e300;
     const int p                                      = m.nodes->line.degree();
     double    s_way = 0., powers = 0.;

@@ -265,9 +265,8 @@ namespace hybrid::continuum
 
   ContinuumEnergy Continuum::audit_energy(const ContinuumState &state) const
   {
-    const auto       &m      = *impl;
-    ContinuumEnergy   energy = state.energy;
-    const std::size_t n      = m.n_dofs();
+    const auto     &m      = *impl;
+    ContinuumEnergy energy = state.energy;
     if (m.waves != nullptr) // collect() has put both into the state
       {
         if (m.waves->keeps_rock_work())
@@ -275,6 +274,7 @@ namespace hybrid::continuum
       }
     else
       {
+        const std::size_t   n = m.n_dofs();
         std::vector<double> product(n);
         const auto          form = [&](const std::vector<double> &x) {
           double sum = 0.;
@@ -297,12 +297,14 @@ namespace hybrid::continuum
     if (!m.boundary->springs().empty())
       {
         BoundaryForces::Incoming in;
-        std::vector<double>      u(2 * m.boundary->boundary_nodes().size());
+        std::vector<double>      u;
         m.boundary->incoming(state.time,
-                             state.displacement.data() + n,
-                             state.velocity.data() + n,
+                             state.displacement.data() + m.n_held(),
+                             state.velocity.data() + m.n_held(),
                              in);
-        m.gather_boundary(state.displacement, u);
+        for (const int node : m.boundary->boundary_nodes()) // all ranks hold them
+          for (int c = 0; c < 2; ++c)
+            u.push_back(state.displacement[2 * m.slot(node) + c]);
         energy.boundary_springs =
           0.5 * m.boundary->springs().product({u, in.displacement}, {u, in.displacement});
       }

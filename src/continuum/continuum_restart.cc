@@ -98,6 +98,25 @@ namespace hybrid::continuum
       };
       return result;
     }
+
+
+
+    /// Of the rock's nodes alone, where contacts act; else there is none, now or in the checkpoint.
+    restart::SharedVector contacts_of(std::vector<double> &vector, const Ownership &ownership)
+    {
+      restart::SharedVector result{&vector, 1, 2 * ownership.n_nodes(), 0, {}, {}, {}};
+      result.is_empty = vector.empty();
+      result.portion  = [&vector, &ownership](std::size_t) {
+        std::vector<double> portion;
+        ownership.to_portion(vector.data(), 2, portion); // its own stand first
+        return portion;
+      };
+      result.take = [&vector, &ownership](std::size_t, const char *numbers) {
+        vector.resize(2 * ownership.held().size());
+        ownership.read_held(numbers, vector.data());
+      };
+      return result;
+    }
   } // namespace
 
 
@@ -106,13 +125,11 @@ namespace hybrid::continuum
   {
     const Ownership                   &ownership = *impl->ownership();
     std::vector<restart::SharedVector> result;
-    for (std::vector<double> *vector : {&state.displacement,
-                                        &state.velocity,
-                                        &state.acceleration,
-                                        &state.contact_acceleration,
-                                        &state.acceleration_change})
+    for (std::vector<double> *vector :
+         {&state.displacement, &state.velocity, &state.acceleration, &state.acceleration_change})
       if (!vector->empty())
         result.push_back(shared_vector(*vector, 1, ownership));
+    result.push_back(contacts_of(state.contact_acceleration, ownership));
     if (!state.maxwell.strain.empty())
       result.push_back(shared_vector(state.maxwell.strain,
                                      state.maxwell.strain.size() / state.displacement.size(),

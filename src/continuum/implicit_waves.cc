@@ -112,8 +112,11 @@ namespace hybrid::continuum
     assign_zero(2 * joint_places.size(), {&of_joints, &joint_force});
     for (Vector *x : {&f, &a1, &work, &work2, &from_work})
       *x = cells.make_vector();
-    if (!surface.supported.empty())
-      step_load = cells.make_vector();
+    if (surface.supported.empty())
+      return;
+    step_load        = cells.make_vector();
+    inertia_diagonal = inverse_diagonal(inertia());
+    assign_zero(mine, {&c1});
   }
 
 
@@ -121,9 +124,10 @@ namespace hybrid::continuum
   double ImplicitWaves::memory() const
   {
     constexpr double of_step  = 25.; // numbers per unknown: motion, vectors of the solver
+    const double     below    = surface.supported.empty() ? 0. : 4.; // and of contacts
     const double     branches = 2. * static_cast<double>(damping.body.n_branches());
     return cells.memory() +
-           sizeof(double) * (of_step + branches) * static_cast<double>(unknowns().size());
+           sizeof(double) * (of_step + below + branches) * static_cast<double>(unknowns().size());
   }
 
 

@@ -100,8 +100,8 @@ namespace hybrid::continuum
       return result;
     multiply({0., 1., 1.}, c1, work);
     places.gather(work.begin(), shared_y);
-    for (const int node : boundary.moving_nodes())
-      result += Vec2(shared_y[2 * place[node]], shared_y[2 * place[node] + 1]);
+    for (const int p : moving_places)
+      result += Vec2(shared_y[2 * p], shared_y[2 * p + 1]);
     return result;
   }
 

@@ -189,8 +189,6 @@ namespace hybrid::continuum
   {
     if (surface_force.size() == 0 || surface_force.isZero(0.))
       return false;
-    if (inertia_diagonal.size() == 0)
-      inertia_diagonal = inverse_diagonal(inertia());
     std::copy(surface_force.begin(), surface_force.end(), surface.work.begin());
     f = 0.;
     surface.nodes.scatter(surface.work, f.begin());
@@ -198,7 +196,7 @@ namespace hybrid::continuum
     if (!solve(inertia(), inertia_diagonal, fine_residual, f, a1))
       throw std::runtime_error("the conjugate gradients of the bedrock's inertia do not converge; "
                                "Continuum/Linear solver = factor needs none");
-    acceleration.assign(a1.begin(), a1.end());
+    std::copy(a1.begin(), a1.end(), acceleration.begin());
     return true;
   }
 

@@ -447,7 +447,10 @@ namespace hybrid::output
     if (last_picture != state.time)
       record_picture(state);
     write_section(state);
-    peaks.write(slip.largest_of_blocks(), file, parts.scene.output.directory + "/peaks.vtu");
+    peaks.write(slip.largest_of_blocks(),
+                file,
+                parts.scene.output.directory +
+                  (peaks.has_left_nodes() ? "/peaks_blocks.vtu" : "/peaks.vtu"));
     if (parts.blocks != nullptr)
       {
         write_joints(state);

@@ -28,7 +28,8 @@ namespace hybrid::output
                               "section/blocks_displacement",
                               "section/blocks_peak_displacement"})
       file.remove(table);
-    std::remove((parts.scene.output.directory + "/peaks.vtu").c_str());
+    for (const char *picture : {"/peaks.vtu", "/peaks_blocks.vtu"})
+      std::remove((parts.scene.output.directory + picture).c_str());
   }
 
 

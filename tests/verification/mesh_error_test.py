@@ -101,6 +101,8 @@ def is_warned_of(directory):
 def say(found):
     """{what a run is: its ratios of told over true}"""
     for what, ratios in found.items():
+        if not ratios:
+            continue
         values = np.array(ratios)
         print("%s: %d ratios, %d too small, %d too large, %.2g to %.2g" % (what, len(values), (values < 1 / steps.FACTOR).sum(),
               (values > steps.FACTOR).sum(), values.min(), values.max()))
@@ -119,8 +121,8 @@ def write(binary, source, work, page):
         size = min(float(h) for h in re.findall(r"Resolution/\w+ = ([0-9.]+)", meshed(source, name, 1)))
         rows.append(steps.row(label(name, blocks, said["coarser_meshes"]), size, true, estimated))
         found["it is not" if is_warned_of(work / ("%s-1" % name)) else "the motion is resolved"] += list(ratios_of(estimated, true))
-    say(found)
     steps.put(page, ((rows, "mesh lines"),))
+    say(found)
 
 
 def told_over_true(binary, source, work, name, finer):
@@ -152,8 +154,8 @@ def write_others(binary, source, work, page):
             for kind in kinds:
                 found.setdefault(kind, []).extend(ratios)
         print(rows[-1], flush=True)
-    say(found)
     steps.put(page, ((rows, "other meshes"),))
+    say(found)
 
 
 def main():

@@ -34,10 +34,11 @@ SMALL_LAMB = [EXPLICIT, "Mesh/Numbers=Width = 400; Height = 300; Resolution/h = 
 # Planes that reach free-field sides.
 ELASTIC = ["Bedding planes/Names=bedding_1, bedding_2", "Bedding planes/Strength=elastic",
            "Mesh/Numbers=Length = 150; Width = 100; Planes = 2; First plane = 60; Spacing = 40; Resolution/h = 10"]
+DAMPED = ["Continuum/Rayleigh mass=0.3", "Maxwell damping/Bedrock ratio=0.03", "Continuum/Boundary springs=true"]
 # Free field, rigid base, bedding planes, an initial wave, damping of both kinds.
 SHARED = {
     "lamb": ("lamb", SMALL_LAMB),
-    "free_field": ("free_field", [EXPLICIT, "Time/End time=0.5", "Continuum/Rayleigh mass=0.3", "Maxwell damping/Bedrock ratio=0.03"]),
+    "free_field": ("free_field", [EXPLICIT, "Time/End time=0.5", *DAMPED]),
     "canyon": ("canyon", [EXPLICIT, "Time/End time=0.8"]),
     "joints": ("oblique_joints", [EXPLICIT, "Time/End time=0.4"]),
     "columns": ("column_planes", [EXPLICIT, *ELASTIC, "Time/End time=1", "Continuum/Rayleigh mass=0.3"]),
@@ -49,7 +50,7 @@ FACTOR = "Continuum/Linear solver=factor"
 # Implicit steps without a matrix; the factor gives the same motion.
 IMPLICIT = {
     "lamb": ("lamb", [o for o in SMALL_LAMB if o != EXPLICIT] + ["Time/Time step=0.002"]),
-    "free_field": ("free_field", ["Time/End time=0.3", "Continuum/Rayleigh mass=0.3", "Maxwell damping/Bedrock ratio=0.03"]),
+    "free_field": ("free_field", ["Time/End time=0.3", *DAMPED]),
     "rigid": ("free_field", ["Time/End time=0.3", "Continuum/Base=rigid", "Time/Scheme=filtered"]),
     "joints": ("oblique_joints", ["Time/End time=0.2"]),
     "columns": ("column_planes", [*ELASTIC, "Time/End time=0.5", "Continuum/Rayleigh stiffness=1e-4"]),

@@ -27,7 +27,8 @@ THROWN = [*BREAKS, *EXACT, "Motion/Angle=30", "Mesh/Numbers=Width = 40; Height =
           "Blocks/Initial velocities=half: 0, 20, 10, 20, 3, 2, 0", "Time/End time=0.03"]
 LEVEL = WORK / "level.csv"
 SCENES = {
-    "damped": (COLUMN, [*THROWN, "Maxwell damping/Bedrock ratio=0.03", "Continuum/Rayleigh mass=0.3", "Continuum/Sides=free field"], (1, 2, 4)),
+    "damped": (COLUMN, [*THROWN, "Maxwell damping/Bedrock ratio=0.03", "Continuum/Rayleigh mass=0.3", "Continuum/Sides=free field",
+                          "Continuum/Boundary springs=true"], (1, 2, 4)),
     "cut": (COLUMN, [*THROWN, "Time/Maximum displacement ratio=0.003"], (1, 2)),
     "water": (COLUMN, [*THROWN, f"Water/Level file={LEVEL}", "Water/Method=pressures"], (1, 2)),
     "rigid": (COLUMN, [*THROWN, "Continuum/Base=rigid", "Continuum/Rayleigh stiffness=1e-4"], (1, 2)),

@@ -240,6 +240,7 @@ namespace hybrid::continuum
       double      highest_frequency = 0.; ///< resolved with ten nodes per shortest wave length [Hz]
       std::size_t surface_unknowns  = 0;
       bool        surface_is_banded = false; ///< of S a band is kept, else all entries
+      bool        finds_band        = true;  ///< steps without a matrix find S, too
       double      s_time = 0.; ///< an S wave's way up, mean over the width of the section [s]
       double      p_time = 0.; ///< the same of a P wave [s]
       double cell_time   = 0.; ///< an S wave's way through a cell [s]: on average over the way up,

@@ -71,8 +71,9 @@ namespace hybrid::continuum
     std::vector<int>              fixed_dofs;                   ///< displacement zero
     SystemPattern                 pattern;
     std::unique_ptr<Condensation> factorisation;
-    bool                          is_banded   = false; ///< of S a band is kept
-    double                        band_memory = 0.;    ///< without a matrix [B]
+    bool                          is_banded     = false; ///< of S a band is kept
+    bool                          may_find_band = true;  ///< finds_band()
+    double                        band_memory   = 0.;    ///< without a matrix [B]
 
     /// Forces that a moving base of unit displacement in x or y exerts on an unknown of the system.
     struct BaseCoupling
@@ -153,6 +154,8 @@ namespace hybrid::continuum
     int expected_reach(const scene::SceneParameters &scene) const;
     /// Of steps without a matrix. @throws InputError if there is no band.
     void make_band(const scene::SceneParameters &scene);
+    /// Whether steps without a matrix find S: of a short surface, or as a narrow band.
+    bool finds_band(const scene::SceneParameters &scene) const;
     void allocate_work();
     void add_point_loads(const scene::PointLoadParameters &loads);
 

@@ -23,7 +23,13 @@ namespace hybrid::output
     /// The nodes' are another's (SharedPeaks), who writes them, too.
     void leave_nodes()
     {
-      continuum = nullptr;
+      continuum  = nullptr;
+      left_nodes = true;
+    }
+
+    bool has_left_nodes() const
+    {
+      return left_nodes;
     }
 
     /// What a checkpoint has of the nodes.
@@ -68,6 +74,7 @@ namespace hybrid::output
   private:
     const dda::Model                         *model;
     const continuum::Continuum               *continuum;
+    bool                                      left_nodes = false;
     PeakMotion                                nodes, blocks;
     std::vector<continuum::Continuum::Facing> facing;    ///< nodes on the two sides of planes
     std::vector<double>                       node_slip; ///< largest magnitudes [m]
