@@ -61,6 +61,17 @@ namespace hybrid::output
 
 
 
+    std::string stiffness_of_surface(const continuum::Continuum &bedrock)
+    {
+      if (!bedrock.resolution().surface_is_banded)
+        return "";
+      return bedrock.is_iterated()
+               ? " (stiffness banded; finding it takes as long as a hundred steps or more)"
+               : " (stiffness banded)";
+    }
+
+
+
     void describe_ground(const scene::SceneParameters &scene, std::string &text)
     {
       const bool  continuum = scene.has_continuum();
@@ -353,7 +364,7 @@ namespace hybrid::output
               scene.continuum.degree,
               continuum->n_unknowns(),
               continuum->resolution().surface_unknowns,
-              continuum->resolution().surface_is_banded ? " (stiffness banded)" : "",
+              stiffness_of_surface(*continuum).c_str(),
               r.slowest_s_wave,
               continuum->resolution().fastest_p_wave,
               r.resolved);

@@ -185,7 +185,8 @@ def draw_labels(section, axes):
 def set_view(axes, low, high, margin):
     size = high - low
     axes.set_xlim(low[0] - margin * size[0], high[0] + margin * size[0])
-    axes.set_ylim(low[1] - 2.0 * margin * size[1], high[1] + 2.2 * margin * size[1])
+    room = max(margin * size[1], 0.007 * size[0])  # for markers on flat sections
+    axes.set_ylim(low[1] - 2.0 * room, high[1] + 2.2 * room)
     axes.set_aspect("equal")
     axes.grid(False)
     axes.set_ylabel("elevation [m]")
@@ -286,7 +287,7 @@ def panels_of(section):
 
 def height_of(axes, width):
     """What axes of equal scales need in a column of @p width [in]."""
-    return np.clip(width * np.ptp(axes.get_ylim()) / np.ptp(axes.get_xlim()), 1.2, 5.0)
+    return np.clip(width * np.ptp(axes.get_ylim()) / np.ptp(axes.get_xlim()), 0.6, 5.0)
 
 
 def draw(run, directory):
