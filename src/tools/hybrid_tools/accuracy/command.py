@@ -14,6 +14,7 @@ from hybrid_tools.study.run_directory import read_json
 from hybrid_tools.table import Cell, Column, Table
 
 LEAST_TIME = 0.5  # of steps, that tells what finer ones take [s]
+MOST_GROWTH = {"step": 2.0, "mesh": 16.0}  # of the time with half of it, wherever the coarser run was computed: as many steps again; 4 cells, n^2
 EXAMPLES = """  hybrid accuracy output/my_run                  # mesh twice and four times as coarse, step twice as long
   hybrid accuracy output/my_run --mesh           # the mesh alone: about a sixth of the run's time
   hybrid accuracy output/my_run --quantities "crest/*,slip/*"
@@ -144,7 +145,7 @@ def sentences(errors, run, coarser_runs):
         own, other = time_of_steps(run), time_of_steps(coarser_runs[kind])
         if own > LEAST_TIME and other > 0:
             found.append("Half the %s takes about %.3g s, as the steps of this run took %.3g s and those of the coarser one %.3g s" % (
-                kind if kind == "step" else "size of the mesh", own * max(1.0, own / other), own, other))
+                kind if kind == "step" else "size of the mesh", own * min(max(1.0, own / other), MOST_GROWTH[kind]), own, other))
     return found
 
 
