@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/continuum/continuum_implementation.h>
+#include <hybrid/continuum/implicit_waves.h>
 
 #include <algorithm>
 #include <cmath>
@@ -155,6 +156,9 @@ namespace hybrid::continuum
                                    const double           dt,
                                    const Eigen::VectorXd &surface_displacement)
   {
+    if (impl->below_blocks != nullptr)
+      return impl->below_blocks->follow_surface(dt, surface_displacement) ? SlipStatus::settled
+                                                                          : SlipStatus::failed;
     if (impl->slip == nullptr)
       return SlipStatus::settled;
     impl->expand(dt, surface_displacement);

@@ -15,6 +15,10 @@ namespace hybrid::continuum
 
     /// Of entries of S found by solutions to fine_residual, over its diagonal.
     constexpr double product_round_off = 1e-14;
+
+    constexpr const char *no_convergence =
+      "the conjugate gradients of the bedrock below the blocks do not converge; Continuum/Linear "
+      "solver = factor needs none";
   } // namespace
 
 
@@ -54,16 +58,14 @@ namespace hybrid::continuum
 
 
 
-  void ImplicitWaves::solve_interior(const double dt,
+  bool ImplicitWaves::solve_interior(const double dt,
                                      const double residual_left,
                                      Vector      &load,
                                      Vector      &a)
   {
     System system        = step_system(dt);
     system.holds_surface = true;
-    if (!solve(system, step_diagonal(system, dt), residual_left, load, a))
-      throw std::runtime_error("the conjugate gradients of the bedrock below the blocks do not "
-                               "converge; Continuum/Linear solver = factor needs none");
+    return solve(system, step_diagonal(system, dt), residual_left, load, a);
   }
 
 
@@ -80,7 +82,8 @@ namespace hybrid::continuum
         a1 = 0.;
         surface.nodes.scatter(surface.work, a1.begin());
         f = 0.;
-        solve_interior(dt, fine_residual, f, a1);
+        if (!solve_interior(dt, fine_residual, f, a1))
+          throw std::runtime_error(no_convergence);
         system.vmult(work, a1);
         surface.nodes.gather(work.begin(), surface.work);
         for (std::size_t k = 0; k < surface.work.size(); ++k)
@@ -134,8 +137,9 @@ namespace hybrid::continuum
   {
     const SurfaceStiffness &stiffness = surface_stiffness(dt); // before f and a1 are the step's
     begin(state, dt);
-    step_load = f;
-    solve_interior(dt, step_residual, f, a1);
+    step_load            = f;
+    surface.is_predicted = solve_interior(dt, step_residual, f, a1);
+    surface.is_followed  = false;
     step_system(dt).vmult(work, a1);
     work.sadd(-1., 1., step_load);
     surface.nodes.gather(work.begin(), surface.work);
@@ -154,18 +158,27 @@ namespace hybrid::continuum
 
 
 
-  void ImplicitWaves::correct(ContinuumState        &state,
-                              const double           dt,
-                              const Eigen::VectorXd &surface_displacement,
-                              const SurfaceForce    &force)
+  bool ImplicitWaves::follow_surface(const double dt, const Eigen::VectorXd &surface_displacement)
   {
     for (std::size_t k = 0; k < surface.a.size(); ++k)
       if (!surface.supported[k]) // the others are as predicted
         surface.a[k] = (surface_displacement[static_cast<Eigen::Index>(k)] - surface.u[k]) /
                        (newmark.beta * dt * dt);
     surface.nodes.scatter(surface.a, a1.begin());
-    f = step_load;
-    solve_interior(dt, step_residual, f, a1);
+    f                   = step_load;
+    surface.is_followed = solve_interior(dt, step_residual, f, a1) && surface.is_predicted;
+    return surface.is_followed;
+  }
+
+
+
+  void ImplicitWaves::correct(ContinuumState        &state,
+                              const double           dt,
+                              const Eigen::VectorXd &surface_displacement,
+                              const SurfaceForce    &force)
+  {
+    if (!surface.is_followed && !follow_surface(dt, surface_displacement))
+      throw std::runtime_error(no_convergence);
     finish(dt);
     surface.nodes.gather(now.u.data(), surface.u);
     surface.nodes.gather(now.v.data(), surface.v);
@@ -194,8 +207,7 @@ namespace hybrid::continuum
     surface.nodes.scatter(surface.work, f.begin());
     a1 = 0.;
     if (!solve(inertia(), inertia_diagonal, fine_residual, f, a1))
-      throw std::runtime_error("the conjugate gradients of the bedrock's inertia do not converge; "
-                               "Continuum/Linear solver = factor needs none");
+      throw std::runtime_error(no_convergence);
     std::copy(a1.begin(), a1.end(), acceleration.begin());
     return true;
   }

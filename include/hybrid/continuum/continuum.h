@@ -105,7 +105,8 @@ namespace hybrid::continuum
 
     /// Slip of the bedding planes for u_G found with the load of predict(), or of this function
     /// before; nothing to do where planes do not slip. If it changed, surface_load() is new and u_G
-    /// has to be found again; correct() follows when it is settled.
+    /// has to be found again; correct() follows when it is settled. Without a matrix: the rock
+    /// below that surface; failed if its conjugate gradients do not converge.
     SlipStatus
     solve_slip(const ContinuumState &state, double dt, const Eigen::VectorXd &surface_displacement);
 

@@ -68,10 +68,14 @@ namespace hybrid::continuum
     const SurfaceStiffness &surface_stiffness(double dt);
 
     /// Begin a step below blocks. @param load receives g [N/m].
-    /// @throws std::runtime_error if the equations of the interior are not solved
     void predict(const ContinuumState &state, double dt, Eigen::VectorXd &load);
 
+    /// The interior for a surface that comes there; correct() follows with the same displacement.
+    /// @return whether it, and that of predict(), were found.
+    bool follow_surface(double dt, const Eigen::VectorXd &surface_displacement);
+
     /// End the step that predict() has begun; see Continuum::correct().
+    /// @throws std::runtime_error if follow_surface() was not called and fails
     void correct(ContinuumState        &state,
                  double                 dt,
                  const Eigen::VectorXd &surface_displacement,
@@ -196,6 +200,7 @@ namespace hybrid::continuum
       std::vector<double>       u, v, a;   ///< at the end of the step; a as predicted before
       std::vector<double>       work;
       Eigen::VectorXd           known; ///< displacement for the acceleration of before
+      bool                      is_predicted = false, is_followed = false; ///< in this step
     };
 
     void find_surface(const std::vector<int> &surface_nodes);
@@ -203,8 +208,8 @@ namespace hybrid::continuum
     void put_surface(const std::vector<double> &values, std::vector<double> &of_state) const;
 
     /// For the acceleration of the surface that @p a holds, find that of the interior.
-    /// @throws std::runtime_error if it is not found
-    void solve_interior(double dt, double residual_left, Vector &load, Vector &a);
+    /// @return whether it was found.
+    bool solve_interior(double dt, double residual_left, Vector &load, Vector &a);
 
     Eigen::MatrixXd  surface_product(double dt, const Eigen::MatrixXd &x);
     SurfaceStiffness find_surface_stiffness(double dt);
