@@ -146,19 +146,24 @@ TEST_P(StateByOwners, is_read_from_the_vectors_of_one_rank)
 {
   Waves together(GetParam(), MPI_COMM_WORLD), alone(GetParam(), MPI_COMM_SELF);
   alone.run(20);
-  ContinuumState read = together.rock.initial_state();
-  read.time           = alone.state.time;
-  read.last_step      = alone.state.last_step;
-  read.energy         = alone.state.energy;
+  std::vector<double> &contacts = alone.state.contact_acceleration; // as where blocks push
+  contacts                      = {alone.state.acceleration.begin(),
+                                   alone.state.acceleration.begin() +
+                                     static_cast<std::ptrdiff_t>(alone.rock.n_unknowns())};
+  ContinuumState read           = together.rock.initial_state();
+  read.time                     = alone.state.time;
+  read.last_step                = alone.state.last_step;
+  read.energy                   = alone.state.energy;
   std::vector<const std::vector<double> *> whole;
   for (const auto *vector : {&alone.state.displacement,
                              &alone.state.velocity,
                              &alone.state.acceleration,
                              &alone.state.acceleration_change,
+                             &contacts,
                              &alone.state.maxwell.strain})
     if (!vector->empty())
       whole.push_back(vector);
-  ASSERT_EQ(whole.size(), GetParam() ? 4u : 5u);
+  ASSERT_EQ(whole.size(), GetParam() ? 5u : 6u);
   std::size_t k = 0;
   for (const restart::SharedVector &vector : together.rock.shared_vectors(read))
     {
@@ -171,10 +176,13 @@ TEST_P(StateByOwners, is_read_from_the_vectors_of_one_rank)
       ++k;
     }
   EXPECT_EQ(k, whole.size());
+  const Ownership &ownership = *together.rock.ownership();
+  expect_part(read.contact_acceleration, contacts, ownership.held(), own_nodes(ownership));
+  read.contact_acceleration.clear();
+  contacts.clear();
   together.state = read;
   together.run(20);
   alone.run(20);
-  const Ownership &ownership = *together.rock.ownership();
   expect_part(together.state.velocity,
               alone.state.velocity,
               ownership.held(),
