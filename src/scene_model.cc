@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <hybrid/continuum/surface_band.h>
 #include <hybrid/coupling/block_foundation.h>
 #include <hybrid/coupling/condensed_foundation.h>
 #include <hybrid/coupling/rigid_foundation.h>
@@ -13,6 +12,7 @@
 #include <hybrid/output/sample_line.h>
 #include <hybrid/output/watched_points.h>
 #include <hybrid/partners.h>
+#include <hybrid/returned_memory.h>
 #include <hybrid/scene/checks/mesh_check.h>
 #include <hybrid/scene/mesh/edge_chain.h>
 #include <hybrid/scene/mesh/stable_step.h>
@@ -32,19 +32,6 @@ namespace hybrid
       int size = 1;
       MPI_Comm_size(communicator, &size);
       return size;
-    }
-
-
-
-    /// Let vectors of 1 MB and more go back to the system at once. SuperLU, which comes with
-    /// deal.II, has glibc keep all memory there ever was as soon as it is loaded: no block is
-    /// mapped, no end of the heap is given back.
-    void return_large_vectors()
-    {
-      constexpr int megabyte = 1 << 20, blocks = 1 << 16;
-      mallopt(M_MMAP_MAX, blocks);
-      mallopt(M_MMAP_THRESHOLD, megabyte);
-      mallopt(M_TRIM_THRESHOLD, megabyte);
     }
 
 
@@ -113,8 +100,7 @@ namespace hybrid
     if (scene.environment.is_staged())
       dda::check_lifts(*blocks);
     check_points();
-    if (scene.continuum.is_explicit || (continuum != nullptr && continuum->is_iterated()))
-      malloc_trim(0); // what set-up has left
+    malloc_trim(0); // what set-up has left
   }
 
 

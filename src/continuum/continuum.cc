@@ -4,7 +4,6 @@
 #include <hybrid/continuum/elastic_assembly.h>
 #include <hybrid/continuum/explicit_waves.h>
 #include <hybrid/continuum/implicit_waves.h>
-#include <hybrid/continuum/surface_band.h>
 #include <hybrid/scene/input_error.h>
 
 #include <algorithm>
@@ -56,8 +55,9 @@ namespace hybrid::continuum
     }
 
     // When of S a band is kept (doc/scaling.md).
-    constexpr int narrow_band              = 4;  ///< unknowns of the surface over the band's
-    constexpr int nodes_of_unresolved_wave = 30; ///< that entries reach over in any step
+    constexpr int long_surface             = 6000; ///< its unknowns, at least
+    constexpr int narrow_band              = 4;    ///< unknowns of the surface over the band's
+    constexpr int nodes_of_unresolved_wave = 30;   ///< that entries reach over in any step
 
     /// Nodes of the contact surface, and what each bears of the load between it and the next.
     struct Surface

@@ -78,7 +78,7 @@ namespace hybrid::continuum
     const std::vector<Support> &supports = boundary.supports();
     for (std::size_t k = 0; k < unknowns().size(); ++k)
       if (const Support support = supports[unknowns()[k]]; support == Support::zero)
-        held.push_back(static_cast<unsigned int>(k));
+        fixed.push_back(static_cast<unsigned int>(k));
       else if (support == Support::base_motion)
         moving[unknowns()[k] % 2].push_back(static_cast<unsigned int>(k));
   }
@@ -176,7 +176,7 @@ namespace hybrid::continuum
 
   void ImplicitWaves::set_supported(Vector &a, const Vec2 &of_base) const
   {
-    for (const unsigned int i : held)
+    for (const unsigned int i : fixed)
       a.local_element(i) = 0.;
     for (std::size_t c = 0; c < 2; ++c)
       for (const unsigned int i : moving[c])
@@ -354,7 +354,7 @@ namespace hybrid::continuum
             now.v[i] -= dt * filter * change[i];
           }
       }
-    for (const unsigned int i : held)
+    for (const unsigned int i : fixed)
       now.u[i] = now.v[i] = 0.;
     advance_branches(dt);
     places.gather(now.u.data(), edges1.u);

@@ -17,7 +17,7 @@ from determinism_test import BREAKS, differences, read
 from surface_stiffness_test import BINARY, COLUMN, ENVIRONMENT, EXACT, LARGEST, ROOT, WORK, complaints, largest_difference, require, run
 
 sys.path.insert(0, str(ROOT.parent / "src/tools"))
-from hybrid_run.pictures import Pictures  # noqa: E402
+from hybrid_run.pictures import Picture, Pictures  # noqa: E402
 
 ITERATED = "Continuum/Linear solver=conjugate gradients"
 FACTOR = "Continuum/Linear solver=factor"
@@ -51,6 +51,16 @@ def check_peaks(known, found, what):
         require(worst < LARGEST, f"{what}: {name} differ by {worst:.2g} of the largest")
 
 
+def check_pictures_of_peaks(alone, together):
+    """Nodes and blocks in one file, or in two."""
+    known, nodes, blocks = Picture(alone / "peaks.vtu"), Picture(together / "peaks.vtu"), Picture(together / "peaks_blocks.vtu")
+    require(len(known.points) == len(nodes.points) + len(blocks.points), "peaks.vtu and peaks_blocks.vtu have all nodes and corners of blocks")
+    for name in known.fields:
+        both = numpy.concatenate([nodes.fields[name], blocks.fields[name]])
+        largest = numpy.abs(known.fields[name]).max()
+        require(numpy.abs(both - known.fields[name]).max() <= 1e-6 * largest, f"peaks.vtu: {name} differs")  # single precision
+
+
 def check_motion():
     """The factor's, on any number of processes."""
     for name, (scene, overrides, counts) in SCENES.items():
@@ -64,6 +74,7 @@ def check_motion():
             print(f"{name}: factor and {processes} iterating processes differ by {worst:.2g} of the peak ({where})")
             require(worst < LARGEST, f"{name}: factor and {processes} iterating processes differ by {worst:.2g} in {where}")
             check_peaks(known, found, f"{name}, {processes} processes")
+    check_pictures_of_peaks(WORK / "damped_1", WORK / "damped_2")
     told = {name: json.loads((WORK / f"{name}_1/summary.json").read_text(encoding="utf-8")) for name in SCENES}
     require(told["damped"]["joints"]["tensile"] > 0, "joints tear")
     require(told["cut"]["cuts"] > 0, "steps are cut")

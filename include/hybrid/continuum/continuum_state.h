@@ -39,7 +39,8 @@ namespace hybrid::continuum
     std::vector<double> velocity;     ///< v [m/s]
     std::vector<double> acceleration; ///< a [m/s2]
     std::vector<double> contact_acceleration; ///< part of a that ends with the step, see
-                                              ///< SurfaceForce [m/s2]; empty: none
+                                              ///< SurfaceForce, of the rock's nodes [m/s2]; empty:
+                                              ///< none
     std::vector<double> acceleration_change;  ///< remembered by a Newmark::filter, of a without
                                               ///< contacts [m/s2]; empty without one
     std::vector<double> surface_force;        ///< lambda of the last step [N/m]; empty: zero

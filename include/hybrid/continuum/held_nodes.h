@@ -9,8 +9,8 @@ namespace hybrid::continuum
 {
   /**
    * The nodes whose motion the state of a rank holds: first its own, ascending; behind them others
-   * that it has to know, of boundaries, joints, loads and watched points. A "slot" is a position in
-   * this list; vectors of a state hold x and y of each.
+   * that it has to know, of boundaries, joints, loads, the surface below blocks and watched points.
+   * A "slot" is a position in this list; vectors of a state hold x and y of each.
    */
   class HeldNodes
   {

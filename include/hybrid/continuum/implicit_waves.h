@@ -243,7 +243,7 @@ namespace hybrid::continuum
     PointLoads        point_loads;   ///< on places
     SharedNodes       places;
 
-    std::vector<unsigned int>                held;               ///< of this rank, that do not move
+    std::vector<unsigned int>                fixed;              ///< of this rank, that do not move
     std::array<std::vector<unsigned int>, 2> moving;             ///< with the base, along x and y
     double                                   diagonal_step = 0.; ///< whose diagonal is kept [s]
     Vector                                   diagonal;           ///< of its matrix, inverted

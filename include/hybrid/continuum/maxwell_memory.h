@@ -46,7 +46,7 @@ namespace hybrid::continuum
     /// Nothing is strained.
     MaxwellState at_rest() const;
 
-    /// The same for explicit steps, which keep no forces. @param unknowns of a state
+    /// The same for steps without a matrix, which keep no forces. @param unknowns of a state
     MaxwellState strains_at_rest(std::size_t unknowns) const;
 
     /// Of the excess's force, per K u at the end of a step [-].

@@ -10,7 +10,7 @@
 
 namespace hybrid::continuum
 {
-  /// What the static stage of waves alone is solved on.
+  /// What the static stage is solved on without a matrix.
   struct RestrainedModel
   {
     const SharedRock        &shared;

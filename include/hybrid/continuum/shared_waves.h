@@ -14,8 +14,9 @@
 namespace hybrid::continuum
 {
   /**
-   * Waves alone, shared out among the ranks: after a step each rank knows the motion of its own
-   * unknowns, of boundaries and joints, and of the free-field columns.
+   * The bedrock without a matrix, shared out among the ranks: waves alone, or below blocks
+   * (ImplicitWaves). After a step each rank knows the motion of its own unknowns, of boundaries,
+   * joints and the surface below blocks, and of the free-field columns.
    */
   class SharedWaves
   {

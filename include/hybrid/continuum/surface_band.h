@@ -28,9 +28,6 @@ namespace hybrid::continuum
   Eigen::MatrixXd
   surface_band(const SurfaceProduct &product, const Eigen::VectorXd &scale, double noise = 0.);
 
-  /// Unknowns from which on a surface is long: all entries of its S would be too many.
-  constexpr int long_surface = 6000;
-
   /// Columns that surface_band() asks for in one product, at most.
   constexpr int columns_of_product = 16;
 

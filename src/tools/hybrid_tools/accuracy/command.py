@@ -14,7 +14,7 @@ from hybrid_tools.study.run_directory import read_json
 from hybrid_tools.table import Cell, Column, Table
 
 LEAST_TIME = 0.5  # of steps, that tells what finer ones take [s]
-MOST_GROWTH = {"step": 2.0, "mesh": 16.0}  # of the time with half of it, wherever the coarser run was computed: as many steps again; 4 cells, n^2
+MOST_GROWTH = {"step": 2.0, "mesh": 16.0}  # of the time, with half the step (twice the steps) or half the size (four times n, and n^2 at most)
 EXAMPLES = """  hybrid accuracy output/my_run                  # mesh twice and four times as coarse, step twice as long
   hybrid accuracy output/my_run --mesh           # the mesh alone: about a sixth of the run's time
   hybrid accuracy output/my_run --quantities "crest/*,slip/*"
