@@ -250,7 +250,7 @@ namespace
         forget_step_record(scene.output.directory);
     });
     simulation->report().card();
-    simulation->report().memory(!is_check);
+    simulation->report().memory(!is_check, processes.is_alone() ? 1 : processes.on_this_machine());
     if (is_check)
       {
         warn_of_earlier_run(scene.output.directory, voice.log);

@@ -57,13 +57,14 @@ namespace hybrid
 
 
 
-  void RunReport::memory(const bool warning_only) const
+  void RunReport::memory(const bool warning_only, const int processes) const
   {
     const auto estimate =
       output::estimate_memory(model.scene, model.mesh, model.blocks.get(), model.continuum.get());
     if (!warning_only)
-      log.info(output::describe(estimate));
-    const std::string warning = output::memory_warning(estimate, output::available_memory());
+      log.info(output::describe(estimate, processes));
+    const std::string warning =
+      output::memory_warning(estimate, processes, output::available_memory());
     if (!warning.empty())
       log.warning(warning);
   }

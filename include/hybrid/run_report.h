@@ -23,8 +23,9 @@ namespace hybrid
     void card() const;
 
     /// What a run will take of the machine's memory. Only a warning belongs in the log of a run:
-    /// the numbers differ a little between equal runs.
-    void memory(bool warning_only) const;
+    /// the numbers differ a little between equal runs. @param processes on this machine that
+    /// compute the scene
+    void memory(bool warning_only, int processes) const;
 
     /// Of a mass that was placed in lifts.
     void lifts(const dda::LiftResult &result) const;

@@ -113,14 +113,16 @@ namespace hybrid::output
 
 
 
-  std::string describe(const MemoryEstimate &estimate)
+  std::string describe(const MemoryEstimate &estimate, const int processes)
   {
-    char text[250];
+    const std::string of_each = processes > 1 ? " for each process" : "";
+    char              text[250];
     std::snprintf(text,
                   sizeof(text),
-                  "Memory     about %.0f MB: program and model %.0f, bedrock %.0f, blocks %.0f, "
+                  "Memory     about %.0f MB%s: program and model %.0f, bedrock %.0f, blocks %.0f, "
                   "histories %.0f",
                   estimate.total() / megabyte,
+                  of_each.c_str(),
                   estimate.built / megabyte,
                   estimate.continuum / megabyte,
                   estimate.blocks / megabyte,
@@ -139,17 +141,27 @@ namespace hybrid::output
 
 
 
-  std::string memory_warning(const MemoryEstimate &estimate, const double available)
+  std::string
+  memory_warning(const MemoryEstimate &estimate, const int processes, const double available)
   {
-    if (estimate.total() + estimate.sliding <= available)
+    const double needed = processes * (estimate.total() + estimate.sliding);
+    if (needed <= available)
       return "";
-    char text[200];
+    const std::string who =
+      processes > 1 ? "the " + std::to_string(processes) + " processes on this machine need" :
+                      "the run needs";
+    const std::string advice =
+      processes > 1 ? "fewer processes, of several threads each (Time/Threads), or a coarser mesh" :
+                      "a coarser mesh";
+    char text[250];
     std::snprintf(text,
                   sizeof(text),
-                  "the run needs about %.0f MB of memory, this machine has %.0f MB; a coarser mesh "
-                  "needs less",
-                  (estimate.total() + estimate.sliding) / megabyte,
-                  available / megabyte);
+                  "%s about %.0f MB of memory, this machine has %.0f MB; %s %s less",
+                  who.c_str(),
+                  needed / megabyte,
+                  available / megabyte,
+                  advice.c_str(),
+                  processes > 1 ? "need" : "needs");
     return text;
   }
 } // namespace hybrid::output

@@ -7,6 +7,7 @@ import sys
 import types
 
 import h5py
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from conftest import ROOT, TOOLS
@@ -15,7 +16,7 @@ import tool
 from hybrid_run import Run, UserError
 from hybrid_run.geometry import chains
 from hybrid_tools import style
-from hybrid_tools.plot import boreholes, energy_balance, everything, failure_process, monitor_choice, overview, velocities
+from hybrid_tools.plot import boreholes, energy_balance, everything, failure_process, monitor_choice, overview, section_view, velocities, water
 
 FIGURES = ["overview", "input_motion", "monitors_S", "monitors_D", "monitors_base", "velocities", "boreholes", "section", "slip", "energy", "steps"]
 
@@ -55,6 +56,27 @@ def test_blocks_that_all_left_the_section_are_drawn_where_they_are(hybrid, synth
     run = synthetic_run("away")
     assert tool.main("plot", [str(run)]) == 0
     assert "section.png" in pictures(run)
+
+
+def levels_of(axes):
+    return [float(line.get_ydata()[0]) for line in axes.lines if line.get_linestyle() == "--" and line.get_color() == style.WATER]
+
+
+def test_a_level_that_moves_is_drawn_where_it_is(synthetic_run):
+    run = synthetic_run("complete")
+    with h5py.File(run / "run.h5", "a") as file:
+        end = file["time"][-1]
+        file["section/water_levels"] = [[0.25 * end, 175.0], [0.75 * end, 145.0]]
+    section = section_view.Section(Run(str(run)))
+    assert [section.water.level(part * end) for part in (0, 0.5, 2)] == pytest.approx([175, 160, 145])
+    _, (first, last, beyond) = plt.subplots(1, 3)
+    section_view.draw_main(section, first)
+    section_view.draw_final(section, last)
+    assert levels_of(first) == [175] and levels_of(last) == [145]
+    assert {text.get_text() for text in first.texts} >= {"175 m at 0 s"}
+    beyond.set(xlim=(0, 1), ylim=(150, 151))
+    assert water.draw_water(section.water, beyond, 0.75 * end) == [] and not beyond.lines
+    plt.close("all")
 
 
 def test_the_failure_is_drawn_at_times_that_part_it(hybrid, tmp_path):

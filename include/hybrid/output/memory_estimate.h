@@ -35,9 +35,10 @@ namespace hybrid::output
   /// Memory that this process may use [B]: the machine's, or less by a limit of its container.
   double available_memory();
 
-  /// "Memory     about 460 MB (...)".
-  std::string describe(const MemoryEstimate &estimate);
+  /// "Memory     about 460 MB: ...", of one of the @p processes that compute the scene.
+  std::string describe(const MemoryEstimate &estimate, int processes);
 
-  /// Warning if the estimate exceeds @p available [B], else empty.
-  std::string memory_warning(const MemoryEstimate &estimate, double available);
+  /// Warning if @p processes on one machine, each with this estimate, exceed what it has
+  /// @p available [B], else empty.
+  std::string memory_warning(const MemoryEstimate &estimate, int processes, double available);
 } // namespace hybrid::output

@@ -6,6 +6,7 @@ import contextlib
 import matplotlib
 
 matplotlib.use("Agg")
+import matplotlib.patheffects as effects
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import ListedColormap
@@ -27,6 +28,8 @@ BELTS = (SLIP, "#c07a2c", "#4d6b1f", "#8c2f5f")  # lines
 
 # Ends before brown, so that red and blue marks of joints stand out on it.
 DISPLACEMENT_MAP = ListedColormap(plt.get_cmap("YlOrBr")(np.linspace(0.02, 0.66, 256)))
+
+HALO = [effects.withStroke(linewidth=2.2, foreground="white")]  # of names on a picture
 
 DPI = 130
 

@@ -30,20 +30,35 @@ namespace hybrid::output
       MemoryEstimate estimate;
       estimate.built     = 100. * 1048576.;
       estimate.continuum = 50. * 1048576.;
-      EXPECT_EQ(memory_warning(estimate, 151. * 1048576.), "");
-      const std::string text = memory_warning(estimate, 149. * 1048576.);
+      EXPECT_EQ(memory_warning(estimate, 1, 151. * 1048576.), "");
+      const std::string text = memory_warning(estimate, 1, 149. * 1048576.);
       EXPECT_NE(text.find("needs about 150 MB"), std::string::npos) << text;
       EXPECT_NE(text.find("has 149 MB"), std::string::npos) << text;
-      EXPECT_NE(describe(estimate).find("about 150 MB"), std::string::npos);
-      EXPECT_EQ(describe(estimate).find("slide"), std::string::npos);
+      EXPECT_NE(describe(estimate, 1).find("about 150 MB"), std::string::npos);
+      EXPECT_EQ(describe(estimate, 1).find("slide"), std::string::npos);
       estimate.sliding = 20. * 1048576.;
-      EXPECT_NE(describe(estimate).find("about 150 MB"), std::string::npos);
-      EXPECT_NE(describe(estimate).find("once joints slide 20 more"), std::string::npos);
-      EXPECT_NE(memory_warning(estimate, 169. * 1048576.).find("needs about 170 MB"),
+      EXPECT_NE(describe(estimate, 1).find("about 150 MB"), std::string::npos);
+      EXPECT_NE(describe(estimate, 1).find("once joints slide 20 more"), std::string::npos);
+      EXPECT_NE(memory_warning(estimate, 1, 169. * 1048576.).find("needs about 170 MB"),
                 std::string::npos);
       estimate.preparation = 300. * 1048576.;
-      EXPECT_NE(describe(estimate).find("about 300 MB"), std::string::npos);
+      EXPECT_NE(describe(estimate, 1).find("about 300 MB"), std::string::npos);
       EXPECT_GT(available_memory(), 1e7);
+    }
+
+
+
+    TEST(MemoryEstimate, CountsAllProcessesOfAMachine)
+    {
+      MemoryEstimate estimate;
+      estimate.built = 100. * 1048576.;
+      EXPECT_EQ(describe(estimate, 1).find("each process"), std::string::npos);
+      EXPECT_NE(describe(estimate, 4).find("about 100 MB for each process:"), std::string::npos);
+      EXPECT_EQ(memory_warning(estimate, 4, 401. * 1048576.), "");
+      const std::string text = memory_warning(estimate, 4, 399. * 1048576.);
+      EXPECT_NE(text.find("the 4 processes on this machine need about 400 MB"), std::string::npos)
+        << text;
+      EXPECT_NE(text.find("fewer processes"), std::string::npos) << text;
     }
   } // namespace
 } // namespace hybrid::output

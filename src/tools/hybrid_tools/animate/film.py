@@ -9,7 +9,8 @@ from matplotlib.lines import Line2D
 from scipy.spatial import cKDTree
 
 from hybrid_tools import style
-from hybrid_tools.plot.section_view import Section, draw_rock, draw_water
+from hybrid_tools.plot.section_view import Section, draw_rock
+from hybrid_tools.plot.water import draw_water
 
 from .motion import DISPLACEMENT, SHEAR, TENSILE
 
@@ -60,7 +61,8 @@ class Film:
         self.draw_ground(section)
         self.add_blocks(bar, extent)
         self.set_view(low, high)
-        draw_water(section, self.axes)
+        self.section, self.water = section, []
+        self.draw_water(self.motion.times[0])
         self.marker = self.draw_strip(strip, extent)
         height = self.figure.get_size_inches()[1]
         self.figure.text(0.02, 1 - 0.09 / height, run.title(), fontsize=11, fontweight="bold", va="top")
@@ -124,6 +126,14 @@ class Film:
         axes.margins(y=0.1)
         return axes.axvline(times[0], color=style.TENSILE, lw=1.4)
 
+    def draw_water(self, time):
+        """Again where the level moves."""
+        if self.water and not self.section.water.moves:
+            return
+        for artist in self.water:
+            artist.remove()
+        self.water = draw_water(self.section.water, self.axes, time, self.section.names())
+
     def draw(self, k):
         motion, time = self.motion, self.motion.times[k]
         picture = motion.blocks[k]
@@ -136,6 +146,7 @@ class Film:
             points = motion.drawn(bedrock, time)
             self.cells.set_verts(motion.polygons(bedrock, points))
             self.planes.set_segments(points[self.plane_nodes].reshape(-1, 2, 2))
+        self.draw_water(time)
         self.marker.set_xdata([time, time])
         scaled = "" if motion.scale == 1 else "    displacements drawn %g times as large" % motion.scale
         self.clock.set_text("t = %.*f s%s" % (self.digits(), time, scaled))

@@ -16,7 +16,8 @@ from hybrid_tools import style
 from hybrid_tools.animate.film import KINDS, view
 from hybrid_tools.animate.motion import Extent, Motion
 
-from .section_view import Section, draw_rock, draw_water
+from .section_view import Section, draw_rock
+from .water import draw_water
 
 FRAMES = 6
 FIRST = 0.1  # of the failures
@@ -92,7 +93,7 @@ def draw(run, directory):
         axis.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
         axis.set_aspect("equal")
         axis.grid(False)
-        draw_water(section, axis)
+        draw_water(section.water, axis, motion.times[k])
     for axis in axes[:, 0]:
         axis.set_ylabel("elevation [m]")
     for axis in axes[-1]:

@@ -13,9 +13,9 @@ from hybrid_run.geometry import chains
 from hybrid_tools import style
 
 from . import colour_bar
+from .water import Water, draw_water
 
 OUTLINE = [effects.withStroke(linewidth=2.6, foreground="#ffffffb0")]
-HALO = [effects.withStroke(linewidth=2.2, foreground="white")]
 
 
 class Section:
@@ -33,10 +33,7 @@ class Section:
         self.reference = " relative to the base" if run.base else ""
         self.outline = run.get("section/outline") if run.has("section/outline") else None
         self.surface = run.get("section/surface") if run.has("section/surface") else None
-        self.water_line = run.get("section/water_line") if run.has("section/water_line") else None
-        self.water = run.attribute("section", "water_level")
-        if self.water is not None:
-            self.water = float(np.ravel(self.water)[0])
+        self.water = Water(run)
         self.read_materials(run)
         self.low, self.high = points.min(axis=0), points.max(axis=0)
         self.monitors = [(n, run.attribute("monitors/" + n, "position")) for n in run.names("monitors")]
@@ -47,6 +44,10 @@ class Section:
         if run.has("joints/position") and run.file["joints/position"].shape[0] > 0:
             ends = run.get("joints/ends") if run.has("joints/ends") else None
             self.joints = run.get("joints/position"), run.get("joints/failure_time"), run.get("joints/failure_kind"), ends
+
+    def names(self):
+        """Where names of monitors stand."""
+        return [position for _, position in self.monitors]
 
     def read_materials(self, run):
         """What the section is made of; empty where an older run does not say."""
@@ -99,31 +100,6 @@ def draw_materials(section, axes):
     axes.legend(handles=entries, loc="center left", bbox_to_anchor=(1.0, 0.5), borderaxespad=0.5)
 
 
-def draw_phreatic_line(points, axes):
-    """Constant beyond its ends."""
-    x = np.unique(np.concatenate([axes.get_xlim(), points[:, 0]]))
-    axes.plot(x, np.interp(x, *points.T), color=style.WATER, lw=1.1, zorder=3, scalex=False, scaley=False)
-
-
-def draw_water(section, axes):
-    """A line where the level stands in free air or in the ground, with the usual triangle at the left; the phreatic line."""
-    if section.water_line is not None:
-        draw_phreatic_line(section.water_line, axes)
-    if section.water is None or section.water < section.low[1] - 1e3:
-        return
-    left, right = axes.get_xlim()
-    bottom, top = axes.get_ylim()
-    if not bottom < section.water < top:
-        return
-    axes.axhline(section.water, color=style.WATER, lw=1.1, ls=(0, (7, 3)), zorder=3)
-    near = [p[0] for _, p in section.monitors if abs(p[1] - section.water) < 0.15 * (top - bottom) and left < p[0] < right]
-    is_right = len(near) > 0 and np.mean(near) < 0.5 * (left + right)  # where no names of monitors stand
-    x = right - 0.02 * (right - left) if is_right else left + 0.02 * (right - left)
-    axes.plot(x, section.water, marker=7, ms=8, color=style.WATER, zorder=6, clip_on=False)
-    axes.annotate("%g m" % section.water, (x, section.water), (-9 if is_right else 9, 3), textcoords="offset points",
-                  ha="right" if is_right else "left", color=style.WATER, fontsize=8, path_effects=HALO, zorder=7)
-
-
 def draw_blocks(axes, blocks, values, title, scale):
     factor, unit, norm = scale
     width = np.ptp(np.vstack(blocks), axis=0)[0]
@@ -172,14 +148,14 @@ def draw_labels(section, axes):
         axes.plot([head[0], foot[0]], [head[1], foot[1]], color=style.TEXT, lw=1.3, zorder=6)
         if left < head[0] < right and bottom < head[1] < top:
             axes.annotate(name, head, (0, 24), textcoords="offset points", ha="center", fontsize=8, fontweight="bold", zorder=8,
-                          path_effects=HALO, arrowprops={"arrowstyle": "-", "lw": 0.6, "color": style.TEXT, "shrinkA": 0, "shrinkB": 0})
+                          path_effects=style.HALO, arrowprops={"arrowstyle": "-", "lw": 0.6, "color": style.TEXT, "shrinkA": 0, "shrinkB": 0})
     for name, p in section.monitors:
         if not (left < p[0] < right and bottom < p[1] < top):
             continue
         below = name.startswith("D")
         axes.plot(*p, "o", ms=4, color="white", mec=style.TEXT, mew=0.9, zorder=7)
         axes.annotate(name, p, (3, -10) if below else (-3, 5), textcoords="offset points", ha="left" if below else "right",
-                      fontsize=8, color=style.TEXT, path_effects=HALO, zorder=8)
+                      fontsize=8, color=style.TEXT, path_effects=style.HALO, zorder=8)
 
 
 def set_view(axes, low, high, margin):
@@ -225,11 +201,11 @@ def draw_whole(section, axes):
         axes.add_collection(PolyCollection(section.blocks, facecolors="#e9b872", edgecolors="none", zorder=1))
     ends = np.vstack([section.low, section.high] if section.outline is None else [section.outline.reshape(-1, 2), section.low, section.high])
     set_view(axes, ends.min(axis=0), ends.max(axis=0), 0.02)
-    draw_water(section, axes)
+    draw_water(section.water, axes, 0.0, section.names())
     for name, p in section.monitors:
         if not name.startswith(("S", "D")):
             axes.plot(*p, "o", ms=4, color="white", mec=style.TEXT, mew=0.9, zorder=7)
-            axes.annotate(name, p, (5, 4), textcoords="offset points", fontsize=8, path_effects=HALO)
+            axes.annotate(name, p, (5, 4), textcoords="offset points", fontsize=8, path_effects=style.HALO)
     axes.set_title("model")
 
 
@@ -246,7 +222,7 @@ def draw_main(section, axes):
         draw_blocks(axes, section.blocks, values, title, scale_of(values))
     set_view(axes, section.low, section.high, margin_of(section))
     make_room_for_names(section, axes)
-    draw_water(section, axes)
+    draw_water(section.water, axes, 0.0, section.names())
     draw_joints(section, axes)
     draw_labels(section, axes)
 
@@ -261,7 +237,7 @@ def draw_final(section, axes):
     if inside.mean() > 0.5:  # the few that flew away are not shown
         points = points[inside]
     set_view(axes, np.minimum(section.low, points.min(axis=0)), np.maximum(section.high, points.max(axis=0)), margin_of(section))
-    draw_water(section, axes)
+    draw_water(section.water, axes, section.water.end, section.names())
 
 
 def scale_of(values):

@@ -9,7 +9,7 @@ from matplotlib.patches import Patch
 
 from hybrid_run.geometry import chains
 from hybrid_tools import style
-from hybrid_tools.plot.section_view import HALO, draw_phreatic_line
+from hybrid_tools.plot import water
 
 ARTIFICIAL = "#1f7a5c"
 GROUND = "#4a4a4a"
@@ -35,8 +35,7 @@ class Scene:
         if len(self.belt_material):
             self.belt = run.get("section/belt").reshape(-1, 2, 2)
         self.planes = [name.strip() for name in self.parameters.get("Bedding planes/Names", "").split(",") if name.strip()]
-        self.water = run.attribute("section", "water_level")
-        self.water_line = run.get("section/water_line") if run.has("section/water_line") else None
+        self.water = water.Water(run)
         self.monitors = {name: monitor.position for name, monitor in run.monitors.items()}
         self.boreholes = {n: np.reshape(run.attribute("profiles/" + n, "position"), (2, 2)) for n in run.names("profiles")}
         self.has_bedrock = self.parameters.get("Model/Bedrock", "continuum") != "rigid"
@@ -101,25 +100,10 @@ def draw_lines(scene, axes):
 
 
 def draw_water(scene, axes):
-    return draw_level(scene, axes) + draw_water_line(scene, axes)
-
-
-def draw_water_line(scene, axes):
-    if scene.water_line is None:
-        return []
-    draw_phreatic_line(scene.water_line, axes)
-    return [Line2D([], [], color=style.WATER, lw=1.1, label="phreatic line")]
-
-
-def draw_level(scene, axes):
-    if scene.water is None:
-        return []
-    level = float(np.ravel(scene.water)[0])
-    low, high = axes.get_ylim()
-    if not low < level < high:
-        return []
-    axes.axhline(level, color=style.WATER, lw=1.1, ls=(0, (7, 3)), zorder=3)
-    return [Line2D([], [], color=style.WATER, lw=1.1, ls=(0, (7, 3)), label="water %g m" % level)]
+    """Level and phreatic line at the start. @return entries of the legend."""
+    if scene.water.line is not None:
+        water.draw_phreatic_line(scene.water.line, axes)
+    return water.entries(scene.water, bool(water.draw_level(scene.water, axes)))
 
 
 def is_within(p, corners):
@@ -140,7 +124,7 @@ def draw_points(scene, axes, within, elsewhere):
         if inside(head) or inside(foot):
             axes.plot([head[0], foot[0]], [head[1], foot[1]], color=style.TEXT, lw=1.3, zorder=6)
             if is_named(0.5 * (head + foot)):
-                axes.annotate(name, foot, (0, -9), textcoords="offset points", ha="center", fontsize=7, fontweight="bold", path_effects=HALO, zorder=8)
+                axes.annotate(name, foot, (0, -9), textcoords="offset points", ha="center", fontsize=7, fontweight="bold", path_effects=style.HALO, zorder=8)
     if scene.boreholes:
         entries.append(Line2D([], [], color=style.TEXT, lw=1.3, label="borehole"))
     for name, p in scene.monitors.items():
@@ -149,7 +133,7 @@ def draw_points(scene, axes, within, elsewhere):
             side = scene.run.downhill if name[0] not in "DB" else -scene.run.downhill  # names on the ground stand in the air
             if is_named(p):
                 axes.annotate(name, p, (4 * side, 4) if name[0] != "D" else (5 * side, 0), textcoords="offset points", fontsize=7, zorder=8,
-                              ha="left" if side > 0 else "right", va="bottom" if name[0] != "D" else "center", path_effects=HALO)
+                              ha="left" if side > 0 else "right", va="bottom" if name[0] != "D" else "center", path_effects=style.HALO)
     if scene.monitors:
         entries.append(Line2D([], [], ls="", marker="o", ms=4, color="white", mec=style.TEXT, label="monitor"))
     return entries
