@@ -2,6 +2,8 @@
 #include <hybrid/dda/block/viscous_boundary.h>
 #include <hybrid/dda/springs/bedrock_forces.h>
 
+#include <algorithm>
+
 namespace hybrid::dda
 {
   namespace
@@ -28,33 +30,44 @@ namespace hybrid::dda
               g.vertices[g.next(edge.vertex)],
               BlockMotion(step.before.blocks[edge.block].centroid, Vec6::Zero())};
     }
+
+
+
+    bool is_among(const Model &model, const std::vector<int> &blocks, const int block)
+    {
+      return static_cast<int>(blocks.size()) == model.n_blocks() ||
+             std::binary_search(blocks.begin(), blocks.end(), block);
+    }
   } // namespace
 
 
 
-  void
-  add_bedrock_forces(const BedrockStep &step, Eigen::VectorXd &residual, Eigen::VectorXd &absolute)
+  void add_bedrock_forces(const BedrockStep      &step,
+                          const std::vector<int> &blocks,
+                          Eigen::VectorXd        &residual,
+                          Eigen::VectorXd        &absolute)
   {
     const Model &model = step.model;
     const int    first = model.n_mass();
-    auto         rows  = residual.segment(6 * first, 6 * model.n_bedrock);
     if (model.hold_bedrock)
       {
-        rows.setZero();
+        residual.segment(6 * first, 6 * model.n_bedrock).setZero();
         return;
       }
     const Eigen::VectorXd &borne = step.before.bedrock_static_force;
     if (borne.size() > 0)
-      {
-        rows -= borne;
-        for (int k = 0; k < model.n_bedrock; ++k)
-          absolute[first + k] += borne.segment<2>(6 * k).norm();
-      }
+      for (auto b = std::lower_bound(blocks.begin(), blocks.end(), first); b != blocks.end(); ++b)
+        {
+          residual.segment<6>(6 * *b) -= borne.segment<6>(6 * (*b - first));
+          absolute[*b] += borne.segment<2>(6 * (*b - first)).norm();
+        }
     if (step.incoming.size() == 0)
       return;
     for (std::size_t e = 0; e < model.boundary.size(); ++e)
       {
-        const BoundaryEdge   &edge     = model.boundary[e];
+        const BoundaryEdge &edge = model.boundary[e];
+        if (!is_among(model, blocks, edge.block))
+          continue;
         const ViscousBoundary boundary = at_end(step, edge);
         const Vec6            in       = boundary.incoming(&step.incoming[forces_per_edge * e]);
         const Vec6            out      = boundary.dashpots(step.trial.rate[edge.block]);
@@ -65,7 +78,9 @@ namespace hybrid::dda
 
 
 
-  void add_bedrock_stiffness(const BedrockStep &step, BlockMatrix &matrix)
+  void add_bedrock_stiffness(const BedrockStep      &step,
+                             const std::vector<int> &blocks,
+                             BlockMatrix            &matrix)
   {
     const Model &model = step.model;
     if (model.hold_bedrock)
@@ -82,7 +97,8 @@ namespace hybrid::dda
       return;
     const double rate_by_increment = model.newmark.gamma / (model.newmark.beta * step.trial.dt);
     for (const BoundaryEdge &edge : model.boundary)
-      matrix.diagonal[edge.block] += rate_by_increment * at_end(step, edge).damping();
+      if (is_among(model, blocks, edge.block))
+        matrix.diagonal[edge.block] += rate_by_increment * at_end(step, edge).damping();
   }
 
 

@@ -150,7 +150,7 @@ namespace hybrid::dda
             matrix.diagonal[b].bottomRightCorner<3, 3>() += p.area * p.elasticity;
             stiffness.add_rows(springs, b, matrix);
           }
-      add_bedrock_stiffness({elastic, state, trial, Eigen::VectorXd()}, matrix);
+      add_bedrock_stiffness({elastic, state, trial, Eigen::VectorXd()}, {}, matrix);
       return matrix;
     }
 

@@ -9,7 +9,7 @@ namespace hybrid::dda
   bool OpenCloseIteration::settle_few(StepResult &result)
   {
     constexpr int most_times = 10;
-    if (!problem.model->iteration.few_settle_alone || problem.model->n_bedrock > 0)
+    if (!problem.model->iteration.few_settle_alone)
       return false;
     int times_moved = 0;
     while (times_moved < most_times && !tangent.is_outdated() && !is_balanced(result) &&

@@ -173,7 +173,7 @@ namespace hybrid::dda
       {
         for (const BoundaryEdge &edge : model->boundary)
           trial.rate[edge.block] = end_rate(edge.block);
-        add_bedrock_forces(bedrock(), residual, absolute);
+        add_bedrock_forces(bedrock(), at_work(), residual, absolute);
       }
     add_foundation_balance();
     reference = absolute.norm();

@@ -52,7 +52,7 @@ namespace hybrid::dda
     SpringStiffness::Choice springs{choice.follow_softening,
                                     StepKinematics::contact_weight(model.newmark),
                                     sliding.value(),
-                                    choice.all || model.n_bedrock > 0 || model.blocks_yield,
+                                    choice.all || model.hold_bedrock || model.blocks_yield,
                                     &problem.at_work()};
     stiffness.update(problem.springs, problem.trial, springs);
     if (!stiffness.changed_blocks().empty() || springs.all)
@@ -82,7 +82,7 @@ namespace hybrid::dda
     if (!problem.blocks_are_symmetric())
       matrix.symmetric = false;
     if (problem.model->n_bedrock > 0)
-      add_bedrock_stiffness(problem.bedrock(), matrix);
+      add_bedrock_stiffness(problem.bedrock(), rebuilt, matrix);
     if (problem.foundation->prescribed)
       cut_nodes_off();
     solver.matrix_changed(matrix, rebuilt);

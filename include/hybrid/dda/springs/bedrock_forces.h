@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace hybrid::dda
 {
   /**
@@ -23,12 +25,18 @@ namespace hybrid::dda
     const Eigen::VectorXd &incoming; ///< at the end of the step [N/m]; empty: no dashpots act
   };
 
-  /// Add the forces to @p residual, their sizes to @p absolute; a held bedrock has no residual.
-  void
-  add_bedrock_forces(const BedrockStep &step, Eigen::VectorXd &residual, Eigen::VectorXd &absolute);
+  /// Add the forces on these @p blocks, ascending, to @p residual, their sizes to @p absolute; a
+  /// held bedrock has no residual.
+  void add_bedrock_forces(const BedrockStep      &step,
+                          const std::vector<int> &blocks,
+                          Eigen::VectorXd        &residual,
+                          Eigen::VectorXd        &absolute);
 
-  /// Add the dashpots' tangent; a held bedrock is cut off from the blocks on it.
-  void add_bedrock_stiffness(const BedrockStep &step, BlockMatrix &matrix);
+  /// Add the dashpots' tangent to the rows of these @p blocks, ascending; a held bedrock is cut off
+  /// from the blocks on it.
+  void add_bedrock_stiffness(const BedrockStep      &step,
+                             const std::vector<int> &blocks,
+                             BlockMatrix            &matrix);
 
   /// Energy of boundaries and static forces in an accepted step.
   void audit_bedrock(const BedrockStep &step, BlockEnergy &energy);
