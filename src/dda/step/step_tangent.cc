@@ -52,7 +52,8 @@ namespace hybrid::dda
     SpringStiffness::Choice springs{choice.follow_softening,
                                     StepKinematics::contact_weight(model.newmark),
                                     sliding.value(),
-                                    choice.all || model.hold_bedrock || model.blocks_yield,
+                                    choice.all || (model.hold_bedrock && model.n_bedrock > 0) ||
+                                      model.blocks_yield,
                                     &problem.at_work()};
     stiffness.update(problem.springs, problem.trial, springs);
     if (!stiffness.changed_blocks().empty() || springs.all)
