@@ -148,11 +148,11 @@ namespace hybrid::output
     if (needed <= available)
       return "";
     const std::string who =
-      processes > 1 ? "the " + std::to_string(processes) + " processes on this machine need" :
-                      "the run needs";
+      processes > 1 ? "the " + std::to_string(processes) + " processes on this machine need"
+                    : "the run needs";
     const std::string advice =
-      processes > 1 ? "fewer processes, of several threads each (Time/Threads), or a coarser mesh" :
-                      "a coarser mesh";
+      processes > 1 ? "fewer processes, of several threads each (Time/Threads), or a coarser mesh"
+                    : "a coarser mesh";
     char text[250];
     std::snprintf(text,
                   sizeof(text),

@@ -204,6 +204,19 @@ def test_a_dam_does_not_slide_out_of_the_thrust_of_its_water(hybrid, tmp_path, m
     assert found["jump_of_displacement"] > 100 and "warning" not in result.stdout
 
 
+def test_a_slope_on_level_ground_is_pushed_downhill_and_a_wedge_on_it_both_ways(hybrid, tmp_path):
+    """A triangle with a vertical back turns over its toe sooner than over its heel; a polygon has no mass_surface that falls."""
+    wedge = DAM % "paper"
+    wedge = wedge.replace("  set Line file = line.csv\n", "").replace("= 30", "= 80")
+    (tmp_path / "wedge.prm").write_text(wedge)
+    (tmp_path / "dam.csv").write_text("block,x,y\n1,0,0\n1,4,0\n1,0,10\n")
+    (tmp_path / "ground.csv").write_text("x,y\n-50,0\n50,0\n")
+    result = hybrid("fos", tmp_path / "wedge.prm", "--yield", "--output", tmp_path / "out")
+    assert result.returncode == 0, result.stderr
+    assert "pushed both ways" in result.stdout
+    assert_brackets(read(tmp_path / "out", "yield"), "yield", (4 / 3) / (10 / 3), 0.02)  # towards -x, about (0, 0)
+
+
 def test_yield_coefficient_and_displacements_of_a_stiff_slab(hybrid, slab, tmp_path):
     result = hybrid("fos", slab[0], "--newmark", "--output", tmp_path / "out")
     assert result.returncode == 0, result.stderr

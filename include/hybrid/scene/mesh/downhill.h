@@ -7,8 +7,9 @@ namespace hybrid::scene
 {
   /**
    * Sign of x downhill: towards the lower one of the two ends of the line sliding_surface, or of
-   * the line ground if there is none. 0 if it is level, within a millionth of its width, or if
-   * there is neither.
+   * the line ground if there is none. Where it is level, within a millionth of its width, towards
+   * the lower end of the line mass_surface, as of a slope on level ground. 0 if that is level, too,
+   * or if there is none.
    */
   double downhill_sign(const SectionMesh &mesh);
 } // namespace hybrid::scene

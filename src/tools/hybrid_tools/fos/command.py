@@ -72,16 +72,27 @@ def find_factor(trials, words):
 
 
 def find_yield(trials, words):
-    downhill = []  # sign of x, known once the section has been meshed
+    """Downhill; where nothing says which way that is, both ways, and the smaller one counts."""
+    at_rest = trials("ky_0", 0.0, {COEFFICIENT: 0.0})
+    run = at_rest.run()
 
-    def judge(k):
-        push = k * downhill[0] if downhill else 0.0
-        trial = trials("ky_%.6g" % k, k, {COEFFICIENT: push})
-        if not downhill:
-            downhill.append(trial.run().downhill)
-        return trial
+    def pushed(sign):
+        def judge(k):
+            name = "ky_%.6g" % k if sign == run.downhill else "ky_back_%.6g" % k
+            return at_rest if k == 0 else trials(name, k, {COEFFICIENT: sign * k})
 
-    return yield_coefficient(judge, 0.1 * words.tolerance)
+        return yield_coefficient(judge, 0.1 * words.tolerance)
+
+    found = pushed(run.downhill)
+    if not run.is_level:
+        return found
+    n_there = len(trials.done)
+    back = pushed(-run.downhill)
+    print("the surface is level: pushed both ways, it fails at %.4f towards +x and at %.4f towards -x; the smaller one counts" % (
+        found.value, back.value))
+    there, on_the_way_back = trials.done[:n_there], trials.done[:1] + trials.done[n_there:]
+    trials.done = there if found.value <= back.value else on_the_way_back
+    return min(found, back, key=lambda bracket: bracket.value)
 
 
 def table_of(trials):

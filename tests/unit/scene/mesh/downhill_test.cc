@@ -40,6 +40,20 @@ TEST(Downhill, a_level_surface_or_none_has_no_downhill)
 
 
 
+TEST(Downhill, a_slope_on_level_ground_falls_as_its_surface_does)
+{
+  scene::SectionMesh mesh;
+  mesh.nodes                    = {{0., 0.}, {40., 0.}, {40., 10.}, {20., 10.}};
+  mesh.lines["sliding_surface"] = {{0, 1}};
+  EXPECT_EQ(scene::downhill_sign(mesh), 0.);
+  mesh.lines["mass_surface"] = {{1, 2}, {2, 3}, {3, 0}}; // with a wall at the right
+  EXPECT_EQ(scene::downhill_sign(mesh), -1.);
+  mesh.nodes[3] = {0., 10.};
+  EXPECT_EQ(scene::downhill_sign(mesh), 0.); // a block
+}
+
+
+
 TEST(Downhill, blocks_on_the_ground_slide_towards_its_lower_end)
 {
   EXPECT_EQ(sign_of({{0., 0.}, {10., 5.}}, "ground"), -1.);
