@@ -57,13 +57,24 @@ namespace hybrid
       return false;
     run_report.static_stage(settled, state.blocks, has_failed_to_stand());
     if (model.continuum != nullptr)
-      report_planes(model.continuum->solve_static_state(
-        state.blocks.static_force +
-          dda::water_on_surface(model.blocks->water, model.blocks->initial.foundation_nodes),
-        model.scene.environment.gravity,
-        horizontal));
+      settle_bedrock();
     stress_planes();
     return true;
+  }
+
+
+
+  void Simulation::settle_bedrock()
+  {
+    const scene::EnvironmentParameters &environment = model.scene.environment;
+    const dda::Water                   &given       = model.blocks->water;
+    const dda::Water water = model.scene.bedding.slips ? given.as_pressures() : given;
+    report_planes(model.continuum->solve_static_state(
+      state.blocks.static_force +
+        dda::water_on_surface(water, model.blocks->initial.foundation_nodes),
+      environment.gravity,
+      environment.horizontal * environment.gravity,
+      [&water](const Vec2 &place) { return dda::pore_pressure(water, place); }));
   }
 
 

@@ -166,6 +166,9 @@ namespace hybrid
     /// Tractions at rest of planes that may slip in a bedrock of blocks.
     void stress_planes();
 
+    /// Stress of a bedrock of finite elements below the mass that has settled.
+    void settle_bedrock();
+
     /// The time loop. @return how it ended, after a checkpoint if it was interrupted.
     RunStatus advance(Run &run, const Interruption &interruption);
 

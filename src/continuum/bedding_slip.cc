@@ -57,6 +57,13 @@ namespace hybrid::continuum
   }
 
 
+  void BeddingSlip::add_pore_pressure(const std::function<double(const Vec2 &)> &pressure)
+  {
+    for (std::size_t i = 0; i < bedding.points().size(); ++i)
+      rest[2 * i] += pressure(bedding.points()[i].position);
+  }
+
+
   void BeddingSlip::begin_rest()
   {
     rest_state = initial_state();

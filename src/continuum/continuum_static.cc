@@ -88,9 +88,10 @@ namespace hybrid::continuum
 
 
 
-  StaticSlip Continuum::solve_static_state(const Eigen::VectorXd &surface_force,
-                                           const double           gravity,
-                                           const double           horizontal)
+  StaticSlip Continuum::solve_static_state(const Eigen::VectorXd                     &surface_force,
+                                           const double                               gravity,
+                                           const double                               horizontal,
+                                           const std::function<double(const Vec2 &)> &pore_pressure)
   {
     auto               &m    = *impl;
     std::vector<double> load = weight_load(*m.nodes, m.cell_material, gravity, horizontal);
@@ -133,6 +134,8 @@ namespace hybrid::continuum
     const Eigen::MatrixXd relaxation = m.slip_relaxation(number, system, *factor);
     if (m.initial_stress != nullptr)
       m.slip->add_rest(m.initial_stress->plane_tractions());
+    if (pore_pressure)
+      m.slip->add_pore_pressure(pore_pressure);
     m.slip->begin_rest();
     SlipStatus status = SlipStatus::changed;
     for (int k = 0; k < max_static_corrections; ++k)

@@ -4,6 +4,7 @@
 #include <hybrid/continuum/bedding_planes.h>
 #include <hybrid/continuum/slip_solver.h>
 
+#include <functional>
 #include <vector>
 
 namespace hybrid::continuum
@@ -35,6 +36,10 @@ namespace hybrid::continuum
 
     /// Besides, these on the points [Pa].
     void add_rest(const std::vector<double> &tractions_at_rest);
+
+    /// Their strength is that of effective stress: tractions at rest are less compressive by the
+    /// pore pressure [Pa].
+    void add_pore_pressure(const std::function<double(const Vec2 &)> &pressure);
 
     /// Static stage: begin_rest(), solve_rest() with add_load_change() until settled, keep_rest():
     /// the tractions at rest are then those of the static model after its slip.

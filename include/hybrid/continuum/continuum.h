@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <mpi.h>
 #include <string>
@@ -223,11 +224,13 @@ namespace hybrid::continuum
     /// @p surface_force [N/m]; they change no displacement (the section is the deformed state in
     /// place).
     /// Bedding planes slip if gravity alone asks for it; what they carry then is their traction at
-    /// rest.
+    /// rest, less the pore pressure.
     /// @param horizontal lasting acceleration of the rock's mass along +x [m/s2].
-    StaticSlip solve_static_state(const Eigen::VectorXd &surface_force,
-                                  double                 gravity,
-                                  double                 horizontal = 0.);
+    /// @param pore_pressure at a place [Pa]; none: planes are dry. It stays as it is.
+    StaticSlip solve_static_state(const Eigen::VectorXd                     &surface_force,
+                                  double                                     gravity,
+                                  double                                     horizontal    = 0.,
+                                  const std::function<double(const Vec2 &)> &pore_pressure = {});
 
     /// What solve_static_state() found, for the checkpoint.
     void serialize_rest(restart::Archive &archive);

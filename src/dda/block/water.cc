@@ -322,6 +322,27 @@ namespace hybrid::dda
   }
 
 
+  Water Water::as_pressures() const
+  {
+    Water water = *this;
+    if (action == Action::buoyancy)
+      water.action = Action::pressures;
+    return water;
+  }
+
+
+
+  double pore_pressure(const Water &water, const Vec2 &place)
+  {
+    if (water.action == Water::Action::none)
+      return 0.;
+    const double height =
+      water.line == nullptr ? water.level : std::max(water.level, (*water.line)(place.x()));
+    return water.unit_weight * std::max(0., height - place.y());
+  }
+
+
+
   Eigen::VectorXd water_on_surface(const Water &water, const std::vector<Vec2> &nodes)
   {
     Eigen::VectorXd force;

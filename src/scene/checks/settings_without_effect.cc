@@ -78,6 +78,10 @@ namespace hybrid::scene
 
     void look_at_planes(const SceneParameters &scene, std::vector<std::string> &warnings)
     {
+      if (scene.bedding.slips && !scene.environment.water_tables.level_file.empty())
+        warnings.push_back(
+          "Water/Level file does not change the pore pressure in bedding planes: they "
+          "keep that of 0 s");
       if (scene.bedding.names.empty() || scene.bedrock.has_cells())
         return;
       warnings.push_back("Bedding planes/Names = " + scene.bedding.names.front() +

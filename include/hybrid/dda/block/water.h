@@ -40,6 +40,10 @@ namespace hybrid::dda
 
     /// The same with the level of @p time [s]; before 0 that of the start.
     Water at(double time) const;
+
+    /// The same with pressures in place of buoyancy: forces of blocks are effective with both, and
+    /// rock below them feels the water as well.
+    Water as_pressures() const;
   };
 
 
@@ -92,6 +96,10 @@ namespace hybrid::dda
   /// U after less U before, of a block whose centroid moved by @p moved [m], the level being the
   /// same: without cancellation where it stays below one piece of the surface.
   double potential_change(const WaterLoad &before, const WaterLoad &after, const Vec2 &moved);
+
+
+  /// Pore pressure at a place [Pa]; 0 above the surface, and where water acts no force.
+  double pore_pressure(const Water &water, const Vec2 &place);
 
 
   /// Hydrostatic force on the nodes of the bedrock's surface (x0, y0, x1, ...) [N/m].

@@ -26,9 +26,10 @@ namespace hybrid::dda
    * one piece could only have tractions that are linear along a plane), with its weight and what
    * the settled mass and the water put on its surface, base fixed, sides on rollers, planes with
    * their strength, which may slip until the rest carries the load; besides, the uniform
-   * compression `Initial normal stress`. It is solved with a thousandth of loads and strengths:
-   * displacements are then so small that the tractions are those of the undeformed section, as in
-   * the finite-element bedrock.
+   * compression `Initial normal stress`. Below water the pore pressure takes over a part of them,
+   * once the dry planes rest, and they come to rest again: tractions are effective. It is solved
+   * with a thousandth of loads and strengths: displacements are then so small that the tractions
+   * are those of the undeformed section, as in the finite-element bedrock.
    *
    * The joints of @p state get the elastic stretch that belongs to these tractions, without slip;
    * ends that opened stay broken. The blocks bear these tractions from the start, as they do the
