@@ -68,7 +68,8 @@ namespace hybrid
   {
     const scene::EnvironmentParameters &environment = model.scene.environment;
     const dda::Water                   &given       = model.blocks->water;
-    const dda::Water water = model.scene.bedding.slips ? given.as_pressures() : given;
+    const bool       slips = model.scene.bedding.slips && !model.scene.bedding.names.empty();
+    const dda::Water water = slips ? given.as_pressures() : given;
     report_planes(model.continuum->solve_static_state(
       state.blocks.static_force +
         dda::water_on_surface(water, model.blocks->initial.foundation_nodes),
