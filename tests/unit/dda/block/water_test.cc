@@ -113,6 +113,25 @@ TEST(Water, force_is_the_gradient_of_the_potential)
 
 
 
+TEST(Water, pore_pressure_grows_below_the_higher_one_of_level_and_line)
+{
+  Water water{Water::Action::buoyancy, 2., unit_weight};
+  EXPECT_EQ(pore_pressure(water, Vec2(5., 2.5)), 0.);
+  EXPECT_DOUBLE_EQ(pore_pressure(water, Vec2(5., -1.)), 3. * unit_weight);
+  const auto line = std::make_shared<scene::LinearTable>();
+  line->points    = {{0., 1.}, {10., 5.}};
+  water.line      = line;
+  EXPECT_DOUBLE_EQ(pore_pressure(water, Vec2(5., -1.)), 4. * unit_weight);
+  EXPECT_DOUBLE_EQ(pore_pressure(water, Vec2(0., -1.)), 3. * unit_weight);
+  EXPECT_EQ(water.as_pressures().action, Water::Action::pressures);
+  EXPECT_DOUBLE_EQ(pore_pressure(water.as_pressures(), Vec2(5., -1.)), 4. * unit_weight);
+  water.action = Water::Action::none;
+  EXPECT_EQ(pore_pressure(water, Vec2(5., -1.)), 0.);
+  EXPECT_EQ(water.as_pressures().action, Water::Action::none);
+}
+
+
+
 TEST(Water, archimedes)
 {
   const Moved     block((Vec6::Zero()));

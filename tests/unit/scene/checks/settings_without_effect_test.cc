@@ -51,6 +51,18 @@ namespace hybrid::scene
   }
 
 
+  TEST_F(SettingsWithoutEffect, ALevelInTimeLeavesThePorePressureOfPlanes)
+  {
+    scene.bedding.names = {"bedding_1"};
+    scene.bedding.slips = true;
+    expect({});
+    scene.environment.water_tables.level_file = "level.csv";
+    expect({"Water/Level file does not change the pore pressure in bedding planes"});
+    scene.bedding.slips = false;
+    expect({});
+  }
+
+
   TEST_F(SettingsWithoutEffect, TheSurfaceOfAContinuumBelowBlocksHasAStiffness)
   {
     scene.continuum.surface_form = SurfaceForm::banded;
