@@ -238,8 +238,8 @@ namespace hybrid
         summary.few_iterations += result.few_iterations;
         if (!result.converged)
           {
-            const bool too_far =
-              result.displacement_ratio > model.scene.time.maximum_displacement_ratio;
+            const bool too_far = result.is_passed || result.displacement_ratio >
+                                                       model.scene.time.maximum_displacement_ratio;
             summary.wasted.moved_too_far += too_far ? 1 : 0;
             summary.wasted.iterations += too_far ? 0 : result.iterations;
             if (run.clock.shorten_step())

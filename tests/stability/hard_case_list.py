@@ -110,6 +110,15 @@ def same_as_alone(case, variant, run):
     case.true("%s: it moved" % variant, np.abs(b - run.get("section/blocks_points")[:4]).max() > 0.1)
 
 
+def lands_or_pushes(case, variant, run):
+    corners = run.get("section/blocks_points_final")
+    if variant == "meets":
+        front = corners[:4, 0].max()
+        case.true("%s: the pebbles are before the block, by %.2f m and more" % (variant, corners[4:, 0].min() - front), corners[4:, 0].min() > front - 1e-3)
+    else:
+        case.below("%s: corners below the ground" % variant, -corners[:, 1].min(), 1e-4, "m")
+
+
 def slides_as_one(case, variant, run):
     """Closed form of a rigid block on the slope, within 0.5 %; columns of five (--long) lean on each other instead."""
     if variant != "scene":
@@ -168,6 +177,10 @@ CASES = {
                             for name, numbers in (("1", "Angle = 20"), ("1x2", "Angle = 20; Rows = 2"))
                             for dt in (0.1, 1, 2)}, residual=0.001, more=rests(1e-6)),
     "second_block": Wanted({"scene": [], "alone": ["Mesh/Polygons file=" + str(HARD / "sliding_alone.csv")]}, more=same_as_alone),
+    "pebble": Wanted({"scene": [], "8 ms": ["Time/Time step=0.008"],
+                      "meets": ["Mesh/Polygons file=" + str(HARD / "square_meets_pebbles.csv"), "Mesh/Surface file=" + str(HARD / "far_base.csv"),
+                                "Gravity/Acceleration=0", "Blocks/Initial velocities=square: -20, 0, -10, 10, 20, 0, 0",
+                                "Time/Time step=0.008", "Time/End time=0.32"]}, more=lands_or_pushes),
     "soft_base": Wanted(residual=0.001),
     "friction_10": Wanted(),
     "slope_blocks": Wanted(full_speed=1.7, full_size={"600": ["Mesh/Numbers=Angle = 20; Columns = 120; Rows = 5; Base above = 150"]},

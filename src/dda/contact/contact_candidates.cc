@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/contact/contact.h>
 #include <hybrid/dda/contact/contact_candidates.h>
+#include <hybrid/dda/contact/displacement_spread.h>
 #include <hybrid/dda/geometry/outline_frames.h>
 #include <hybrid/dda/geometry/polygon.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace hybrid::dda
@@ -21,38 +21,6 @@ namespace hybrid::dda
     {
       return std::binary_search(sorted.begin(), sorted.end(), std::make_pair(first, second));
     }
-
-    /// Box around the displacements of points. NaN spoils it for good.
-    struct Spread
-    {
-      double lower_x = 0., upper_x = 0., lower_y = 0., upper_y = 0., sum = 0.;
-      bool   is_empty = true;
-
-      void add(const std::vector<Vec2> &now, const std::vector<Vec2> &then)
-      {
-        for (std::size_t i = 0; i < now.size(); ++i)
-          {
-            const double x = now[i].x() - then[i].x(), y = now[i].y() - then[i].y();
-            if (is_empty)
-              {
-                lower_x = upper_x = x;
-                lower_y = upper_y = y;
-                is_empty          = false;
-              }
-            lower_x = std::min(lower_x, x);
-            upper_x = std::max(upper_x, x);
-            lower_y = std::min(lower_y, y);
-            upper_y = std::max(upper_y, y);
-            sum += x + y;
-          }
-      }
-
-      /// No displacement is farther from the box's middle [m].
-      double half_diagonal() const
-      {
-        return 0.5 * std::hypot(upper_x - lower_x, upper_y - lower_y) + 0. * sum;
-      }
-    };
 
     Box box_around(const Vec2 *points, const int n, const double skin)
     {
@@ -106,7 +74,7 @@ namespace hybrid::dda
 
   bool ContactCandidates::update(const Geometry &geometry)
   {
-    const double moved   = movement(geometry);
+    const double moved   = movement(geometry.vertices, geometry.foundation_nodes);
     const bool   is_good = moved <= 0.5 * margin; // false for NaN
     if (!is_good)
       build(geometry);
@@ -116,14 +84,31 @@ namespace hybrid::dda
 
 
 
-  double ContactCandidates::movement(const Geometry &geometry) const
+  bool ContactCandidates::list_for(const Geometry          &geometry,
+                                   const std::vector<Vec2> &vertices,
+                                   const std::vector<Vec2> &nodes)
   {
-    if (is_outdated || geometry.vertices.size() != built_vertices.size() ||
-        geometry.foundation_nodes.size() != built_nodes.size())
+    // Two points that meet on their ways were at most twice the movement apart.
+    const auto is_wide_enough = [&] {
+      return movement(vertices, nodes) <= 0.5 * (distance + margin);
+    };
+    if (is_wide_enough())
+      return true;
+    build(geometry);
+    return is_wide_enough();
+  }
+
+
+
+  double ContactCandidates::movement(const std::vector<Vec2> &vertices,
+                                     const std::vector<Vec2> &nodes) const
+  {
+    if (is_outdated || vertices.size() != built_vertices.size() ||
+        nodes.size() != built_nodes.size())
       return std::numeric_limits<double>::infinity();
-    Spread spread;
-    spread.add(geometry.vertices, built_vertices);
-    spread.add(geometry.foundation_nodes, built_nodes);
+    DisplacementSpread spread;
+    spread.add(vertices, built_vertices);
+    spread.add(nodes, built_nodes);
     return spread.half_diagonal();
   }
 

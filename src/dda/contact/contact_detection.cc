@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/contact/contact_detection.h>
+#include <hybrid/dda/contact/displacement_spread.h>
 #include <hybrid/dda/geometry/polygon.h>
 
 #include <algorithm>
@@ -40,6 +41,17 @@ namespace hybrid::dda
     bool is_of(const Contact &contact, const ContactCandidate &pair)
     {
       return contact.vertex_body == pair.vertex_body && contact.vertex == pair.vertex;
+    }
+
+    /// Of these sorted contacts one is of the pair: with its edge, or with any of its body.
+    bool has_contact(const std::vector<Contact> &contacts, const ContactCandidate &pair)
+    {
+      auto contact =
+        std::lower_bound(contacts.begin(), contacts.end(), first_of(pair), contact_order);
+      for (; contact != contacts.end() && is_of(*contact, pair); ++contact)
+        if (contact->edge_body == pair.edge_body && (pair.edge < 0 || contact->edge == pair.edge))
+          return true;
+      return false;
     }
 
     bool same_vertex(const ContactCandidate &a, const ContactCandidate &b)
@@ -97,6 +109,34 @@ namespace hybrid::dda
         }
     settle(contacts, rest);
     last.edge_tests = selection.n_edge_tests();
+  }
+
+
+
+  bool ContactDetection::is_passed(const Geometry             &geometry,
+                                   const std::vector<Contact> &contacts,
+                                   const StepMotion           &motion)
+  {
+    DisplacementSpread spread;
+    spread.add(motion.vertices);
+    spread.add(motion.nodes);
+    if (2. * spread.half_diagonal() <= tolerances.reach)
+      return false;
+    const auto move = [](const auto &from, const auto &by, auto &to) {
+      to.resize(from.size());
+      for (std::size_t i = 0; i < from.size(); ++i)
+        to[i] = from[i] + by[i];
+    };
+    move(geometry.vertices, motion.vertices, moved_vertices);
+    move(geometry.foundation_nodes, motion.nodes, moved_nodes);
+    if (!candidates.list_for(geometry, moved_vertices, moved_nodes))
+      return true;
+    const ContactPassage passage(geometry, motion, tolerances.reach, tolerances.max_depth);
+    return std::any_of(candidates.all().begin(),
+                       candidates.all().end(),
+                       [&](const ContactCandidate &pair) {
+                         return passage.takes(pair) && !has_contact(contacts, pair);
+                       });
   }
 
 

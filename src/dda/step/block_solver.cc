@@ -210,9 +210,30 @@ namespace hybrid::dda
       search_contacts(state);
     searched = search_summary.searches + search_summary.lists > searches;
     solved   = iteration.solve(model, state, foundation, dt, guess);
+    if (solved.converged && is_passed(state))
+      {
+        solved.is_passed = true;
+        solved.converged = false;
+      }
     if (!iteration.is_at_rest())
       sleep.wake();
     return solved;
+  }
+
+
+
+  bool BlockSolver::is_passed(const DdaState &state)
+  {
+    if (model.n_mass() == 0)
+      return false;
+    const Trial &trial = iteration.trial();
+    node_displacements.resize(model.n_foundation_nodes());
+    for (std::size_t k = 0; k < node_displacements.size(); ++k)
+      node_displacements[k] =
+        trial.foundation.segment<2>(2 * k) - state.foundation_displacement.segment<2>(2 * k);
+    return detection.is_passed(state.geometry,
+                               state.contacts,
+                               {trial.motion, trial.displacement, node_displacements});
   }
 
 

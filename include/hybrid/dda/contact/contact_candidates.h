@@ -112,10 +112,16 @@ namespace hybrid::dda
     }
 
     /// Pairs of the list, awake or asleep.
-    std::size_t size() const
+    const std::vector<ContactCandidate> &all() const
     {
-      return candidates.size();
+      return candidates;
     }
+
+    /// Have all pairs that can meet in the list while the points move from @p geometry to these
+    /// places. @return false if they move too far for any list
+    bool list_for(const Geometry          &geometry,
+                  const std::vector<Vec2> &vertices,
+                  const std::vector<Vec2> &nodes);
 
     /// Distances computed by the last build.
     long n_distance_tests() const
@@ -124,8 +130,9 @@ namespace hybrid::dda
     }
 
   private:
-    /// Largest movement of a point since the list was built, less the movement of all [m].
-    double movement(const Geometry &geometry) const;
+    /// Largest movement of a point to these places since the list was built, less the movement of
+    /// all [m].
+    double movement(const std::vector<Vec2> &vertices, const std::vector<Vec2> &nodes) const;
 
     void build(const Geometry &geometry);
 

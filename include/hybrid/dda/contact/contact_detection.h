@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/dda/contact/contact_candidates.h>
+#include <hybrid/dda/contact/contact_passage.h>
 #include <hybrid/dda/contact/contact_selection.h>
 #include <hybrid/dda/contact/stillness_cache.h>
 
@@ -119,6 +120,12 @@ namespace hybrid::dda
       update(geometry, contacts, unknown);
     }
 
+    /// Whether a step from @p geometry, with the @p contacts of the last update(), takes a vertex
+    /// into a body that it had no contact with (ContactPassage): it has to be cut.
+    bool is_passed(const Geometry             &geometry,
+                   const std::vector<Contact> &contacts,
+                   const StepMotion           &motion);
+
     /// What the last update() found and did.
     struct Report
     {
@@ -197,7 +204,8 @@ namespace hybrid::dda
     std::vector<int>          first_of_vertex, first_of_node; ///< first trial of a vertex, or -1
     std::vector<char>         dropped;                        ///< per trial
     std::vector<int>          near_blocks;
-    std::vector<char>         is_near; ///< per block
+    std::vector<char>         is_near;                     ///< per block
+    std::vector<Vec2>         moved_vertices, moved_nodes; ///< work of is_passed()
     Report                    last;
   };
 } // namespace hybrid::dda

@@ -95,7 +95,8 @@ namespace hybrid::dda
     std::vector<char>    is_on_belt;      ///< per block: bonded to a surface
     std::vector<char>    held_off;        ///< per block, see SkippedPairs
     int changes = -1; ///< yielded, failed and released joints when the skip lists were made
-    std::vector<ContactScope> scope; ///< per block, now
+    std::vector<ContactScope> scope;              ///< per block, now
+    std::vector<Vec2>         node_displacements; ///< of the foundation in a solved step [m], work
 
     SearchSummary search_summary;
 
@@ -106,6 +107,9 @@ namespace hybrid::dda
 
     /// @return whether joints have yielded, failed or been released since the last call.
     bool update_skipped_pairs(const DdaState &state);
+
+    /// Whether the solved step takes a vertex into a body that it has no contact with.
+    bool is_passed(const DdaState &state);
 
     /// Bring the contact list of @p state up to date.
     void search_contacts(DdaState &state);

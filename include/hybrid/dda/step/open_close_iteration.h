@@ -73,6 +73,12 @@ namespace hybrid::dda
       return problem.trial.increment;
     }
 
+    /// Where the solved step takes all bodies.
+    const Trial &trial() const
+    {
+      return problem.trial;
+    }
+
     /// The solved step has left all where it was, at rest.
     bool is_at_rest() const
     {

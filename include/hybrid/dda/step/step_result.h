@@ -17,6 +17,7 @@ namespace hybrid::dda
     double displacement_ratio = 0.; ///< largest displacement over block size [-]
     double unbalanced =
       0.; ///< relative inertial force at the end (the static residual of a step from rest) [-]
-    int largest_block = -1; ///< block that moved most, relative to its size
+    int  largest_block = -1;    ///< block that moved most, relative to its size
+    bool is_passed     = false; ///< a vertex would go into a body before it could have a contact
   };
 } // namespace hybrid::dda

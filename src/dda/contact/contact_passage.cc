@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/contact/contact_passage.h>
+#include <hybrid/dda/geometry/outline_frames.h>
+#include <hybrid/dda/geometry/polygon.h>
+
+#include <algorithm>
+
+namespace hybrid::dda
+{
+  namespace
+  {
+    double cross_of(const Vec2 &a, const Vec2 &b)
+    {
+      return a.x() * b.y() - a.y() * b.x();
+    }
+  } // namespace
+
+
+  ContactPassage::ContactPassage(const Geometry   &all,
+                                 const StepMotion &of_step,
+                                 const double      reach_of_contacts,
+                                 const double      depth_that_counts)
+    : geometry(all)
+    , motion(of_step)
+    , reach(reach_of_contacts)
+    , depth(depth_that_counts)
+  {}
+
+
+
+  bool ContactPassage::takes(const ContactCandidate &pair) const
+  {
+    const Vec2 way = relative_displacement(pair);
+    if (!(way.norm() > reach))
+      return false;
+    const Vec2 &from = position(geometry, pair.vertex_body, pair.vertex);
+    return pair.edge >= 0 ? goes_behind_edge(pair, from, from + way)
+                          : goes_into_block(pair.edge_body, from, from + way);
+  }
+
+
+
+  Vec2 ContactPassage::relative_displacement(const ContactCandidate &pair) const
+  {
+    const auto displacement = [this](const int body, const int vertex) {
+      return body == foundation_body ? motion.nodes[vertex] : motion.vertices[vertex];
+    };
+    const Vec2 mine = displacement(pair.vertex_body, pair.vertex);
+    if (pair.edge_body != foundation_body)
+      return mine - motion.blocks[pair.edge_body].displacement(
+                      position(geometry, pair.vertex_body, pair.vertex));
+    return mine - 0.5 * (motion.nodes[pair.edge] + motion.nodes[pair.edge + 1]);
+  }
+
+
+
+  bool ContactPassage::goes_behind_edge(const ContactCandidate &pair,
+                                        const Vec2             &from,
+                                        const Vec2             &to) const
+  {
+    const Vec2 &a = position(geometry, pair.edge_body, pair.edge);
+    const Vec2  along =
+      position(geometry, pair.edge_body, second_end(geometry, pair.edge_body, pair.edge)) - a;
+    const double side  = pair.edge_body == foundation_body ? 1. : -1.; // of the outward normal
+    const double first = side * cross_of(along, from - a), last = side * cross_of(along, to - a);
+    const double length = along.norm();
+    if (first < 0. || last >= -depth * length)
+      return false;
+    const Vec2   crossing = from + first / (first - last) * (to - from);
+    const double place    = along.dot(crossing - a);
+    return place >= 0. && place <= length * length;
+  }
+
+
+
+  bool ContactPassage::goes_into_block(const int block, const Vec2 &from, const Vec2 &to) const
+  {
+    const int   begin = geometry.offset[block], n = geometry.offset[block + 1] - begin;
+    const Vec2 *outline = &geometry.vertices[begin];
+    if (contains(outline, n, from))
+      return false;
+    // Parts of the way at which it crosses the outline: the first two.
+    const Vec2 way   = to - from;
+    double     enter = 2., leave = 2.;
+    for (int k = 0; k < n; ++k)
+      {
+        const Vec2  &a     = outline[k];
+        const Vec2   along = outline[(k + 1) % n] - a;
+        const double area  = cross_of(way, along);
+        if (area == 0.)
+          continue;
+        const double at = cross_of(a - from, along) / area, place = cross_of(a - from, way) / area;
+        if (at < 0. || at > 1. || place < 0. || place > 1.)
+          continue;
+        if (at < enter)
+          {
+            leave = enter;
+            enter = at;
+          }
+        else
+          leave = std::min(leave, at);
+      }
+    if (enter > 1.)
+      return false;
+    const double deepest = leave > 1. ? 1. : 0.5 * (enter + leave);
+    const Vec2   place   = from + deepest * way;
+    return contains(outline, n, place) && distance_to_outline(outline, n, place) > depth;
+  }
+} // namespace hybrid::dda
