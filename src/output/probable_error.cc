@@ -23,6 +23,12 @@ namespace hybrid::output
 
 
 
+    /// More of a monitor's energy than the first part in the last part of the record: its motion
+    /// has hardly begun [-].
+    constexpr double most_late = 0.9, late = 0.2;
+
+
+
     /// Linear between the times of a record.
     class Interpolation
     {
@@ -69,55 +75,68 @@ namespace hybrid::output
 
 
 
+    /// In the record and for as long after it.
     std::vector<double>
     source_velocity(const ErrorRecord &record, const double spacing, const std::size_t rows)
     {
-      std::vector<double> result(rows, 0.);
+      std::vector<double> result(2 * rows, 0.);
       if (record.source)
-        for (std::size_t i = 0; i < rows; ++i)
+        for (std::size_t i = 0; i < result.size(); ++i)
           result[i] = (record.source(record.time[0] + (i + 1) * spacing) -
                        record.source(record.time[0] + i * spacing)) /
                       spacing;
+      return result;
+    }
+
+
+
+    /// Times that tell how the model answers: those before it breaks, if something shakes it.
+    std::vector<double> times_of(const ErrorRecord &record)
+    {
+      std::vector<double> result = record.time;
+      while (record.source && result.size() > 2 && result.back() > record.until) // NaN: never
+        result.pop_back();
       return result;
     }
   } // namespace
 
 
 
-  double ProbableError::make_spacing(const ErrorRecord &record)
+  double ProbableError::make_spacing(const std::vector<double> &time, const double corner)
   {
-    assert(record.time.size() > 1);
-    const double duration = record.time.back() - record.time.front();
-    const double step     = duration / (record.time.size() - 1);
+    assert(time.size() > 1);
+    const double duration = time.back() - time.front();
+    const double step     = duration / (time.size() - 1);
     double       rows     = 1.; // steps per row
-    if (record.corner > 0.)
-      rows = std::max(1., std::floor(1. / (rows_per_period * record.corner * step)));
+    if (corner > 0.)
+      rows = std::max(1., std::floor(1. / (rows_per_period * corner * step)));
     return std::max(rows * step, duration / most_rows);
   }
 
 
 
   ProbableError::ProbableError(const ErrorRecord &record)
-    : corner(record.corner)
+    : time(times_of(record))
+    , corner(record.corner)
     , least_motion(record.least_motion)
-    , spacing(make_spacing(record))
-    , rows(static_cast<std::size_t>(
-        std::floor((record.time.back() - record.time.front()) / spacing + 1e-6)))
+    , spacing(make_spacing(time, corner))
+    , rows(static_cast<std::size_t>(std::floor((time.back() - time.front()) / spacing + 1e-6)))
     , rows_until(rows)
     , base(record.base)
+    , is_shaken(record.source != nullptr)
     , response(spacing, source_velocity(record, spacing, rows))
   {
     if (std::isfinite(record.until))
       rows_until = static_cast<std::size_t>(
-        std::clamp((record.until - record.time.front()) / spacing, 0., double(rows)));
+        std::clamp((record.until - time.front()) / spacing, 0., double(rows)));
     for (const ErrorRecord::Monitor &monitor : record.monitors)
-      add(monitor, record.time);
+      add(monitor);
     find_peaks();
   }
 
 
 
-  void ProbableError::add(const ErrorRecord::Monitor &monitor, const std::vector<double> &time)
+  void ProbableError::add(const ErrorRecord::Monitor &monitor)
   {
     Motion motion;
     motion.name    = monitor.name;
@@ -182,6 +201,38 @@ namespace hybrid::output
     for (std::size_t i = 0; i < rows_until; ++i)
       result = std::max(result, std::hypot(x[i], y[i]));
     return result;
+  }
+
+
+
+  bool ProbableError::counts(const std::size_t m, const int quantity) const
+  {
+    return !(quantity == 0 && int(m) == base) && !(quantity == 2 && motions[m].is_led) &&
+           motions[m].peak[quantity] > least_motion * largest[quantity];
+  }
+
+
+
+  std::string ProbableError::hardly_begun() const
+  {
+    const bool moves = is_shaken && largest[1] > at_rest;
+    for (std::size_t m = 0; moves && m < motions.size(); ++m)
+      {
+        if (!counts(m, 0) && !counts(m, 1) && !counts(m, 2))
+          continue;
+        const History *velocity = motions[m].velocity;
+        double         all = 0., early = 0.;
+        for (std::size_t i = 0; i < rows_until; ++i)
+          {
+            const double energy = velocity[0][i] * velocity[0][i] + velocity[1][i] * velocity[1][i];
+            all += energy;
+            if (i < (1. - late) * rows_until)
+              early += energy;
+          }
+        if (all - early > most_late * all)
+          return motions[m].name;
+      }
+    return "";
   }
 
 
@@ -252,11 +303,10 @@ namespace hybrid::output
           }
         for (int q = 0; q < 3; ++q)
           {
-            const double peak = motions[m].peak[q];
-            if ((q == 0 && int(m) == base) || (q == 2 && motions[m].is_led) ||
-                !(peak > least_motion * largest[q]))
+            if (!counts(m, q))
               continue;
-            const double part = largest_size(filtered(errors[0][q]), filtered(errors[1][q])) / peak;
+            const double part =
+              largest_size(filtered(errors[0][q]), filtered(errors[1][q])) / motions[m].peak[q];
             if (!(part <= result.part[q])) // NaN: none yet
               {
                 result.part[q]  = part;

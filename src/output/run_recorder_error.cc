@@ -122,6 +122,21 @@ namespace hybrid::output
 
 
 
+    /// What acts besides what ErrorRecord::source tells of: how the model answers it is not known.
+    /// Empty: nothing does, or all is set off at t = 0.
+    std::string other_source(const scene::SceneParameters &scene, const scene::GroundMotion &motion)
+    {
+      const bool has_loads = !scene.point_loads.loads.empty() && scene.has_continuum();
+      if (!motion.empty() && has_loads)
+        return "point loads act beside the motion";
+      if (scene.initial_wave.type == scene::WaveType::none || (motion.empty() && !has_loads))
+        return "";
+      return motion.empty() ? "an initial wave comes beside the point loads"
+                            : "an initial wave comes beside the motion";
+    }
+
+
+
     /// Accelerations, pairs at the ends of steps, are those of the motion but for round-off.
     bool are_led(const std::vector<double> &times,
                  const std::vector<double> &accelerations,
@@ -191,6 +206,47 @@ namespace hybrid::output
         },
         M_PI * degree / cell_time);
     }
+
+
+    /// Of the step and half of it, and of the finite elements; or the reason why this run does not
+    /// tell it.
+    void estimate_by_this_run(const RunParts         &parts,
+                              const ErrorRecord      &record,
+                              Summary::ProbableError &error)
+    {
+      const ProbableError estimate(record);
+      const std::string   hardly_begun = estimate.hardly_begun();
+      if (!hardly_begun.empty())
+        {
+          error.reason        = "the run ends as the motion begins at " + hardly_begun;
+          error.runs_would_do = true;
+          return;
+        }
+      StepScheme   scheme = step_scheme(parts, record.time);
+      const double step   = scheme.dt; // which may be divided into parts
+      const auto   take   = [&](const double dt) {
+        scheme.dt = dt;
+        if (parts.continuum == nullptr)
+          return;
+        scheme.dt          = dt / parts.continuum->parts_of_step(dt);
+        scheme.uncorrected = parts.continuum->uncorrected_part(dt, shakes_p_waves(parts));
+      };
+      take(step);
+      error.step = estimate.of_steps(scheme);
+      take(0.5 * step);
+      if (parts.continuum != nullptr)
+        error.parts = parts.continuum->parts_of_step(parts.scene.time.time_step);
+      if (scheme.newmark.corrected_step > 0.)
+        scheme.newmark.corrected_step *= 0.5;
+      error.half_step = estimate.of_steps(scheme);
+      if (parts.continuum != nullptr && parts.scene.point_loads.loads.empty())
+        {
+          error.mesh             = mesh_error(parts, estimate);
+          error.mesh_has_corners = scene::has_reentrant_corner(parts.mesh);
+        }
+      if (std::isnan(error.step.part[1]))
+        error.reason = "nothing moves";
+    }
   } // namespace
 
 
@@ -213,6 +269,9 @@ namespace hybrid::output
       return "blocks fly";
     if (!scene.motion.vertical_file.empty())
       return "the motion has two components";
+    const std::string besides = other_source(scene, parts.motion);
+    if (!besides.empty())
+      return besides;
     if (lost(ledger, "bedding_loss") > 0.)
       return "bedding planes slip or open";
     const bool fourth_order =
@@ -290,31 +349,7 @@ namespace hybrid::output
           "a joint failed in one of the first " + std::to_string(least_rows) + " steps";
         return;
       }
-    const ProbableError estimate(record);
-    StepScheme          scheme = step_scheme(parts, times);
-    const double        step   = scheme.dt; // which may be divided into parts
-    const auto          take   = [&](const double dt) {
-      scheme.dt = dt;
-      if (parts.continuum == nullptr)
-        return;
-      scheme.dt          = dt / parts.continuum->parts_of_step(dt);
-      scheme.uncorrected = parts.continuum->uncorrected_part(dt, shakes_p_waves(parts));
-    };
-    take(step);
-    error.step = estimate.of_steps(scheme);
-    take(0.5 * step);
-    if (parts.continuum != nullptr)
-      error.parts = parts.continuum->parts_of_step(parts.scene.time.time_step);
-    if (scheme.newmark.corrected_step > 0.)
-      scheme.newmark.corrected_step *= 0.5;
-    error.half_step = estimate.of_steps(scheme);
-    if (parts.continuum != nullptr && parts.scene.point_loads.loads.empty())
-      {
-        error.mesh             = mesh_error(parts, estimate);
-        error.mesh_has_corners = scene::has_reentrant_corner(parts.mesh);
-      }
-    if (std::isnan(error.step.part[1]))
-      error.reason = "nothing moves";
+    estimate_by_this_run(parts, record, error);
   }
 
 

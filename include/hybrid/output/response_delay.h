@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/output/motion_answer.h>
+
 #include <complex>
 #include <cstddef>
 #include <vector>
@@ -11,30 +13,26 @@ namespace hybrid::output
    * How a recorded motion changes if the model takes each frequency for a slightly different one.
    *
    * A linear model that is driven by F(s) moves by U = H(s) F. Computed in steps, or on a mesh, it
-   * moves by H(s + d) F, so the error is d(s) H'(s) F. H' is had from what a run records: h(t) =
-   * U/F is the answer to a pulse, and H' the transform of -t h(t). t h(t) counts every wave with
-   * the time that it has been on its way, all its reflections and the ringing of layers included.
+   * moves by H(s + d) F, so the error is d(s) H'(s) F. H' is had from what a run records: h(t) is
+   * the answer to a pulse (MotionAnswer), and H' the transform of -t h(t). t h(t) counts every wave
+   * with the time that it has been on its way, all its reflections and the ringing of layers
+   * included.
    *
-   * U/F is found from the correlations of both, windowed at the lag L (Blackman & Tukey 1958) by
-   * exp(-2 (t/L)^2): what is no answer to F (slip, cracks) averages out over the record. L is the
-   * record less the 5 to 95 % duration of F, at least a quarter of the record. Up to twice of what
-   * the window takes from a lag is given back. Both go on beyond the end of the record, to nothing
-   * over a twentieth of it: what still rings there would jump, and a jump has all frequencies, F
-   * hardly any of the high ones.
+   * The error up to the end of a record is (-t h) * (d F), of lags and a source within it. d is a
+   * few derivatives: they are taken of F, which is known beyond the end, and not of U, which is
+   * not. So it does not matter whether a record ends within the motion.
    *
-   * What has not averaged out is as large before a pulse, where nothing can answer it, as after it.
-   * So h is multiplied by 1 - N/A, A its mean square about the lag t and N that about -t (Wiener
-   * 1949), and h(t < 0) is left out. The rest of the motion, R = U - H F, is taken for waves that
-   * were set off within the model one radian ago: R/s is added to H' F. What moves with F, within
-   * its mean period, is no part of R.
+   * What is left of U is taken for waves that were set off within the model one radian ago: R/s is
+   * added to H' F, with R = U - H F.
    */
   class ResponseDelay
   {
   public:
-    using Spectrum = std::vector<std::complex<double>>;
+    using Spectrum = MotionAnswer::Spectrum;
 
-    /// @param spacing [s]. @param source velocity of what shakes, one per row, any unit; all zero:
-    /// the model is set off at t = 0, by its initial state or by a load that begins.
+    /// @param spacing [s]. @param source velocity of what shakes, one per row of a record and as
+    /// many of what follows, any unit; all zero in the record: the model is set off at t = 0, by
+    /// its initial state or by a load that begins.
     ResponseDelay(double spacing, const std::vector<double> &source);
 
     /// s = i w of the entries of a spectrum [1/s].
@@ -43,39 +41,27 @@ namespace hybrid::output
       return s;
     }
 
-    /// H' F of a velocity, as many rows as the source.
+    /// Rows of a record.
+    std::size_t n_rows() const
+    {
+      return rows;
+    }
+
+    /// H' F of a velocity, one per row of a record.
     Spectrum delay(const std::vector<double> &velocity) const;
 
-    /// The change of the velocity: d H' F in time, one per row.
+    /// The change of the velocity: d H' F in time, one per row of a record.
     std::vector<double> change(const Spectrum &delay, const Spectrum &frequency_change) const;
 
   private:
-    double              spacing;
-    std::size_t         rows, length; ///< of a record; of its transform, a power of two
-    bool                is_set_off;   ///< at t = 0
-    double              reach  = 0.;  ///< L [s]
-    double              period = 0.;  ///< mean one of the source [s]
-    Spectrum            s;
-    Spectrum            source_spectrum;
-    std::vector<double> denominator; ///< |F|^2 windowed, never below 1e-4 of its largest
-    std::vector<double> window;      ///< of each lag
-    std::vector<double> lag; ///< of each row of a transform, negative in the second half [s]
+    double       spacing;
+    std::size_t  rows, length; ///< of a record; of its transform, a power of two
+    bool         is_set_off;   ///< at t = 0
+    Spectrum     s;
+    Spectrum     source_spectrum; ///< fades out beyond the record
+    MotionAnswer answer;
 
     Spectrum            forward(const std::vector<double> &history) const;
     std::vector<double> backward(const Spectrum &spectrum) const;
-    Spectrum            windowed(const Spectrum &correlation) const;
-
-    /// h of a velocity, one per lag.
-    std::vector<double> answer(const std::vector<double> &velocity) const;
-
-    /// What is larger after the pulse than before it.
-    std::vector<double> without_noise(const std::vector<double> &pulse) const;
-
-    /// R, with the answer @p pulse, without noise @p clear.
-    Spectrum no_answer(const std::vector<double> &velocity,
-                       const std::vector<double> &pulse,
-                       std::vector<double>        clear) const;
-
-    void make_window(const std::vector<double> &source);
   };
 } // namespace hybrid::output
