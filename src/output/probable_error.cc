@@ -13,8 +13,9 @@ namespace hybrid::output
     constexpr double      rows_per_period = 8.; ///< of the corner
     constexpr std::size_t most_rows       = 1 << 16;
     constexpr double      at_rest         = 1e-9; ///< round-off moves by as much [m/s]
-    constexpr double      highest_turn    = 1.5;  ///< w dt that a step is asked about [-]
-    constexpr double      fades_from      = 0.5;  ///< of the highest frequency [-]
+    constexpr double      unseen = 1e-6;      ///< of the largest velocity: a component has no error
+    constexpr double      highest_turn = 1.5; ///< w dt that a step is asked about [-]
+    constexpr double      fades_from   = 0.5; ///< of the highest frequency [-]
     /// Of the sum of what scheme and late damping make: that they cancel at some step says nothing
     /// of all that is left out. With 0.5 Badong's velocity leaves the factor of 3 [-].
     constexpr double least_of_both = 0.3;
@@ -123,7 +124,6 @@ namespace hybrid::output
     , rows(static_cast<std::size_t>(std::floor((time.back() - time.front()) / spacing + 1e-6)))
     , rows_until(rows)
     , base(record.base)
-    , is_shaken(record.source != nullptr)
     , response(spacing, source_velocity(record, spacing, rows))
   {
     if (std::isfinite(record.until))
@@ -132,6 +132,7 @@ namespace hybrid::output
     for (const ErrorRecord::Monitor &monitor : record.monitors)
       add(monitor);
     find_peaks();
+    find_delays();
   }
 
 
@@ -153,7 +154,6 @@ namespace hybrid::output
             motion.relative[c].push_back(0.5 * (last + next));
             last = next;
           }
-        motion.delay[c] = response.delay(motion.velocity[c]);
       }
     motions.push_back(std::move(motion));
   }
@@ -188,6 +188,22 @@ namespace hybrid::output
 
 
 
+  void ProbableError::find_delays()
+  {
+    for (Motion &motion : motions)
+      for (int c = 0; c < 2; ++c)
+        {
+          double most = 0.;
+          for (const double v : motion.velocity[c])
+            most = std::max(most, std::abs(v));
+          motion.delay[c] = most > unseen * largest[1]
+                              ? response.delay(motion.velocity[c])
+                              : ResponseDelay::Spectrum(response.frequencies().size(), 0.);
+        }
+  }
+
+
+
   ProbableError::History ProbableError::filtered(const History &history) const
   {
     return history.size() < 2 ? history : scene::low_pass(history, spacing, corner);
@@ -215,8 +231,7 @@ namespace hybrid::output
 
   std::string ProbableError::hardly_begun() const
   {
-    const bool moves = is_shaken && largest[1] > at_rest;
-    for (std::size_t m = 0; moves && m < motions.size(); ++m)
+    for (std::size_t m = 0; largest[1] > at_rest && m < motions.size(); ++m)
       {
         if (!counts(m, 0) && !counts(m, 1) && !counts(m, 2))
           continue;

@@ -67,10 +67,9 @@ namespace hybrid::output
     /// least three tenths of the sum of both count.
     Summary::ErrorPart of_steps(const StepScheme &scheme) const;
 
-    /// A monitor whose motion has hardly begun when the record ends: nine tenths of the energy that
-    /// it has brought are in the last fifth. What the record knows of its answer then is the growth
-    /// of a first wave, and errors are told wrong by any factor. Empty: there is none, or the model
-    /// is set off at t = 0.
+    /// A monitor whose motion has hardly begun when the record ends: more than nine tenths of the
+    /// sum of v^2 are in the last fifth of it. All that is known of its answer then is how a first
+    /// wave grows, and its error is told wrong by any factor. Empty: there is none.
     std::string hardly_begun() const;
 
   private:
@@ -90,7 +89,6 @@ namespace hybrid::output
     double              corner, least_motion, spacing = 0.;
     std::size_t         rows = 0, rows_until = 0;
     int                 base;
-    bool                is_shaken;
     std::vector<Motion> motions;
     double              largest[3] = {0., 0., 0.};
     ResponseDelay       response;
@@ -101,6 +99,7 @@ namespace hybrid::output
     double        largest_size(const History &x, const History &y) const;
     void          add(const ErrorRecord::Monitor &monitor);
     void          find_peaks();
+    void          find_delays();
     std::array<History, 3>
          changes(const Motion &motion, int c, const ResponseDelay::Spectrum &frequency) const;
     void add_amplitude(const Motion &motion, int c, double dt, std::array<History, 3> &error) const;
