@@ -39,8 +39,8 @@ namespace hybrid
    * Tell what one run does not tell of its errors. The results of the run stay as they are; of the
    * others nothing is left but the errors in summary.json.
    *
-   * - Where slip, flight or cracks decide, the error of the step: the scene once more with half or
-   *   twice the step (Time/Error estimate).
+   * - Where slip, flight, cracks or the first of a wave decide, the error of the step: the scene
+   *   once more with half or twice the step (Time/Error estimate).
    * - Where the mesh can be made coarser, that of the mesh: with it twice and four times as coarse
    *   (Mesh/Error estimate).
    *

@@ -29,10 +29,21 @@ BADONG = ["Mesh/Numbers=Resolution/h = 8"]
 ONE_MESH = "Mesh/Error estimate=one run"
 ONE_RUN = ["Time/Error estimate=one run", ONE_MESH]
 
+
+# Runs that end within the motion, or as it begins: a burst of so many cycles.
+BURST = ["Motion/Type=sine", "Motion/Peak=1", "Motion/Taper=0.5"]
+WITHIN = {"time_order within": BURST + ["Motion/Frequency=4", "Motion/Cycles=8", "Time/End time=1"],
+          "coupled_column within": BURST + ["Motion/Frequency=6", "Motion/Cycles=6", "Continuum/Base=rigid", "Time/End time=0.8"],
+          "bonded_bar within": BURST + ["Motion/Frequency=3", "Motion/Cycles=6", "Time/End time=1.6"],
+          "free_field within": ["Motion/Type=synthetic", "Motion/Frequency=4", "Motion/Highest frequency=10", "Motion/Duration=4",
+                                "Motion/Peak=1", "Time/End time=2"],
+          "coupled_column begins": ["Time/End time=0.2"]}
+
 # name: steps in units of the scene's own, and what is set besides
 SHORT = {"time_order": ((4, 1), []), "bedrock_triangles": ((4,), []), "block_decrement": ((1,), []), "lasting_load": ((4,), []),
          "canyon": ((4,), []), "rayleigh_decrement": ((4,), []), "shaken_base": ((2,), []), "floating_block": ((2,), []),
-         "rate_belt": ((4,), [])}
+         "rate_belt": ((4,), []), "coupled_column within": ((2,), WITHIN["coupled_column within"]),
+         "coupled_column begins": ((2,), WITHIN["coupled_column begins"])}
 LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_layers": ((4, 1), []),
         "block_decrement": ((4, 1), []), "continuum_into_blocks": ((4, 1), []), "coupled_column": ((4, 1), []),
         "coupled_column trapezoidal": ((4, 1), SCHEME["trapezoidal"]), "coupled_column dissipative": ((4, 1), SCHEME["dissipative"]),
@@ -51,6 +62,8 @@ LONG.update({name: ((4,), []) for name in (
     "drawdown", "flutter", "rising_reservoir", "seams", "seepage_slab", "submerged_incline", "toppling_squares",
     "bonded_slab", "direct_tension", "rate_belt", "residual_belt", "softening_reset", "brazilian_disc", "notched_beam",
     "unconfined_strength", "bedding_slip_blocks", "opening_layers")})
+
+LONG.update({name: ((4, 1), settings) for name, settings in WITHIN.items()})
 
 # Scenes that slip or bounce and are cheap: the reference of the table has a twelfth of the scene's own step.
 SLIPS = ("bedding_slip_layers", "column_planes", "coulomb_joint", "drawdown", "incline", "infinite_slope", "opening_plane", "rate_belt", "restart_coupled",
@@ -78,7 +91,8 @@ LEFT_OUT = [
 SAID = {None: "its error", "": "no line"}
 
 LABELS = {"badong": "Badong, h = 8 m", "badong_long_periods": "Badong, long periods, h = 8 m",
-          "strong-175": "Majiagou, 1 g, h = 8 m, until joints fail"}
+          "strong-175": "Majiagou, 1 g, h = 8 m, until joints fail",
+          **{name: name.split()[0] + (", ends within the motion" if name.endswith("within") else ", ends as the motion begins") for name in WITHIN}}
 
 
 def scene_file(source, name):

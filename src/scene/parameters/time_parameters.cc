@@ -26,18 +26,18 @@ namespace hybrid::scene
       {0., 100., false, true},
       "Largest error of the time step, of the displacements and velocities of monitors over their peaks. "
       "A run that ends with a larger probable one is repeated from the beginning with Time step over 2, 4, 8 or 16, as "
-      "the estimate says. Where there is no estimate (slip, flight) it is repeated with half the step until the "
-      "difference of two runs meets it; none: the run stands.");
+      "the estimate says. Where there is no estimate (slip, flight, an end as the motion begins) it is repeated with "
+      "half the step until the difference of two runs meets it; none: the run stands.");
     section.choice(
       "Error estimate",
       time.second_run,
       {{"automatic", SecondRun::half_step},
        {"twice the step", SecondRun::twice_the_step},
        {"one run", SecondRun::none}},
-      "Where a run that has ended does not tell the error of its step (slip, flight), automatic computes the scene "
-      "once more with half the step, up to the first failed joint, and tells it from the difference: one and a half "
-      "to two times as much time again. Twice the step takes half as much time again, and is less sure. With one run, "
-      "or an Error target, there is no second run.");
+      "Where a run that has ended does not tell the error of its step (slip, flight, an end as the motion begins), "
+      "automatic computes the scene once more with half the step, up to the first failed joint, and tells it from the "
+      "difference: one and a half to two times as much time again. Twice the step takes half as much time again, and "
+      "is less sure. With one run, or an Error target, there is no second run.");
     section.number_or(
       "Rest speed",
       {"none", time.rest_speed},
