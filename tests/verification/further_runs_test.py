@@ -120,6 +120,32 @@ def check_resumed(words, work, require):
     require(after["estimated"] and after["time_step"] != before["time_step"], "two seconds more have errors of their own", log)
 
 
+def check_beginning(words, work, require):
+    """A run that ends as the motion begins at its top: one run does not tell its error. Resumed, it says the same; a longer one tells it alone."""
+    binary, short = str(words[0]), ["Time/End time=0.2", "Mesh/Error estimate=one run"]
+    _, output = run(*words, "coupled_column", work / "begins", *short)
+    error = summary_of(work / "begins")["probable_error"]
+    require("not estimated, the run ends as the motion begins at top; the scene once more" in output and "by the run in steps of 0.001 s" in output,
+            "a run that ends as the motion begins has a second one", output)
+    _, alone = run(*words, "coupled_column", work / "begins_alone", *short, "Time/Error estimate=one run")
+    require("the run ends as the motion begins at top; hybrid accuracy tells it" in alone
+            and not summary_of(work / "begins_alone")["probable_error"]["estimated"], "one run says that it does not tell it", alone)
+    run(*words, "coupled_column", work / "begins_parts", "Time/End time=0.12", "Time/Error estimate=one run", "Mesh/Error estimate=one run")
+
+    def go_on(end, *overrides):
+        line = [binary, "--resume", str(work / "begins_parts"), "-s", "Time/End time=%g" % end]
+        for override in overrides:
+            line += ["-s", override]
+        done = subprocess.run(line, capture_output=True, text=True, check=False)
+        return summary_of(work / "begins_parts")["probable_error"], done.stdout + done.stderr
+
+    told, output = go_on(0.2, "Time/Error estimate=automatic")
+    require(told["time_step"] == error["time_step"] and told["measured_from_time_step_s"] == error["measured_from_time_step_s"],
+            "a run that was resumed decides and tells the same", output)
+    told, output = go_on(0.5)
+    require(told["estimated"] and told["measured_from_time_step_s"] is None, "once the motion is there, the run tells it alone", output)
+
+
 def check_mesh(words, work, same_bits, require):
     """A bar of bonded blocks: two meshes that are coarser tell the error of its own."""
     code, output = run(*words, "bonded_bar", work / "mesh")
@@ -184,6 +210,7 @@ def main():
     check_error(words, work, same_bits, require)
     check_without_monitors(words, root, work, require)
     check_resumed(words, work, require)
+    check_beginning(words, work, require)
     check_mesh(words, work, same_bits, require)
     check_failure(words, work, require)
     check_flutter(words, work, require)
