@@ -45,9 +45,10 @@ namespace hybrid::continuum
       if (wave->envelope(node) > largest_at_blocks)
         {
           std::ostringstream text;
-          text << "Initial wave: at t = 0 it is on the contact surface already, at (" << node.x()
-               << ", " << node.y() << ") m with " << 100. * wave->envelope(node)
-               << " % of its amplitude; at most " << 100. * largest_at_blocks
+          text << "Initial wave: at t = 0 it is at (" << node.x() << ", " << node.y()
+               << ") m already, on the surface that blocks stand on or may slide to, with "
+               << 100. * wave->envelope(node) << " % of its amplitude; at most "
+               << 100. * largest_at_blocks
                << " % are allowed: move its centre away or make it shorter";
           throw InputError(text.str());
         }
