@@ -241,7 +241,7 @@ namespace hybrid::output
           {
             const double energy = velocity[0][i] * velocity[0][i] + velocity[1][i] * velocity[1][i];
             all += energy;
-            if (i < (1. - late) * rows_until)
+            if (i + 1 <= (1. - late) * rows_until) // all of the row
               early += energy;
           }
         if (all - early > most_late * all)
