@@ -46,6 +46,17 @@ namespace hybrid::scene
     }
 
 
+    /// Its offset is small beside the motion, and all that the correction changes of the peak.
+    bool is_of_instrument(const Motion &raw, const Motion &corrected)
+    {
+      constexpr double small = 0.2, changed = 0.01; // of the peak
+      const double     peak = raw.peak_acceleration();
+      const double     mean = std::abs(raw.velocity(raw.duration())) / raw.duration();
+      return mean <= small * peak &&
+             std::abs(corrected.peak_acceleration() - peak) <= mean + changed * peak;
+    }
+
+
     /// Take a record, without its offset if asked for, and tell of one.
     void take_record(const Motion &raw, const MotionParameters &parameters, InputMotion &input)
     {
@@ -65,8 +76,16 @@ namespace hybrid::scene
                                  in_words(100. * std::abs(drift / T) / raw.peak_acceleration()) +
                                  " % of its peak), so that it ends with " + in_words(drift) +
                                  " m/s at " + in_words(raw.displacement(T)) + " m";
-      if (parameters.baseline_correction)
+      if (parameters.baseline_correction && is_of_instrument(raw, corrected))
         input.notes.push_back(offset + "; the baseline correction took it out");
+      else if (parameters.baseline_correction)
+        input.warnings.push_back(
+          offset +
+          ", more than an instrument's; the baseline correction took it out and changed "
+          "the peak acceleration from " +
+          in_words(raw.peak_acceleration()) + " to " + in_words(corrected.peak_acceleration()) +
+          " m/s2. A pulse, or a record that stops within its motion, wants Motion/Baseline "
+          "correction = false");
       else
         input.warnings.push_back(offset + "; set Motion/Baseline correction = true to take it out");
     }

@@ -53,6 +53,23 @@ namespace hybrid::scene::test
   }
 
 
+  TEST_F(InputMotionTest, a_pulse_that_the_correction_takes_for_an_offset_is_warned_of)
+  {
+    for (const double rate : {2. * M_PI, 80.}) // half a cycle, and a record that stops within one
+      {
+        std::ostringstream text;
+        for (int i = 0; i <= 500; ++i)
+          text << 1e-3 * i << ' ' << 8. * std::sin(rate * 1e-3 * i) << '\n';
+        MotionParameters p      = record(0.);
+        p.file                  = write("pulse.txt", text.str());
+        const InputMotion input = make(p, 0.5);
+        ASSERT_EQ(input.warnings.size(), 1u) << rate;
+        expect_part(input.warnings[0], "more than an instrument's");
+        expect_part(input.warnings[0], "the peak acceleration from 8 to ");
+      }
+  }
+
+
   TEST_F(InputMotionTest, a_record_that_ends_at_rest_stays_as_it_is)
   {
     std::ostringstream text;
