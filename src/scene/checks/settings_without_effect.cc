@@ -76,6 +76,19 @@ namespace hybrid::scene
     }
 
 
+    void look_at_mesh(const MeshParameters &given, std::vector<std::string> &warnings)
+    {
+      if (given.left_out.empty())
+        return;
+      std::string names;
+      for (const std::string &number : given.left_out)
+        names += (names.empty() ? "" : "; ") + number;
+      warnings.push_back(
+        "Mesh/Numbers of the command line takes the place of the scene's: " + names +
+        " of the scene has no effect, the mesh has its own number; name it again to keep it");
+    }
+
+
     void look_at_planes(const SceneParameters &scene, std::vector<std::string> &warnings)
     {
       if (scene.bedding.slips && !scene.environment.water_tables.level_file.empty())
@@ -108,6 +121,7 @@ namespace hybrid::scene
     std::vector<std::string> warnings;
     look_at_motion(scene, warnings);
     look_at_water(mesh, scene, warnings);
+    look_at_mesh(scene.mesh, warnings);
     look_at_planes(scene, warnings);
     look_at_surface(scene, warnings);
     return warnings;

@@ -31,7 +31,7 @@ namespace hybrid::scene
     const std::string reason = why_not_iterated(scene);
     if (!reason.empty())
       throw table.error("Continuum/Linear solver",
-                        "conjugate gradients cannot be, as " + reason +
+                        "conjugate gradients is not allowed, as " + reason +
                           "; allowed here: automatic | factor");
     if (scene.has_blocks() && scene.continuum.surface_form == SurfaceForm::dense)
       throw table.error("Continuum/Surface stiffness",

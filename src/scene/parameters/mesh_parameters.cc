@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/parameters/parameter_declarations.h>
 
+#include <algorithm>
+
 namespace hybrid::scene
 {
   namespace
@@ -56,6 +58,26 @@ namespace hybrid::scene
       "a CSV file x,y [m]",
       "Polyline of a rigid base instead of the surface of the mesh; for Model/Bedrock = rigid.");
   }
+
+  std::vector<std::string> left_out_numbers(const std::vector<ParameterLine> &lines)
+  {
+    const ParameterLine *of_file = nullptr, *given = nullptr;
+    for (const ParameterLine &line : lines)
+      if (line.path() == "Mesh/Numbers")
+        (line.is_override ? given : of_file) = &line;
+    std::vector<std::string> result;
+    if (of_file == nullptr || given == nullptr)
+      return result;
+    const auto kept = parse_pairs(given->value, '=');
+    for (const auto &[name, number] : parse_pairs(of_file->value, '='))
+      if (std::none_of(kept.begin(), kept.end(), [&name = name](const auto &pair) {
+            return pair.first == name;
+          }))
+        result.push_back(name + " = " + number);
+    return result;
+  }
+
+
 
   void check_mesh(const SceneParameters &scene, const ParameterTable &table)
   {

@@ -71,6 +71,7 @@ namespace hybrid::scene
       for (const ParameterLine &line : lines)
         table.set(line);
       table.assign();
+      scene.mesh.left_out           = left_out_numbers(lines);
       scene.motion.file_unit_is_set = table.is_set("Motion/Unit");
       for (auto &[name, material] : scene.materials)
         if (material.friction_is_given())

@@ -78,7 +78,7 @@ def use_format(name):
 
 def length_unit(largest):
     """(factor, unit) that shows a length of this size [m] with few digits."""
-    if not np.isfinite(largest) or largest < 2.0:
+    if not np.isfinite(largest) or largest < 1.0:
         return 1e3, "mm"
     return 1.0, "m"
 

@@ -16,6 +16,10 @@ namespace hybrid::scene
 
   void declare(ParameterTable &table, MeshParameters &mesh);
 
+  /// Names in the last Mesh/Numbers of the files that are not in the last one of the command line,
+  /// if there is one.
+  std::vector<std::string> left_out_numbers(const std::vector<ParameterLine> &lines);
+
   /// Section "Materials", subsection of the material's name.
   void declare(ParameterTable &table, Material &material);
 

@@ -60,6 +60,8 @@ namespace hybrid::scene
     std::string file; ///< .geo or .msh; resolved path
     std::vector<std::pair<std::string, double>>
       numbers; ///< ONELAB numbers set before meshing, "Resolution/h" -> 4
+    std::vector<std::string>
+      left_out; ///< numbers of the file that those of the command line replace, and do not name
     std::string
       polygons_file; ///< CSV block,x,y: blocks as polygons instead of the mesh's; resolved path
     std::string

@@ -63,6 +63,13 @@ namespace hybrid::scene
   }
 
 
+  TEST_F(SettingsWithoutEffect, NumbersThatTheCommandLineLeavesOut)
+  {
+    scene.mesh.left_out = {"Width = 60", "Height = 5"};
+    expect({"Width = 60; Height = 5 of the scene has no effect"});
+  }
+
+
   TEST_F(SettingsWithoutEffect, TheSurfaceOfAContinuumBelowBlocksHasAStiffness)
   {
     scene.continuum.surface_form = SurfaceForm::banded;
