@@ -267,6 +267,18 @@ namespace hybrid
   void RunReport::no_convergence(const dda::StepResult &result, const double time) const
   {
     char text[400];
+    if (result.is_passed)
+      {
+        std::snprintf(
+          text,
+          sizeof(text),
+          "stopped at t = %.6g s: in the smallest step %.3g s a corner would go into a body "
+          "before it has a contact; a shorter Time/Time step or more Time/Maximum halvings do",
+          time,
+          std::ldexp(model.scene.time.time_step, -model.scene.time.maximum_halvings));
+        log.warning(text);
+        return;
+      }
     std::snprintf(
       text,
       sizeof(text),

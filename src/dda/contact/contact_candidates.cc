@@ -40,6 +40,7 @@ namespace hybrid::dda
   ContactCandidates::ContactCandidates(const double distance_, const double margin_)
     : distance(distance_)
     , margin(margin_)
+    , skin(margin_)
   {}
 
 
@@ -77,7 +78,7 @@ namespace hybrid::dda
     const double moved   = movement(geometry.vertices, geometry.foundation_nodes);
     const bool   is_good = moved <= 0.5 * margin; // false for NaN
     if (!is_good)
-      build(geometry);
+      build(geometry, margin);
     wake(is_good ? moved : 0.);
     return !is_good;
   }
@@ -86,16 +87,14 @@ namespace hybrid::dda
 
   bool ContactCandidates::list_for(const Geometry          &geometry,
                                    const std::vector<Vec2> &vertices,
-                                   const std::vector<Vec2> &nodes)
+                                   const std::vector<Vec2> &nodes,
+                                   const double             way)
   {
     // Two points that meet on their ways were at most twice the movement apart.
-    const auto is_wide_enough = [&] {
-      return movement(vertices, nodes) <= 0.5 * (distance + margin);
-    };
-    if (is_wide_enough())
-      return true;
-    build(geometry);
-    return is_wide_enough();
+    if (movement(vertices, nodes) <= 0.5 * (distance + skin))
+      return false;
+    build(geometry, std::max(margin, 2. * way - distance));
+    return true;
   }
 
 
@@ -127,8 +126,9 @@ namespace hybrid::dda
 
 
 
-  void ContactCandidates::build(const Geometry &geometry)
+  void ContactCandidates::build(const Geometry &geometry, const double wide)
   {
+    skin = wide;
     built_vertices.assign(geometry.vertices.begin(), geometry.vertices.end());
     built_nodes.assign(geometry.foundation_nodes.begin(), geometry.foundation_nodes.end());
     is_outdated    = false;
@@ -157,7 +157,7 @@ namespace hybrid::dda
     bodies.clear();
     for (int i = 0; i + 1 < static_cast<int>(geometry.foundation_nodes.size()); ++i)
       {
-        boxes.push_back(box_around(&geometry.foundation_nodes[i], 2, distance + margin));
+        boxes.push_back(box_around(&geometry.foundation_nodes[i], 2, distance + skin));
         bodies.push_back({foundation_body, i});
       }
     const int n_mass = std::min(first_bedrock, geometry.n_blocks());
@@ -165,14 +165,14 @@ namespace hybrid::dda
       {
         boxes.push_back(box_around(&geometry.vertices[geometry.offset[b]],
                                    geometry.offset[b + 1] - geometry.offset[b],
-                                   distance + margin));
+                                   distance + skin));
         bodies.push_back({b, -1});
       }
     for (int v = geometry.offset[n_mass]; v < static_cast<int>(geometry.vertices.size()); ++v)
       if (geometry.bedrock.next[v] != BedrockSurface::inside)
         {
           const Vec2 ends[2]{geometry.vertices[v], geometry.vertices[geometry.next(v)]};
-          boxes.push_back(box_around(ends, 2, distance + margin));
+          boxes.push_back(box_around(ends, 2, distance + skin));
           bodies.push_back({geometry.block_of[v], v});
         }
   }
@@ -256,7 +256,7 @@ namespace hybrid::dda
 
   void ContactCandidates::add(const ContactCandidate &pair, const double apart)
   {
-    if (!(apart <= distance + margin))
+    if (!(apart <= distance + skin))
       return;
     candidates.push_back(pair);
     apart_when_built.push_back(apart);

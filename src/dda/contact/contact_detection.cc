@@ -43,13 +43,16 @@ namespace hybrid::dda
       return contact.vertex_body == pair.vertex_body && contact.vertex == pair.vertex;
     }
 
-    /// Of these sorted contacts one is of the pair: with its edge, or with any of its body.
-    bool has_contact(const std::vector<Contact> &contacts, const ContactCandidate &pair)
+    /// Of these sorted contacts one is of the pair: with its edge of a surface, or with any of its
+    /// block.
+    bool has_contact(const std::vector<Contact> &contacts,
+                     const ContactCandidate     &pair,
+                     const bool                  is_of_surface)
     {
       auto contact =
         std::lower_bound(contacts.begin(), contacts.end(), first_of(pair), contact_order);
       for (; contact != contacts.end() && is_of(*contact, pair); ++contact)
-        if (contact->edge_body == pair.edge_body && (pair.edge < 0 || contact->edge == pair.edge))
+        if (contact->edge_body == pair.edge_body && (!is_of_surface || contact->edge == pair.edge))
           return true;
       return false;
     }
@@ -129,13 +132,14 @@ namespace hybrid::dda
     };
     move(geometry.vertices, motion.vertices, moved_vertices);
     move(geometry.foundation_nodes, motion.nodes, moved_nodes);
-    if (!candidates.list_for(geometry, moved_vertices, moved_nodes))
-      return true;
+    last.builds +=
+      candidates.list_for(geometry, moved_vertices, moved_nodes, spread.half_diagonal()) ? 1 : 0;
     const ContactPassage passage(geometry, motion, tolerances.reach, tolerances.max_depth);
     return std::any_of(candidates.all().begin(),
                        candidates.all().end(),
                        [&](const ContactCandidate &pair) {
-                         return passage.takes(pair) && !has_contact(contacts, pair);
+                         return passage.takes(pair) &&
+                                !has_contact(contacts, pair, is_surface(geometry, pair.edge_body));
                        });
   }
 

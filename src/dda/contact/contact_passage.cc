@@ -77,33 +77,34 @@ namespace hybrid::dda
   {
     const int   begin = geometry.offset[block], n = geometry.offset[block + 1] - begin;
     const Vec2 *outline = &geometry.vertices[begin];
+    const Vec2  way     = to - from;
+    const auto  is_deep = [&](const double part) {
+      const Vec2 place = from + part * way;
+      return contains(outline, n, place) && distance_to_outline(outline, n, place) > depth;
+    };
     if (contains(outline, n, from))
       return false;
-    // Parts of the way at which it crosses the outline: the first two.
-    const Vec2 way   = to - from;
-    double     enter = 2., leave = 2.;
+    if (is_deep(1.))
+      return true;
+    // Through it: the middles between places where the way crosses the outline, a corner twice.
+    std::vector<double> crossings;
     for (int k = 0; k < n; ++k)
       {
-        const Vec2  &a     = outline[k];
-        const Vec2   along = outline[(k + 1) % n] - a;
-        const double area  = cross_of(way, along);
+        constexpr double slack = 1e-9; // of an edge and of the way: no crossing is lost at a corner
+        const Vec2      &a     = outline[k];
+        const Vec2       along = outline[(k + 1) % n] - a;
+        const double     area  = cross_of(way, along);
         if (area == 0.)
           continue;
-        const double at = cross_of(a - from, along) / area, place = cross_of(a - from, way) / area;
-        if (at < 0. || at > 1. || place < 0. || place > 1.)
-          continue;
-        if (at < enter)
-          {
-            leave = enter;
-            enter = at;
-          }
-        else
-          leave = std::min(leave, at);
+        const double part  = cross_of(a - from, along) / area,
+                     place = cross_of(a - from, way) / area;
+        if (part > -slack && part < 1. + slack && place > -slack && place < 1. + slack)
+          crossings.push_back(part);
       }
-    if (enter > 1.)
-      return false;
-    const double deepest = leave > 1. ? 1. : 0.5 * (enter + leave);
-    const Vec2   place   = from + deepest * way;
-    return contains(outline, n, place) && distance_to_outline(outline, n, place) > depth;
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t k = 0; k + 1 < crossings.size(); ++k)
+      if (is_deep(0.5 * (crossings[k] + crossings[k + 1])))
+        return true;
+    return false;
   }
 } // namespace hybrid::dda

@@ -58,7 +58,7 @@ namespace hybrid::scene
       text << (around.water_tables.empty() ? "Water/Level = " : "the water (section Water), up to ")
            << level << " m" << (around.water_tables.empty() ? "" : ",") << " has no effect, ";
       const Vec2 *lowest = lowest_node(mesh);
-      if (!scene.blocks.enabled || lowest == nullptr)
+      if ((!scene.blocks.enabled && scene.has_continuum()) || lowest == nullptr)
         text << "as water acts on blocks and there are none";
       else if (level < lowest->y())
         text << (scene.environment.water_method == WaterMethod::paper
@@ -91,7 +91,15 @@ namespace hybrid::scene
 
     void look_at_planes(const SceneParameters &scene, std::vector<std::string> &warnings)
     {
-      if (scene.bedding.slips && !scene.environment.water_tables.level_file.empty())
+      const EnvironmentParameters &around = scene.environment;
+      const bool slips = scene.bedding.slips && !scene.bedding.names.empty() && around.has_water();
+      if (slips && (around.water_method == WaterMethod::paper ||
+                    (!scene.blocks.enabled && scene.has_continuum()) ||
+                    around.static_stage == StaticStage::none))
+        warnings.push_back(
+          "bedding planes are dry, though there is water: their pore pressure is that "
+          "of a static stage with blocks and Water/Method = pressures or submerged");
+      else if (slips && !around.water_tables.level_file.empty())
         warnings.push_back(
           "Water/Level file does not change the pore pressure in bedding planes: they "
           "keep that of 0 s");

@@ -432,7 +432,8 @@ namespace hybrid::scene
                                const Numbers                     &numbers,
                                const std::function<void(double)> &before_meshing)
     {
-      if (!std::filesystem::is_regular_file(file))
+      std::error_code unknown; // a name that is too long, for instance: there is none, either
+      if (!std::filesystem::is_regular_file(file, unknown))
         throw InputError(file, 0, "there is no such mesh file.");
       const std::string extension = std::filesystem::path(file).extension().string();
       if (extension != ".geo" && extension != ".msh")

@@ -68,12 +68,17 @@ namespace hybrid::scene
     std::vector<std::string> result;
     if (of_file == nullptr || given == nullptr)
       return result;
-    const auto kept = parse_pairs(given->value, '=');
-    for (const auto &[name, number] : parse_pairs(of_file->value, '='))
-      if (std::none_of(kept.begin(), kept.end(), [&name = name](const auto &pair) {
-            return pair.first == name;
-          }))
-        result.push_back(name + " = " + number);
+    try
+      {
+        const auto kept = parse_pairs(given->value, '=');
+        for (const auto &[name, number] : parse_pairs(of_file->value, '='))
+          if (std::none_of(kept.begin(), kept.end(), [&name = name](const auto &pair) {
+                return pair.first == name;
+              }))
+            result.push_back(name + " = " + number);
+      }
+    catch (const InputError &) // what is replaced need not be right
+      {}
     return result;
   }
 

@@ -44,8 +44,9 @@ namespace hybrid::scene
 
     void Scanner::scan(const std::string &file)
     {
-      std::ifstream in(file);
-      if (std::filesystem::is_directory(file))
+      std::ifstream   in(file);
+      std::error_code unknown; // a name that is too long, for instance: it cannot be read either
+      if (std::filesystem::is_directory(file, unknown))
         throw InputError("'" + file + "' is a directory, not a parameter file");
       if (!in)
         {
@@ -148,7 +149,8 @@ namespace hybrid::scene
         throw InputError(file, line, "'include' must be followed by a file name");
       const std::string path =
         (fs::path(file).parent_path() / name).lexically_normal().string(); // absolute names stay
-      if (!fs::is_regular_file(path))
+      std::error_code unknown;
+      if (!fs::is_regular_file(path, unknown))
         throw InputError(file,
                          line,
                          "included file '" + path + "' cannot be read" + file_hint(name, path));

@@ -78,9 +78,10 @@ namespace hybrid::scene
       namespace fs = std::filesystem;
       if (line.value.empty())
         return "";
-      const fs::path base = line.is_override ? fs::path() : fs::path(line.file).parent_path();
-      const fs::path path = fs::absolute(base / line.value).lexically_normal();
-      if (!fs::is_regular_file(path))
+      const fs::path  base = line.is_override ? fs::path() : fs::path(line.file).parent_path();
+      const fs::path  path = fs::absolute(base / line.value).lexically_normal();
+      std::error_code unknown;
+      if (!fs::is_regular_file(path, unknown))
         throw line.error(line.path() + " = '" + line.value + "': there is no file '" +
                          path.string() + "'" + file_hint(line.value, path.string()));
       return path.string();

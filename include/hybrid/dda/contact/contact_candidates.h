@@ -117,11 +117,13 @@ namespace hybrid::dda
       return candidates;
     }
 
-    /// Have all pairs that can meet in the list while the points move from @p geometry to these
-    /// places. @return false if they move too far for any list
+    /// Have all pairs in the list that can meet while the points move from @p geometry to these
+    /// places. @param way no point moves farther, beside what all move [m]. @return true if the
+    /// list was built
     bool list_for(const Geometry          &geometry,
                   const std::vector<Vec2> &vertices,
-                  const std::vector<Vec2> &nodes);
+                  const std::vector<Vec2> &nodes,
+                  double                   way);
 
     /// Distances computed by the last build.
     long n_distance_tests() const
@@ -134,7 +136,8 @@ namespace hybrid::dda
     /// all [m].
     double movement(const std::vector<Vec2> &vertices, const std::vector<Vec2> &nodes) const;
 
-    void build(const Geometry &geometry);
+    /// @param wide skin of the list [m], at least the margin
+    void build(const Geometry &geometry, double wide);
 
     void list_boxes(const Geometry &geometry);
 
@@ -162,6 +165,7 @@ namespace hybrid::dda
 
     const double distance;
     const double margin;
+    double       skin; ///< of the list: the margin, or wider for a step that moves far [m]
 
     std::vector<int>          neighbour_offset, neighbours; ///< rows sorted
     SkippedPairs              skipped;                      ///< as given

@@ -26,9 +26,10 @@ namespace hybrid::dda
    * to so deep behind the edge that the next search takes it for lost. So such a step has to be
    * cut: with a relative motion of at most the reach no vertex can be missed.
    *
-   * The way of the vertex is straight, seen from the body. It counts if its deepest place inside,
-   * of a body that it leaves again that midway, is deeper than a depth: sliding over a row takes a
-   * pressed vertex through the sides of its blocks, but no deeper than it is pressed.
+   * The way of the vertex is straight, seen from the body. It counts if its end is deeper inside
+   * than a depth, or the middle of a part of it inside a block: sliding over a row takes a pressed
+   * vertex through the sides of its blocks, but no deeper than it is pressed. Vertices that are no
+   * convex corners cannot touch.
    */
   class ContactPassage
   {
@@ -43,6 +44,8 @@ namespace hybrid::dda
     const Geometry   &geometry;
     const StepMotion &motion;
     const double      reach, depth;
+
+    bool is_corner(const ContactCandidate &pair) const;
 
     /// Displacement of a vertex, less that of an edge, or of a body (edge -1) at its place [m].
     Vec2 relative_displacement(const ContactCandidate &pair) const;

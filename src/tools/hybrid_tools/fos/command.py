@@ -83,16 +83,29 @@ def find_yield(trials, words):
 
         return yield_coefficient(judge, 0.1 * words.tolerance)
 
-    found = pushed(run.downhill)
     if not run.is_level:
-        return found
-    n_there = len(trials.done)
-    back = pushed(-run.downhill)
-    print("the surface is level: pushed both ways, it fails at %.4f towards +x and at %.4f towards -x; the smaller one counts" % (
-        found.value, back.value))
-    there, on_the_way_back = trials.done[:n_there], trials.done[:1] + trials.done[n_there:]
-    trials.done = there if found.value <= back.value else on_the_way_back
-    return min(found, back, key=lambda bracket: bracket.value)
+        return pushed(run.downhill)
+    found, back, n_there = either(pushed, run.downhill, trials)
+    ways = ["%s towards %sx" % ("it stands" if bracket is None else "it fails at %.4f" % bracket.value, sign)
+            for bracket, sign in ((found, "+"), (back, "-"))]
+    print("the surface is level: pushed both ways, %s and %s; the smaller coefficient counts" % tuple(ways))
+    is_back = found is None or (back is not None and back.value < found.value)
+    trials.done = trials.done[:1] + trials.done[n_there:] if is_back else trials.done[:n_there]
+    return back if is_back else found
+
+
+def either(pushed, sign, trials):
+    """(bracket one way, bracket the other way, number of trials before the latter); None: it stands however hard it is pushed."""
+    brackets = []
+    for way in (sign, -sign):
+        n_before = len(trials.done)
+        try:
+            brackets.append(pushed(way))
+        except UserError:
+            if way != sign and brackets[0] is None:
+                raise
+            brackets.append(None)
+    return brackets[0], brackets[1], n_before
 
 
 def table_of(trials):

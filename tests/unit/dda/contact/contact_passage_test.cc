@@ -79,6 +79,11 @@ TEST(ContactPassage, over_a_corner_or_along_a_face_is_none)
   EXPECT_FALSE(pressed.into_block({2., 0.}));
   EXPECT_FALSE(pressed.into_block({0.7, 0.}));
   EXPECT_FALSE(Places({0.5, 0.5}).into_block({0.2, 0.})); // was inside
+  Places tip({-0.25, 1.25});                              // through the corner (0, 1) itself
+  EXPECT_TRUE(tip.into_block({0.75, -0.75}));
+  EXPECT_TRUE(tip.into_block({2., -2.}));
+  EXPECT_FALSE(tip.into_block({0.25, -0.25}));
+  EXPECT_FALSE(tip.into_block({0.5, 0.})); // beside it
 }
 
 

@@ -56,8 +56,12 @@ namespace hybrid::scene
     scene.bedding.names = {"bedding_1"};
     scene.bedding.slips = true;
     expect({});
+    scene.environment.water_level             = 8.;
+    scene.environment.water_method            = WaterMethod::pressures;
     scene.environment.water_tables.level_file = "level.csv";
     expect({"Water/Level file does not change the pore pressure in bedding planes"});
+    scene.environment.static_stage = StaticStage::none;
+    expect({"bedding planes are dry, though there is water"});
     scene.bedding.slips = false;
     expect({});
   }
