@@ -164,7 +164,7 @@ def check_solvers():
 
 
 def check_watched_points():
-    """Waves without monitors: what is watched for the error moves alike on any number of processes."""
+    """Waves without monitors: what is watched for the error moves alike on any number of processes; what it tells to three digits (MotionAnswer)."""
     for name in ("lamb", "free_field"):
         scene, overrides = SHARED[name]
         told = {}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/contact/contact_passage.h>
+#include <hybrid/dda/contact/contact_tolerances.h>
 #include <hybrid/dda/geometry/outline_frames.h>
 #include <hybrid/dda/geometry/polygon.h>
 
@@ -33,9 +34,23 @@ namespace hybrid::dda
     const Vec2 way = relative_displacement(pair);
     if (!(way.norm() > reach))
       return false;
+    if (!is_corner(pair))
+      return false;
     const Vec2 &from = position(geometry, pair.vertex_body, pair.vertex);
-    return pair.edge >= 0 ? goes_behind_edge(pair, from, from + way)
-                          : goes_into_block(pair.edge_body, from, from + way);
+    return is_surface(geometry, pair.edge_body) ? goes_behind_edge(pair, from, from + way)
+                                                : goes_into_block(pair.edge_body, from, from + way);
+  }
+
+
+
+  bool ContactPassage::is_corner(const ContactCandidate &pair) const
+  {
+    if (is_surface(geometry, pair.vertex_body))
+      return true;
+    const Vec2 &place = geometry.vertices[pair.vertex];
+    const Vec2  in    = place - geometry.vertices[geometry.previous(pair.vertex)];
+    const Vec2  out   = geometry.vertices[geometry.next(pair.vertex)] - place;
+    return cross_of(in, out) > ContactTolerances::smooth_angle * in.norm() * out.norm();
   }
 
 

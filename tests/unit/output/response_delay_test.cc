@@ -129,31 +129,32 @@ namespace hybrid::output
     }
 
 
-    /// An oscillator of 1.5 Hz with 1 % of damping that it sets off.
-    std::vector<double> ringing(const std::size_t rows)
+    /// What an oscillator of 1.5 Hz with 1 % of damping does with a force.
+    std::vector<double> oscillation(double (*force)(double), const std::size_t rows)
     {
       constexpr double           w    = 2. * M_PI * 1.5;
       const std::complex<double> turn = std::exp(spacing * w * std::complex<double>(-0.01, 1.));
       std::complex<double>       z    = 0.;
       std::vector<double>        result;
-      for (const double pulse : sampled(soft_pulse, rows))
+      for (const double now : sampled(force, rows))
         {
-          z = turn * z + pulse;
+          z = turn * z + now;
           result.push_back(z.imag());
         }
       return result;
     }
 
 
-    /// Largest change of it in the first 9.5 s by d = s^3, up to 25 Hz. (Of a record of 10 s: the
-    /// longest lags are told by the first rows of the pulse alone, which are small.)
+    /// Largest change of the ringing in the first 9.5 s by d = s^3, up to 25 Hz. (Of a record of 10
+    /// s: the longest lags are told by the first rows of the pulse alone, which are small.)
     double change_of_ringing(const std::size_t rows)
     {
       const ResponseDelay     response(spacing, source_of(soft_pulse, rows));
       ResponseDelay::Spectrum cubes;
       for (const std::complex<double> &s : response.frequencies())
         cubes.push_back(s * s * s * std::clamp(2. - s.imag() / (2. * M_PI * 12.5), 0., 1.));
-      std::vector<double> change = response.change(response.delay(ringing(rows)), cubes);
+      std::vector<double> change =
+        response.change(response.delay(oscillation(soft_pulse, rows)), cubes);
       change.resize(1900);
       return largest_difference(change, std::vector<double>(change.size(), 0.));
     }
@@ -183,33 +184,17 @@ namespace hybrid::output
     }
 
 
-    /// A burst of the frequency of ringing().
+    /// A burst of the frequency of the oscillator.
     double burst(const double t)
     {
       return t < 8. ? std::sin(2. * M_PI * 1.5 * t) * std::pow(std::sin(M_PI * t / 8.), 2) : 0.;
     }
 
 
-    /// What an oscillator of 1.5 Hz with 1 % of damping does with it.
-    std::vector<double> resonance(const std::size_t rows)
-    {
-      constexpr double           w    = 2. * M_PI * 1.5;
-      const std::complex<double> turn = std::exp(spacing * w * std::complex<double>(-0.01, 1.));
-      std::complex<double>       z    = 0.;
-      std::vector<double>        result;
-      for (const double force : sampled(burst, rows))
-        {
-          z = turn * z + force;
-          result.push_back(z.imag());
-        }
-      return result;
-    }
-
-
     TEST(ResponseDelay, ARecordThatEndsWithinTheMotionHasTheErrorOfALongerOne)
     {
       const auto errors = [](const std::size_t rows) {
-        return stretched(ResponseDelay(spacing, source_of(burst, rows)), resonance(rows));
+        return stretched(ResponseDelay(spacing, source_of(burst, rows)), oscillation(burst, rows));
       };
       const std::vector<double> whole = errors(4000);
       for (const std::size_t rows : {600, 1000, 1600})

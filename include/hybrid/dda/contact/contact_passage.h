@@ -45,9 +45,11 @@ namespace hybrid::dda
     const StepMotion &motion;
     const double      reach, depth;
 
+    /// Of a surface, or convex.
     bool is_corner(const ContactCandidate &pair) const;
 
-    /// Displacement of a vertex, less that of an edge, or of a body (edge -1) at its place [m].
+    /// Displacement of a vertex, less that of a segment of the foundation, or of a block at its
+    /// place [m].
     Vec2 relative_displacement(const ContactCandidate &pair) const;
 
     bool goes_behind_edge(const ContactCandidate &pair, const Vec2 &from, const Vec2 &to) const;
