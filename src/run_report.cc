@@ -2,6 +2,7 @@
 #include <hybrid/output/end_text.h>
 #include <hybrid/output/line_card.h>
 #include <hybrid/output/memory_estimate.h>
+#include <hybrid/output/monitor_card.h>
 #include <hybrid/output/scene_card.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/run_report.h>
@@ -35,6 +36,13 @@ namespace hybrid
     const std::string lines = output::describe_lines(model.mesh, model.scene);
     if (!lines.empty())
       log.info(lines);
+    const std::string monitors = model.blocks != nullptr
+                                   ? output::describe_monitors(model.scene.monitors.monitors,
+                                                               model.monitor_blocks,
+                                                               *model.blocks)
+                                   : "";
+    if (!monitors.empty())
+      log.info(monitors);
     if (!input.scaling.empty())
       log.info("Motion     " + input.scaling);
     for (const std::string &note : input.notes)

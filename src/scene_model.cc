@@ -208,11 +208,11 @@ namespace hybrid
 
 
 
-  void SceneModel::check_points() const
+  void SceneModel::check_points()
   {
     output::Probes probes(blocks.get(), continuum.get(), foundation.get());
     for (const scene::Monitor &monitor : scene.monitors.monitors)
-      probes.add(monitor.position, monitor.name);
+      monitor_blocks.push_back(probes.block(probes.add(monitor.position, monitor.name)));
     for (const scene::Borehole &hole : scene.monitors.boreholes)
       {
         for (const Vec2 &end : {hole.top, hole.bottom})

@@ -366,7 +366,7 @@ namespace hybrid
     if (time.second_run != scene::SecondRun::none || model.scene.mesh.coarser_runs ||
         time.error_target != 0.)
       {
-        record            = run.recorder->step_record(summary.first_failure_time);
+        record            = run.recorder->step_record(summary.first_loss_time);
         record->slip_left = summary.slip.mean_left;
       }
     if (time.error_target == 0. || !summary.probable_error.runs_would_do)

@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <mpi.h>
+#include <vector>
 
 namespace hybrid
 {
@@ -37,6 +38,7 @@ namespace hybrid
     std::unique_ptr<continuum::Continuum> continuum;  ///< the bedrock of finite elements, or null
     std::unique_ptr<dda::Model>           blocks;     ///< of the mass and of the bedrock, or null
     std::unique_ptr<coupling::Foundation> foundation; ///< what the blocks stand on, or null
+    std::vector<int> monitor_blocks; ///< the block that each monitor belongs to; -1: none
 
   private:
     /// With a factor if it fits the memory, where the scene leaves that open.
@@ -50,8 +52,8 @@ namespace hybrid
     void make_bedrock_blocks();
 
     /// Every monitor, borehole and line lies in the model, found before anything is written; what
-    /// the bedrock is watched at.
+    /// the monitors belong to, and what the bedrock is watched at.
     /// @throws InputError.
-    void check_points() const;
+    void check_points();
   };
 } // namespace hybrid

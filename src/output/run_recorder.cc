@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/blocks_off_base.h>
+#include <hybrid/output/failed_joints.h>
 #include <hybrid/output/input_tables.h>
 #include <hybrid/output/run_recorder.h>
 #include <hybrid/output/section_tables.h>
@@ -456,19 +457,7 @@ namespace hybrid::output
         write_joints(state);
         slip.finish(state.blocks, file, summary);
         summary.blocks_off_base = blocks_off_base(*parts.blocks, state.blocks);
-        for (const dda::JointState &joint : state.blocks.joints)
-          {
-            if (joint.failure == dda::FailureKind::none)
-              continue;
-            const bool             settled = joint.failure_time < 0.;
-            Summary::FailedJoints &count   = settled ? summary.static_joints : summary.joints;
-            ++(joint.failure == dda::FailureKind::tensile ? count.tensile : count.shear);
-            if (!settled)
-              summary.first_failure_time =
-                std::isnan(summary.first_failure_time)
-                  ? joint.failure_time
-                  : std::min(summary.first_failure_time, joint.failure_time);
-          }
+        count_failed_joints(*parts.blocks, state.blocks, summary);
       }
     if (!times.empty())
       summarize_monitors(summary);

@@ -300,7 +300,7 @@ namespace hybrid::output
     record.time                               = times;
     record.source                             = shaking(parts.scene, parts.motion);
     record.corner                             = parts.scene.monitors.filter_frequency;
-    record.until                              = summary.first_failure_time;
+    record.until                              = summary.first_loss_time;
     const std::vector<MonitorSeries> &points  = points_of_error();
     int                               n_loose = 0; // points on blocks that no joint holds
     for (std::size_t m = 0; m < points.size(); ++m)

@@ -18,7 +18,8 @@ namespace hybrid::output
               {"static",
                {{"tensile", summary.static_joints.tensile},
                 {"shear", summary.static_joints.shear}}},
-              {"first_failure_time_s", summary.first_failure_time}};
+              {"first_failure_time_s", summary.first_failure_time},
+              {"first_loss_time_s", summary.first_loss_time}};
     }
 
 

@@ -186,8 +186,8 @@ def compare(binary, source, work, name, factors, settings, finest=None):
 
 
 def failure_time(place):
-    """Of the first joint [s]; None: none failed."""
-    return json.loads((place / "summary.json").read_text())["joints"]["first_failure_time_s"]
+    """Of the first joint that loses strength by it [s]; None: none has."""
+    return json.loads((place / "summary.json").read_text())["joints"]["first_loss_time_s"]
 
 
 def parts_of(said):

@@ -176,6 +176,7 @@ namespace hybrid::output
     Slip          slip;
     BaseShear     base_shear;
     double        first_failure_time = MonitorSummary::unknown; ///< of the dynamic stage [s]
+    double        first_loss_time    = MonitorSummary::unknown; ///< of a joint that loses strength
     Wasted        wasted;
     long          iterations     = 0; ///< open-close iterations, all steps
     long          few_iterations = 0; ///< beside these, of few bodies that settle alone

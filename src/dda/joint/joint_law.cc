@@ -307,4 +307,13 @@ namespace hybrid::dda
   {
     return history.softening > 0. && history.softening >= strength.softening_slip;
   }
+
+
+
+  bool JointLaw::loses_by_failing(const bool is_torn) const
+  {
+    const double left = is_torn ? 0. : strength.residual_cohesion;
+    return strength.tensile > 0. || left < strength.cohesion ||
+           strength.residual_tan_phi < strength.tan_phi;
+  }
 } // namespace hybrid::dda

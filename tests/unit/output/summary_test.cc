@@ -64,7 +64,7 @@ assert s['base_shear'] == {'shear_N_per_m': 1e6, 'shear_left_N_per_m': 5e5, 'nor
 assert s['static_stage'] == {'equilibrium': True, 'planes_hold': False, 'slid': True, 'residual': 1e-10, 'iterations': 12,
                              'largest_displacement_m': 0.25}
 assert s['joints']['tensile'] == 7 and s['joints']['shear'] == 9
-assert s['joints']['static'] == {'tensile': 1, 'shear': 2} and s['joints']['first_failure_time_s'] is None
+assert s['joints']['static'] == {'tensile': 1, 'shear': 2} and s['joints']['first_failure_time_s'] is None and s['joints']['first_loss_time_s'] is None
 m = s['monitors']['S1']
 assert m['peak_displacement_m'] == [-0.25, 1e-300] and m['amplification'] == [2.5, None]
 for name in ('peak_velocity_m_s', 'peak_acceleration_m_s2', 'final_displacement_m', 'amplification_until_first_failure'):

@@ -143,6 +143,10 @@ namespace hybrid::dda
     /// True if the shear strength is at its residual.
     bool broken_in_shear(const JointHistory &history) const;
 
+    /// False if a point that fails bears afterwards what it did before, as belts whose residual
+    /// strength is their peak do that bear no tension. @param is_torn it opens, not slips
+    bool loses_by_failing(bool is_torn) const;
+
   private:
     JointStrength strength;
     double        k_n;               ///< [Pa/m]
