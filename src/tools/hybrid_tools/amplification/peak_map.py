@@ -34,5 +34,6 @@ def draw(study, directory):
     section_map.frame(run, study.sides, axes)
     bar = figure.colorbar(plt.cm.ScalarMappable(norm, "viridis"), ax=axes, shrink=0.8, pad=0.02, extend="max")
     bar.set_label("peak a$_%s$ / outcrop [-]" % study.letter)
+    style.title(figure, "Peak acceleration: " + study.run.title())
     style.save(figure, directory, "peak_acceleration")
     return ["peak_acceleration"]

@@ -68,6 +68,7 @@ def draw(study, directory):
         handles.append(Line2D([], [], color=style.TEXT, ls="--", lw=0.9, label="1D column under the point (planes taken as level)"))
     if study.resolved < limits[1]:
         handles.append(plt.matplotlib.patches.Patch(color="#e4e4e4", label="not resolved"))
-    figure.legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=3)
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncol=3)
+    style.title(figure, "Spectral ratios at points: " + study.run.title())
     style.save(figure, directory, "points")
     return ["points"]

@@ -64,6 +64,7 @@ def draw_line(study, line, directory):
     profile.set_ylabel("elevation [m]")
     altitude.set_xlabel(label)
     altitude.set_ylabel("elevation [m]")
+    style.title(figure, "Amplification along %s: %s" % (line.name, study.run.title()))
     name = "profile_" + line.name
     style.save(figure, directory, name)
     return name

@@ -48,6 +48,7 @@ def draw_line(study, line, directory):
     axes[0, 0].set_yticks(ticks)
     axes[0, 0].set_ylabel("frequency [Hz]")
     figure.colorbar(image, ax=axes[0, -1], pad=0.02).set_label("spectral ratio to outcrop [-]")
+    style.title(figure, "Spectral ratios along %s: %s" % (line.name, study.run.title()))
     name = "ratios_" + line.name
     style.save(figure, directory, name)
     return [name]

@@ -104,5 +104,6 @@ def draw(study, directory):
     axes.annotate("%.2f" % top.ratio[k], top.position[k], (0, 8), textcoords="offset points", ha="center", fontsize=8, zorder=7)
     bar = figure.colorbar(plt.cm.ScalarMappable(norm, AMPLIFICATION), ax=axes, shrink=0.8, pad=0.02)
     bar.set_label("peak a$_%s$ / outcrop [-]" % study.letter)
+    style.title(figure, "Section: " + study.run.title())
     style.save(figure, directory, "section")
     return ["section"]

@@ -78,6 +78,7 @@ def draw(rows, parameter, is_number, letter, directory):
             axis.set_xticks(list(order.values()), list(order))
         axis.set_ylim(0, 1.1 * axis.dataLim.y1)
     figure.legend(*axes[0].get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, 0.0), ncol=min(len(kinds), 5))
+    style.title(figure, "Peak acceleration over that of the outcrop, by " + parameter)
     style.save(figure, directory, "sensitivity")
 
 

@@ -44,6 +44,7 @@ def draw_line(study, line, directory):
     axes.set_ylabel("time [s]")
     largest = np.abs(values[:, chosen]).max()
     axes.set_title("a$_%s$, largest %.3g m/s$^2$; +%s to the right, filled" % (study.letter, largest, study.letter), fontweight="normal")
+    style.title(figure, "Accelerations along %s: %s" % (line.name, study.run.title()))
     name = "wiggles_" + line.name
     style.save(figure, directory, name)
     return name

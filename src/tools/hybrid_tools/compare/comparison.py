@@ -108,7 +108,9 @@ class Comparison:
         return self.on_axis(i, "monitors/%s/%s" % (name, quantity))
 
     def _shared_monitors(self):
-        shared = [name for name in self.reference.names("monitors") if all(name in run.names("monitors") for run in self.runs)]
+        """Those of the surface before those at depth, the base last."""
+        names = [name for group in self.reference.monitor_groups().values() for name in group]
+        shared = [name for name in names if all(name in run.names("monitors") for run in self.runs)]
         if not shared and any(run.names("monitors") for run in self.runs):
             raise UserError("the runs share no monitor: " + "; ".join(
                 "'%s' has %s" % (label, ", ".join(run.names("monitors")) or "none") for run, label in zip(self.runs, self.labels)))
