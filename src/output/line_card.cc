@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
+#include <set>
+#include <tuple>
 #include <vector>
 
 namespace hybrid::output
@@ -76,6 +79,55 @@ namespace hybrid::output
     }
 
 
+    /// Edges of blocks, by the numbers of their nodes.
+    std::set<std::pair<int, int>> edges_of_blocks(const SectionMesh &mesh)
+    {
+      std::set<std::pair<int, int>> edges;
+      for (const auto &block : mesh.blocks)
+        for (std::size_t i = 0; i < block.size(); ++i)
+          edges.insert(std::minmax(block[i], block[(i + 1) % block.size()]));
+      return edges;
+    }
+
+
+    /// " (8 of its 10 edges)" of a line that blocks share in part, else nothing.
+    std::string shared_part(const std::set<std::pair<int, int>>  &of_blocks,
+                            const std::vector<SectionMesh::Edge> &line)
+    {
+      const auto shared =
+        std::count_if(line.begin(), line.end(), [&](const SectionMesh::Edge &edge) {
+          return of_blocks.count(std::minmax(edge[0], edge[1])) > 0;
+        });
+      if (static_cast<std::size_t>(shared) == line.size())
+        return "";
+      return " (" + std::to_string(shared) + " of its " + std::to_string(line.size()) + " edges)";
+    }
+
+
+    /// Edges of blocks that lie on an edge of another one, but with nodes of their own.
+    Row cut_edges(const SectionMesh &mesh, const std::set<std::pair<int, int>> &of_blocks)
+    {
+      using Place = std::tuple<double, double, double, double>;
+      std::map<Place, int> count;
+      Row                  row{"", "", 0.};
+      int                  n_edges = 0;
+      for (const auto &[a, b] : of_blocks)
+        {
+          const Vec2 &x = mesh.nodes[a], &y = mesh.nodes[b];
+          const bool  in_order = std::make_pair(x.x(), x.y()) < std::make_pair(y.x(), y.y());
+          const Vec2 &first = in_order ? x : y, &last = in_order ? y : x;
+          if (++count[{first.x(), first.y(), last.x(), last.y()}] != 2)
+            continue;
+          ++n_edges;
+          row.length += (y - x).norm();
+        }
+      row.names = "between blocks";
+      row.role  = "cut: " + std::to_string(n_edges) + (n_edges == 1 ? " edge has" : " edges have") +
+                 " two nodes in one place at both ends, so nothing bonds them";
+      return row;
+    }
+
+
     double length_of(const SectionMesh &mesh, const std::vector<SectionMesh::Edge> &edges)
     {
       double length = 0.;
@@ -89,12 +141,16 @@ namespace hybrid::output
 
   std::string describe_lines(const SectionMesh &mesh, const SceneParameters &scene)
   {
+    const bool is_bonded = scene.blocks.enabled && scene.blocks.bonded;
+    const auto of_blocks = is_bonded ? edges_of_blocks(mesh) : std::set<std::pair<int, int>>();
     std::vector<Row> rows;
     for (const auto &[name, edges] : mesh.lines)
       {
-        const std::string role   = role_of(name, scene);
-        const double      length = length_of(mesh, edges);
-        const auto        same =
+        std::string role = role_of(name, scene);
+        if (is_bonded && name == "sliding_surface" && !scene.blocks.belt_material.empty())
+          role += shared_part(of_blocks, edges);
+        const double length = length_of(mesh, edges);
+        const auto   same =
           std::find_if(rows.begin(), rows.end(), [&](const Row &row) { return row.role == role; });
         if (same == rows.end())
           rows.push_back({name, role, length});
@@ -104,6 +160,8 @@ namespace hybrid::output
             same->length += length;
           }
       }
+    if (const Row cut = cut_edges(mesh, of_blocks); cut.length > 0.)
+      rows.push_back(cut);
     std::string text = rows.empty() ? "" : "Lines of the mesh";
     for (const Row &row : rows)
       {

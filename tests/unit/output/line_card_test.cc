@@ -65,6 +65,26 @@ namespace hybrid::output
     }
 
 
+    TEST(LineCard, TellsWhatNodesOfTheirOwnLeaveUnbonded)
+    {
+      // Two squares side by side on two edges of the sliding surface; the second one has nodes of
+      // its own where the two meet, and below.
+      scene::SectionMesh mesh;
+      mesh.nodes = {{0., 0.}, {1., 0.}, {2., 0.}, {0., 1.}, {1., 1.}, {2., 1.}, {1., 0.}, {1., 1.}};
+      mesh.blocks                   = {{0, 1, 4, 3}, {6, 2, 5, 7}};
+      mesh.lines["sliding_surface"] = {{0, 1}, {1, 2}};
+      scene::SceneParameters scene;
+      scene.blocks.belt_material = "belt";
+      std::string text           = describe_lines(mesh, scene);
+      expect_row(text, "sliding_surface", "share its edges, belt material belt (1 of its 2 edges)");
+      expect_row(text, "between blocks", "1 m  cut: 1 edge has two nodes in one place");
+      mesh.blocks = {{0, 1, 4, 3}, {1, 2, 5, 4}};
+      text        = describe_lines(mesh, scene);
+      EXPECT_EQ(text.find("of its"), std::string::npos);
+      EXPECT_EQ(text.find("between blocks"), std::string::npos);
+    }
+
+
     TEST(LineCard, TheLowestLayerMovesUnlessTheBaseIsFixed)
     {
       const auto             mesh = mesh_with({"base"});
