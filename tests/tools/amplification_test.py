@@ -152,6 +152,14 @@ def test_the_column_is_that_of_the_textbook():
     assert outcrop_free == pytest.approx(np.abs(top_over_bottom * jump * motions[1] ), rel=1e-9)
 
 
+def test_a_layer_with_maxwell_damping_has_one_ratio_and_the_speed_of_its_middle():
+    layer, w = Layer(10.0, 2000.0, 2e9, ratio=0.05, middle=2.0), 2 * np.pi * np.array([0.5, 2.0, 8.0])
+    factor = layer.stiffness_factor(w)
+    assert factor.imag / factor.real == pytest.approx(0.1)  # 1/Q
+    speed = 1 / (1 / np.sqrt(factor)).real  # of phases, over that of the modulus
+    assert speed == pytest.approx(4.0 ** (np.arctan(0.1) / np.pi * np.array([-1, 0, 1])))  # Kjartansson (1979): c ~ f^g
+
+
 def test_figures_and_tables_hold_the_same_numbers(hybrid, level_ground):
     text, numbers = amplification(hybrid, level_ground)
     directory = level_ground / "amplification"

@@ -54,6 +54,13 @@ namespace hybrid::scene
       of_vertical.file             = parameters.vertical_file;
       InputMotion read;
       source.make(of_vertical, time_step, read);
+      if (std::abs(read.first_time - input.first_time) >
+          0.5 * std::min(read.motion.time_step(), input.motion.time_step()))
+        throw InputError(of_vertical.file,
+                         0,
+                         "its times begin at " + in_words(read.first_time) + " s and those of " +
+                           parameters.file + " at " + in_words(input.first_time) +
+                           " s; both components must begin at the same time.");
       const double found = read.motion.peak_acceleration();
       input.vertical     = parameters.vertical_peak > 0.
                              ? scaled_to_peak(read.motion, parameters.vertical_peak, of_vertical.file)

@@ -218,7 +218,7 @@ namespace hybrid::scene
   } // namespace
 
 
-  Motion read_text_motion(const std::string &file, const double unit)
+  Motion read_text_motion(const std::string &file, const double unit, double *const first_time)
   {
     refuse_at2(file);
     const std::vector<TableRow> rows = read_text_table(file);
@@ -237,6 +237,8 @@ namespace hybrid::scene
         a.push_back(to_acceleration(row.fields[1], unit, file, row.line));
       }
     check_spacing(file, rows, t);
+    if (first_time != nullptr)
+      *first_time = t.front();
     return Motion((t.back() - t.front()) / (t.size() - 1), a);
   }
 

@@ -105,9 +105,12 @@ namespace hybrid::scene
   {
     return {"text",
             [](const MotionParameters &parameters, double, InputMotion &input) {
-              take_record(read_text_motion(parameters.file, parameters.file_unit),
-                          parameters,
-                          input);
+              const Motion raw =
+                read_text_motion(parameters.file, parameters.file_unit, &input.first_time);
+              take_record(raw, parameters, input);
+              if (std::abs(input.first_time) > raw.time_step())
+                input.notes.push_back(parameters.file + " begins at " + in_words(input.first_time) +
+                                      " s; here it begins with the run, or at Motion/Start");
             },
             needs_a_file,
             "as recorded",

@@ -140,14 +140,18 @@ namespace hybrid::scene
 
     void take_spectrum(const MotionParameters &parameters, InputMotion &input)
     {
-      SpectrumMotion made   = make_spectrum_motion(parameters);
-      input.motion          = std::move(made.motion);
-      input.fit             = std::move(made.fit);
-      const std::string fit = "the motion has the spectrum of " + parameters.spectrum_file +
-                              " from " + in_words(input.fit.frequency.front()) + " to " +
-                              in_words(input.fit.frequency.back()) + " Hz with a mean misfit of " +
-                              in_words(100. * input.fit.mean_misfit()) + " %, at most " +
-                              in_words(100. * input.fit.largest_misfit()) + " %";
+      SpectrumMotion made = make_spectrum_motion(parameters);
+      input.motion        = std::move(made.motion);
+      input.fit           = std::move(made.fit);
+      std::string fit = "the motion has the spectrum of " + parameters.spectrum_file + " from " +
+                        in_words(input.fit.frequency.front()) + " to " +
+                        in_words(input.fit.frequency.back()) + " Hz with a mean misfit of " +
+                        in_words(100. * input.fit.mean_misfit()) + " %, at most " +
+                        in_words(100. * input.fit.largest_misfit()) + " %";
+      if (parameters.peak > 0.)
+        fit += "; scaled to Motion/Peak it has " +
+               in_words(parameters.peak / input.motion.peak_acceleration()) +
+               " times that spectrum";
       if (input.fit.mean_misfit() <= 0.05)
         input.notes.push_back(fit);
       else

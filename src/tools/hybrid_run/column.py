@@ -17,27 +17,36 @@ class Layer:
     modulus: float
     mass_damping: float = 0.0
     stiffness_damping: float = 0.0
-    joint: float = np.inf  # stiffness of the joint at its lower face [Pa/m]; infinite: welded
+    joint: float = np.inf  # stiffness of the joint at its lower face [Pa/m]; infinite: welded. It is damped like the layer
+    ratio: float = 0.0  # damping at all frequencies, 1/(2 Q) [-]
+    middle: float = 1.0  # frequency whose waves have the speed of the modulus then [Hz]
+
+    def stiffness_factor(self, w):
+        """By which modulus and joint are multiplied at w [rad/s]: stiffness damping, and a constant Q (Kjartansson 1979, eq. 20)."""
+        g = np.arctan(2 * self.ratio) / np.pi
+        constant_q = np.cos(0.5 * np.pi * g)**2 * (1j * w / (2 * np.pi * self.middle))**(2 * g)
+        return constant_q + 1j * w * self.stiffness_damping
 
 
 def transfer_function(layers, frequency, is_rigid=False, half_space=None):
     """Motion at the top of each layer and, last, at the bottom over the outcrop motion: complex, (len(layers) + 1) x f.
 
     layers: from the top down. Below them is a half-space (a Layer; None: like the lowest one), undamped,
-    which takes what comes back; is_rigid: the bottom moves as the outcrop. In each layer u'' = -k^2 u with k^2 = w^2 rho* / G*, rho* = rho (1 - i alpha / w), G* = G (1 + i w beta).
+    which takes what comes back; is_rigid: the bottom moves as the outcrop. In each layer u'' = -k^2 u with k^2 = w^2 rho* / G*, rho* = rho (1 - i alpha / w), G* = G Layer.stiffness_factor(w).
     """
     w = 2 * np.pi * np.asarray(frequency, float)
     u, stress = np.ones(len(w), complex), np.zeros(len(w), complex)  # at the free surface
     motions = []
     for layer in layers:
         motions.append(u)
-        modulus = layer.modulus * (1 + 1j * w * layer.stiffness_damping)
+        factor = layer.stiffness_factor(w)
+        modulus = layer.modulus * factor
         density = layer.density * (1 - 1j * layer.mass_damping / w)
         k = w * np.sqrt(density / modulus)
         c, s = np.cos(k * layer.thickness), np.sin(k * layer.thickness)
         u, stress = u * c - stress * s / (k * modulus), stress * c + u * k * modulus * s
         if np.isfinite(layer.joint):
-            u = u - stress / layer.joint
+            u = u - stress / (layer.joint * factor)
     motions.append(u)
     rock = half_space or layers[-1]
     impedance = np.sqrt(rock.density * rock.modulus)
@@ -83,6 +92,9 @@ def motion_in_column(run, position, frequency, side="on", is_pressure=False):
     return np.abs(transfer_function(layers[:row] + [upper, lower] + layers[row + 1:], frequency, is_rigid, half_space)[row + 1])
 
 
+MAXWELL = "Maxwell damping/%s ratio"
+
+
 class _Materials:
     def __init__(self, run, is_pressure):
         self.values, self.is_pressure = run.parameters, is_pressure
@@ -107,7 +119,8 @@ class _Materials:
             damping = (0.0, ratio / (np.pi * at) if at > 0 else 0.0)
         else:
             damping = (self.number("Continuum/Rayleigh mass"), self.number("Continuum/Rayleigh stiffness"))
-        return Layer(thickness, self.number(name + "Density"), modulus, *damping, joint=joint)
+        return Layer(thickness, self.number(name + "Density"), modulus, *damping, joint, self.number(MAXWELL % ("Block" if is_block else "Bedrock")),
+                     np.sqrt(self.number("Maxwell damping/Lowest frequency", 0.5) * self.number("Maxwell damping/Highest frequency", 10.0)))
 
 
 def _pieces(run, x):

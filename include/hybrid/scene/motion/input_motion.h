@@ -16,10 +16,11 @@ namespace hybrid::scene
   /// The motion of a scene and what its user should know of it.
   struct InputMotion
   {
-    Motion                   motion;
-    Motion                   vertical; ///< along +y, beside the motion; empty: none
-    SpectrumFit              fit;      ///< of a spectrum-compatible motion; else empty
-    std::string              scaling;  ///< of a record or spectrum: its peak and factor, in words
+    Motion      motion;
+    Motion      vertical;              ///< along +y, beside the motion; empty: none
+    SpectrumFit fit;                   ///< of a spectrum-compatible motion; else empty
+    double      first_time = 0.;       ///< of the rows of a record, before they begin at 0 [s]
+    std::string scaling;               ///< of a record or spectrum: its peak and factor, in words
     std::vector<std::string> notes;    ///< one sentence each
     std::vector<std::string> warnings; ///< likewise
   };
@@ -31,7 +32,7 @@ namespace hybrid::scene
    * Its source is that of parameters.type (motion_source.h); none is an empty motion.
    *
    * A record of the vertical component (parameters.vertical_file) is scaled by the factor of the
-   * other one, unless it has a peak of its own.
+   * other one, unless it has a peak of its own. The times of both must begin alike.
    *
    * A peak >= 0 scales the motion to exactly this largest |a| [m/s2]; without one, records and
    * spectrum-compatible motions stay as they are, and the others have 1 m/s2.

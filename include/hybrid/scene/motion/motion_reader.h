@@ -8,8 +8,8 @@
 namespace hybrid::scene
 {
   /// Read a record of two columns, time [s] and acceleration in @p unit [m/s2]; the first sample is
-  /// put at t = 0.
-  Motion read_text_motion(const std::string &file, double unit);
+  /// put at t = 0. @param first_time the time of its first row [s]
+  Motion read_text_motion(const std::string &file, double unit, double *first_time = nullptr);
 
 
   /**

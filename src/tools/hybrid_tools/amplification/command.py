@@ -59,6 +59,8 @@ def warn(study):
         print("warning    %s does not move: is it on a boundary that is fixed? Its figures are left out" % name)
     for name, points in study.coarse():
         print("note       %s has %d points, between them straight lines are drawn; Monitors/Line points = 100 records more" % (name, points))
+    if study.run.parameters.get("Bedding planes/Strength", "elastic") != "elastic":
+        print("note       planes may slip in this run, which makes high frequencies of its own: ratios say nothing where the outcrop hardly has any")
     cut = study.cut_short()
     if cut:
         print("warning    %s still shakes with %.0f %% of its largest acceleration as the run ends: sharp resonances come out too low, let it run on" % (

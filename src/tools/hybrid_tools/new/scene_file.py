@@ -121,8 +121,8 @@ def motion(section, options):
 
 
 def lines_of(section):
-    """Bedding planes and the ground, where there are planes: what hybrid amplification tells of."""
-    if not section.planes:
+    """Bedding planes and the ground, but for a mass without planes: what hybrid amplification tells of."""
+    if not section.planes and section.mass is not None:
         return ""
     names = sorted({"bedding_%d" % n for _, n, _ in section.planes}, key=lambda name: int(name[8:]))
     names += ["ground"] + ["mass_surface"] * (section.mass is not None)

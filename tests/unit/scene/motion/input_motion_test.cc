@@ -143,6 +143,17 @@ namespace hybrid::scene::test
   }
 
 
+  TEST_F(InputMotionTest, components_begin_at_the_same_time)
+  {
+    MotionParameters p = record(0.);
+    p.vertical_file    = write("late.txt", "3 0\n3.5 0.4\n4 -0.5\n4.5 0.1\n5 0\n");
+    expect_part(message_of([&]() { make(p, 10.); }), "its times begin at 3 s");
+    p.file                  = p.vertical_file;
+    const InputMotion input = make(p, 10.);
+    expect_part(input.notes.at(0), "late.txt begins at 3 s; here it begins with the run");
+  }
+
+
   TEST_F(InputMotionTest, a_record_shorter_than_the_run_is_zero_afterwards)
   {
     const InputMotion input = make(record(0.), 25.);
@@ -253,6 +264,7 @@ namespace hybrid::scene::test
     expect_part(one.notes.at(0), "from 0.3 to 8 Hz with a mean misfit of ");
     p.peak                = 2. * one.motion.peak_acceleration();
     const InputMotion two = make(p, 12.);
+    expect_part(two.notes.at(0), "; scaled to Motion/Peak it has 2 times that spectrum");
     EXPECT_NEAR(two.fit.target[10], 2., 1e-9);
     EXPECT_NEAR(two.fit.reached[10],
                 spectral_acceleration(two.motion, two.fit.frequency[10], 0.05),
