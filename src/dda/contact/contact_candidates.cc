@@ -120,8 +120,19 @@ namespace hybrid::dda
     awake_for = moved;
     awake_pairs.clear();
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      if (apart_when_built[i] - 2. * moved <= distance)
+      if (apart_when_built[i] - 2. * moved <= distance ||
+          std::binary_search(kept_awake.begin(), kept_awake.end(), candidates[i]))
         awake_pairs.push_back(candidates[i]);
+  }
+
+
+
+  void ContactCandidates::keep_awake(const std::vector<ContactCandidate> &pairs)
+  {
+    if (pairs == kept_awake)
+      return;
+    kept_awake.assign(pairs.begin(), pairs.end());
+    awake_for = -1.;
   }
 
 

@@ -14,8 +14,9 @@ namespace hybrid::dda
     ContactTolerances make_tolerances(const ContactDetection::Parameters &parameters)
     {
       ContactTolerances t;
-      t.reach     = parameters.reach;
-      t.max_depth = parameters.max_depth < 0. ? parameters.reach : parameters.max_depth;
+      t.reach      = parameters.reach;
+      t.max_depth  = parameters.max_depth < 0. ? parameters.reach : parameters.max_depth;
+      t.held_depth = std::max(t.max_depth, parameters.margin);
       return t;
     }
 
@@ -57,6 +58,19 @@ namespace hybrid::dda
       return false;
     }
 
+    /// Of the vertex behind the line of the edge, against its outward normal [m].
+    double depth_behind(const Geometry &geometry, const Contact &contact)
+    {
+      const Vec2 &a     = position(geometry, contact.edge_body, contact.edge);
+      const Vec2  along = (position(geometry,
+                                   contact.edge_body,
+                                   second_end(geometry, contact.edge_body, contact.edge)) -
+                          a)
+                           .normalized();
+      const double side = contact.edge_body == foundation_body ? -1. : 1.;
+      return side * cross(along, position(geometry, contact.vertex_body, contact.vertex) - a);
+    }
+
     bool same_vertex(const ContactCandidate &a, const ContactCandidate &b)
     {
       return a.vertex_body == b.vertex_body && a.vertex == b.vertex;
@@ -81,6 +95,7 @@ namespace hybrid::dda
                                 RestState            &rest)
   {
     assert(std::is_sorted(contacts.begin(), contacts.end(), contact_order));
+    keep_deep_contacts(geometry, contacts);
     last.builds += candidates.update(geometry) ? 1 : 0;
     last.lost       = 0;
     last.edge_tests = 0;
@@ -112,6 +127,20 @@ namespace hybrid::dda
         }
     settle(contacts, rest);
     last.edge_tests = selection.n_edge_tests();
+  }
+
+
+
+  /// Pairs that lie deeper behind an edge of a surface than the search looks for others.
+  void ContactDetection::keep_deep_contacts(const Geometry             &geometry,
+                                            const std::vector<Contact> &contacts)
+  {
+    deep_pairs.clear();
+    for (const Contact &c : contacts)
+      if (is_surface(geometry, c.edge_body) &&
+          depth_behind(geometry, c) > search_distance(tolerances))
+        deep_pairs.push_back({c.vertex_body, c.vertex, c.edge_body, c.edge});
+    candidates.keep_awake(deep_pairs);
   }
 
 

@@ -114,7 +114,8 @@ namespace hybrid::dda
     const EdgeFrame &frame = frames->edge(body, edge);
     const Vec2       r     = point - position(*geometry, body, edge);
     const double     gap   = r.dot(frame.normal);
-    if (!(gap <= tolerances.reach && gap >= -tolerances.max_depth) || frame.length == 0.)
+    if (gap > tolerances.reach || frame.length == 0. ||
+        (gap < -tolerances.max_depth && !is_held(body, edge, gap)))
       return;
 
     const double along = r.dot(frame.direction);
@@ -144,6 +145,20 @@ namespace hybrid::dda
       }
     set_place(trial);
     trials.push_back(trial);
+  }
+
+
+
+  /// A contact of before that presses deeper than a new one may: the block goes by its own size,
+  /// not by that of the smallest one.
+  bool ContactSelection::is_held(const int body, const int edge, const double gap) const
+  {
+    if (old.find(body, edge) < 0)
+      return false;
+    if (is_surface(*geometry, body))
+      return gap >= -tolerances.held_depth;
+    const int begin = geometry->offset[body];
+    return contains(&geometry->vertices[begin], geometry->offset[body + 1] - begin, point);
   }
 
 

@@ -18,6 +18,18 @@ namespace hybrid::dda
     int vertex;      ///< vertex or foundation node
     int edge_body;   ///< block, or foundation_body
     int edge;        ///< its first vertex or foundation node, or -1
+
+    friend bool operator<(const ContactCandidate &a, const ContactCandidate &b)
+    {
+      return std::tie(a.vertex_body, a.vertex, a.edge_body, a.edge) <
+             std::tie(b.vertex_body, b.vertex, b.edge_body, b.edge);
+    }
+
+    friend bool operator==(const ContactCandidate &a, const ContactCandidate &b)
+    {
+      return a.vertex_body == b.vertex_body && a.vertex == b.vertex && a.edge_body == b.edge_body &&
+             a.edge == b.edge;
+    }
   };
 
 
@@ -90,6 +102,10 @@ namespace hybrid::dda
 
     /// The list is built again at the next update() only if @p skipped differs from the last one.
     void set_skipped_pairs(const SkippedPairs &skipped);
+
+    /// Pairs of the list that do not sleep however far they are, sorted: contacts that lie deep
+    /// behind an edge.
+    void keep_awake(const std::vector<ContactCandidate> &pairs);
 
     /// Build the list if it is no longer good. Returns true if it was built.
     bool update(const Geometry &geometry);
@@ -173,7 +189,7 @@ namespace hybrid::dda
     std::vector<ContactScope> was_awake;                    ///< per block; empty: all
     bool                      is_outdated = true;
 
-    std::vector<ContactCandidate> candidates, awake_pairs;
+    std::vector<ContactCandidate> candidates, awake_pairs, kept_awake;
     std::vector<double>           apart_when_built; ///< per candidate [m]; 0 inside the body
     double            awake_for = -1.; ///< movement for which the awake pairs were chosen [m]
     std::vector<Vec2> built_vertices, built_nodes; ///< positions at the last build [m]

@@ -31,11 +31,12 @@ namespace hybrid::dda
    *    where the surface is straight touches edges that lie along it only.
    *    Reflex corners of blocks cannot touch first.
    * 2. *An edge is a partner* if the vertex is at most reach in front of it or
-   *    max_depth behind it, projects on it (a contact that persists may hang
-   *    over by reach / 100), and both edges of the vertex lie on the
-   *    outer side of its line up to 3 degrees (Shi 1988, entrance; 5 degrees
-   *    for a contact that persists). The angle test is what keeps neighbours
-   *    in a stack, whose corners coincide, from catching each other.
+   *    max_depth behind it (a contact that persists is never lost for its depth: as long as the
+   *    vertex is in the block, or within the margin below a surface), projects on it (a contact
+   * that persists may hang over by reach / 100), and both edges of the vertex lie on the outer side
+   * of its line up to 3 degrees (Shi 1988, entrance; 5 degrees for a contact that persists). The
+   * angle test is what keeps neighbours in a stack, whose corners coincide, from catching each
+   * other.
    * 3. *A new contact behind an edge* counts only if the vertex is really
    *    inside the block: targets need not be convex. Or if two tips have passed
    *    each other in the last step, so that the blocks overlap with no corner of one in the
@@ -148,6 +149,8 @@ namespace hybrid::dda
 
   private:
     /// Blocks that are in awake pairs or in contacts: only their outlines are looked at.
+    void keep_deep_contacts(const Geometry &geometry, const std::vector<Contact> &contacts);
+
     void find_near_blocks(const Geometry &geometry, const std::vector<Contact> &contacts);
 
     /// Near pairs of one vertex, [begin, end) of the awake candidates.
@@ -192,12 +195,13 @@ namespace hybrid::dda
 
     bool loses_corner(const Geometry &geometry, std::size_t trial) const;
 
-    const double            smooth_angle;
-    const ContactTolerances tolerances;
-    ContactCandidates       candidates;
-    ContactSelection        selection;
-    StillnessCache          watch;
-    OutlineFrames           frames;
+    const double                  smooth_angle;
+    const ContactTolerances       tolerances;
+    ContactCandidates             candidates;
+    std::vector<ContactCandidate> deep_pairs; ///< sorted
+    ContactSelection              selection;
+    StillnessCache                watch;
+    OutlineFrames                 frames;
 
     std::vector<Contact>      previous;                       ///< contacts of the step before
     std::vector<ContactTrial> trials;                         ///< sorted

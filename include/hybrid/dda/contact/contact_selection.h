@@ -69,6 +69,8 @@ namespace hybrid::dda
   private:
     bool passes_angle_test(const Vec2 &normal, double sine) const;
 
+    bool is_held(int body, int edge, double gap) const;
+
     bool   is_below_valley(const Contact &contact, double along) const;
     double allowed_overhang(const ContactTrial &trial, double along) const;
 

@@ -15,8 +15,9 @@ namespace hybrid::dda
   {
     static constexpr double smooth_angle = 1e-3; ///< turns up to this are no corners [rad]
 
-    double reach;     ///< largest gap of a contact [m]
-    double max_depth; ///< largest penetration of a contact [m]
+    double reach;      ///< largest gap of a contact [m]
+    double max_depth;  ///< largest penetration of a new contact [m]
+    double held_depth; ///< of one with a surface that has been there, >= max_depth [m]
 
     double entry_sine        = 0.0523; ///< sin 3 deg: angle test of a new contact
     double hold_sine         = 0.0872; ///< sin 5 deg: angle test of a contact that persists
