@@ -209,18 +209,53 @@ namespace hybrid::scene
 
 
 
+    double area_of(const SectionMesh &mesh, const std::vector<int> &block)
+    {
+      double area = 0.;
+      for (std::size_t i = 0; i < block.size(); ++i)
+        area += 0.5 * cross(mesh.nodes[block[i]] - mesh.nodes[block[0]],
+                            mesh.nodes[block[(i + 1) % block.size()]] - mesh.nodes[block[0]]);
+      return area;
+    }
+
+
+    /// Widths of contacts follow the smallest block, the balance of all the heaviest.
+    void look_at_sizes(const SectionMesh &mesh, std::vector<std::string> &warnings)
+    {
+      constexpr double too_small = 0.01; // of the largest block's size
+      double           least = 0., most = 0.;
+      Vec2             where = Vec2::Zero();
+      for (const auto &block : mesh.blocks)
+        {
+          const double size = std::sqrt(area_of(mesh, block));
+          most              = std::max(most, size);
+          if (least > 0. && size >= least)
+            continue;
+          least = size;
+          where = mesh.nodes[block[0]];
+        }
+      if (!(least < too_small * most))
+        return;
+      std::ostringstream text;
+      text.precision(3);
+      text
+        << "the smallest block, at " << at(where) << ", is " << most / least
+        << " times smaller than the largest: what counts as one seam or one corner follows its "
+           "size for all blocks, so that large ones may catch in seams or glide over cracks, and "
+           "it is itself computed to the accuracy of the largest; leave it out, or draw it larger";
+      warnings.push_back(text.str());
+    }
+
+
     /// Corners of two blocks that are all but in one place, so that edges there are not bonded.
     void look_at_near_corners(const SectionMesh &mesh, std::vector<std::string> &warnings)
     {
       std::vector<double> size(mesh.nodes.size(), 0.); // of the smallest block there [m]
       for (const auto &block : mesh.blocks)
         {
-          double area = 0.;
-          for (std::size_t i = 0; i < block.size(); ++i)
-            area += 0.5 * cross(mesh.nodes[block[i]] - mesh.nodes[block[0]],
-                                mesh.nodes[block[(i + 1) % block.size()]] - mesh.nodes[block[0]]);
+          const double of_block = std::sqrt(area_of(mesh, block));
           for (const int node : block)
-            size[node] = size[node] > 0. ? std::min(size[node], std::sqrt(area)) : std::sqrt(area);
+            size[node] = size[node] > 0. ? std::min(size[node], of_block) : of_block;
         }
       std::vector<int> corners;
       for (std::size_t n = 0; n < size.size(); ++n)
@@ -325,6 +360,7 @@ namespace hybrid::scene
          scene.environment.static_stage == StaticStage::move))
       look_at_support(mesh, warnings);
     look_at_slivers(mesh, warnings);
+    look_at_sizes(mesh, warnings);
     if (scene.blocks.bonded)
       look_at_near_corners(mesh, warnings);
     look_at_water(mesh, scene, warnings);

@@ -380,6 +380,34 @@ namespace
     EXPECT_TRUE(contacts.empty());
   }
 
+  TEST(ContactDetection, AContactThatPressesIsNotLostForASmallBlockElsewhere)
+  {
+    // A square of 4 m presses a surface and a square below it; new contacts are 1 mm deep at most,
+    // as where there is a pebble of 4 mm, and the skin of the list is 1 m.
+    for (const bool on_surface : {true, false})
+      {
+        Geometry g = blocks({square(0., 0., 4.)});
+        if (on_surface)
+          g.foundation_nodes = {{-5., 0.}, {9., 0.}};
+        else
+          add_block(g, square(-1., -6., 6.));
+        ContactDetection detection({1e-3, 1., ContactTolerances::smooth_angle, 1e-3});
+        Contacts         contacts;
+        detection.update(g, contacts);
+        ASSERT_EQ(contacts.size(), 2u);
+        const Contacts found = contacts;
+        for (int k = 0; k < 60; ++k) // 0.9 m at last
+          {
+            move_block(g, 0, {0., -0.015});
+            detection.update(g, contacts);
+            expect_equal(contacts, found);
+          }
+        move_block(g, 0, {0., 0.9 + 2e-3}); // it has lifted off
+        detection.update(g, contacts);
+        EXPECT_TRUE(contacts.empty());
+      }
+  }
+
   // ------------------------------------------------------------- rest
 
   TEST(ContactDetection, WhatLiesStillIsNotSearchedAgain)
