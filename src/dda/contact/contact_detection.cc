@@ -16,7 +16,7 @@ namespace hybrid::dda
       ContactTolerances t;
       t.reach      = parameters.reach;
       t.max_depth  = parameters.max_depth < 0. ? parameters.reach : parameters.max_depth;
-      t.held_depth = std::max(t.max_depth, parameters.margin);
+      t.held_depth = std::max(t.max_depth, parameters.held_depth);
       return t;
     }
 
@@ -86,6 +86,7 @@ namespace hybrid::dda
     , watch(tolerances.coincidence())
   {
     assert(parameters.reach > 0. && parameters.margin >= 0.);
+    assert(parameters.held_depth <= parameters.margin); // or it is not in every list
   }
 
 

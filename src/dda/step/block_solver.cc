@@ -30,7 +30,8 @@ namespace hybrid::dda
       return {std::min(moved, 0.25 * smallest),
               0.25 * largest,
               ContactTolerances::smooth_angle,
-              0.25 * smallest};
+              0.25 * smallest,
+              0.25 * largest};
     }
 
 

@@ -32,7 +32,7 @@ namespace hybrid::dda
    *    Reflex corners of blocks cannot touch first.
    * 2. *An edge is a partner* if the vertex is at most reach in front of it or
    *    max_depth behind it (a contact that persists is never lost for its depth: as long as the
-   *    vertex is in the block, or within the margin below a surface), projects on it (a contact
+   *    vertex is in the block, or within held_depth below a surface), projects on it (a contact
    * that persists may hang over by reach / 100), and both edges of the vertex lie on the outer side
    * of its line up to 3 degrees (Shi 1988, entrance; 5 degrees for a contact that persists). The
    * angle test is what keeps neighbours in a stack, whose corners coincide, from catching each
@@ -81,10 +81,12 @@ namespace hybrid::dda
   public:
     struct Parameters
     {
-      double reach;           ///< gap below which a pair becomes a contact [m], > 0
-      double margin;          ///< skin of the Verlet list [m], >= 0
-      double smooth_angle;    ///< turns up to this are no corners [rad], e.g. 1e-3
-      double max_depth = -1.; ///< penetration above which a vertex is lost [m]; negative: reach
+      double reach;            ///< gap below which a pair becomes a contact [m], > 0
+      double margin;           ///< skin of the Verlet list [m], >= 0
+      double smooth_angle;     ///< turns up to this are no corners [rad], e.g. 1e-3
+      double max_depth  = -1.; ///< penetration above which a vertex is lost [m]; negative: reach
+      double held_depth = -1.; ///< the same of a contact with a surface that persists [m], at most
+                               ///< the margin; negative: max_depth
     };
 
     explicit ContactDetection(const Parameters &parameters);

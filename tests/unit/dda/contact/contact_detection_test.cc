@@ -391,7 +391,7 @@ namespace
           g.foundation_nodes = {{-5., 0.}, {9., 0.}};
         else
           add_block(g, square(-1., -6., 6.));
-        ContactDetection detection({1e-3, 1., ContactTolerances::smooth_angle, 1e-3});
+        ContactDetection detection({1e-3, 1., ContactTolerances::smooth_angle, 1e-3, 1.});
         Contacts         contacts;
         detection.update(g, contacts);
         ASSERT_EQ(contacts.size(), 2u);
