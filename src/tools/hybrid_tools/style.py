@@ -83,6 +83,16 @@ def length_unit(largest):
     return 1.0, "m"
 
 
+def frequency_ticks(low, high):
+    """1, 2 and 5 times powers of ten between these frequencies [Hz], and more where these are fewer than three."""
+    for factors in ((1, 2, 5), (1, 2, 3, 5, 7), (1, 1.5, 2, 2.5, 3, 4, 5, 6, 7, 8, 9)):
+        ticks = [factor * 10.0**power for power in range(-2, 3) for factor in factors]
+        found = [tick for tick in ticks if low <= tick <= high]
+        if len(found) >= 3:
+            break
+    return found
+
+
 def scaled(values, largest, steps):
     """Pick the (factor, unit) of steps = [(limit, factor, unit), ...] for values up to largest."""
     for limit, factor, unit in steps:

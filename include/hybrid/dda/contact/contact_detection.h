@@ -31,12 +31,13 @@ namespace hybrid::dda
    *    where the surface is straight touches edges that lie along it only.
    *    Reflex corners of blocks cannot touch first.
    * 2. *An edge is a partner* if the vertex is at most reach in front of it or
-   *    max_depth behind it (a contact that persists is never lost for its depth: as long as the
-   *    vertex is in the block, or within held_depth below a surface), projects on it (a contact
-   * that persists may hang over by reach / 100), and both edges of the vertex lie on the outer side
-   * of its line up to 3 degrees (Shi 1988, entrance; 5 degrees for a contact that persists). The
-   * angle test is what keeps neighbours in a stack, whose corners coincide, from catching each
-   * other.
+   *    max_depth behind it (a contact that persists is not lost for its depth
+   *    while the vertex is in the block, or within held_depth below a
+   *    surface), projects on it (a contact that persists may hang over by
+   *    reach / 100), and both edges of the vertex lie on the outer side of its
+   *    line up to 3 degrees (Shi 1988, entrance; 5 degrees for a contact that
+   *    persists). The angle test is what keeps neighbours in a stack, whose
+   *    corners coincide, from catching each other.
    * 3. *A new contact behind an edge* counts only if the vertex is really
    *    inside the block: targets need not be convex. Or if two tips have passed
    *    each other in the last step, so that the blocks overlap with no corner of one in the

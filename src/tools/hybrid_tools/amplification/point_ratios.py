@@ -48,7 +48,7 @@ def draw(study, directory):
         axis.set_xscale("log")
         axis.xaxis.set_major_formatter(ScalarFormatter())
         axis.xaxis.set_minor_formatter(NullFormatter())
-        axis.set_xticks([t for t in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50) if limits[0] <= t <= limits[1]])
+        axis.set_xticks(style.frequency_ticks(*limits))
         axis.set_xlim(*limits)
         axis.axhline(1, color="#8a8a8a", lw=0.7)
         if study.resolved < limits[1]:

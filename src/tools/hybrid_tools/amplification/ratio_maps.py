@@ -44,7 +44,7 @@ def draw_line(study, line, directory):
             axis.axhline(study.resolved, color="white", lw=1.4, ls="--")
             axis.annotate("resolved below", (0.99, study.resolved), (0, -3), xycoords=("axes fraction", "data"), textcoords="offset points",
                           ha="right", va="top", color="white", fontsize=8)
-    ticks = [t for t in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50) if study.frequency[shown][0] <= t <= study.frequency[shown][-1]]
+    ticks = style.frequency_ticks(study.frequency[shown][0], study.frequency[shown][-1])
     axes[0, 0].set_yticks(ticks)
     axes[0, 0].set_ylabel("frequency [Hz]")
     figure.colorbar(image, ax=axes[0, -1], pad=0.02).set_label("spectral ratio to outcrop [-]")

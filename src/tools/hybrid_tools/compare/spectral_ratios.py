@@ -87,7 +87,7 @@ def mark_limits(comparison, axis, at):
 def frequency_axis(axis, at):
     axis.set_xscale("log")
     axis.set_xlim(at[0], at[-1])
-    axis.set_xticks([f for f in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100) if at[0] <= f <= at[-1]])
+    axis.set_xticks(style.frequency_ticks(at[0], at[-1]))
     axis.xaxis.set_major_formatter(FormatStrFormatter("%g"))
     axis.xaxis.set_minor_formatter(NullFormatter())
     axis.set_xlabel("frequency [Hz]")
