@@ -8,6 +8,8 @@ from matplotlib.ticker import FormatStrFormatter, NullFormatter
 from hybrid_run import MissingData
 from hybrid_run.spectra import has_energy, spectral_ratio
 
+from hybrid_tools import style
+
 from . import curves
 
 POINTS = 250
