@@ -20,13 +20,6 @@ namespace hybrid::dda
       return t;
     }
 
-    /// A vertex farther than this from an edge is no partner: the allowed overhangs add less than 5
-    /// %.
-    double search_distance(const ContactTolerances &t)
-    {
-      return 1.05 * std::max(t.reach, t.max_depth) + t.extension();
-    }
-
     bool contact_order(const Contact &a, const Contact &b)
     {
       return std::tie(a.vertex_body, a.vertex, a.edge_body, a.edge) <
@@ -58,17 +51,14 @@ namespace hybrid::dda
       return false;
     }
 
-    /// Of the vertex behind the line of the edge, against its outward normal [m].
-    double depth_behind(const Geometry &geometry, const Contact &contact)
+    /// Of the vertex from the nearest point of the edge [m].
+    double distance_to_edge(const Geometry &geometry, const Contact &contact)
     {
-      const Vec2 &a     = position(geometry, contact.edge_body, contact.edge);
-      const Vec2  along = (position(geometry,
-                                   contact.edge_body,
-                                   second_end(geometry, contact.edge_body, contact.edge)) -
-                          a)
-                           .normalized();
-      const double side = contact.edge_body == foundation_body ? -1. : 1.;
-      return side * cross(along, position(geometry, contact.vertex_body, contact.vertex) - a);
+      return distance_to_segment(position(geometry, contact.edge_body, contact.edge),
+                                 position(geometry,
+                                          contact.edge_body,
+                                          second_end(geometry, contact.edge_body, contact.edge)),
+                                 position(geometry, contact.vertex_body, contact.vertex));
     }
 
     bool same_vertex(const ContactCandidate &a, const ContactCandidate &b)
@@ -81,7 +71,7 @@ namespace hybrid::dda
   ContactDetection::ContactDetection(const Parameters &parameters)
     : smooth_angle(parameters.smooth_angle)
     , tolerances(make_tolerances(parameters))
-    , candidates(search_distance(tolerances), parameters.margin)
+    , candidates(tolerances.search_distance(), parameters.margin)
     , selection(tolerances)
     , watch(tolerances.coincidence())
   {
@@ -132,14 +122,13 @@ namespace hybrid::dda
 
 
 
-  /// Pairs that lie deeper behind an edge of a surface than the search looks for others.
+  /// Pairs of an edge that lie deeper behind it than the search looks for others.
   void ContactDetection::keep_deep_contacts(const Geometry             &geometry,
                                             const std::vector<Contact> &contacts)
   {
     deep_pairs.clear();
     for (const Contact &c : contacts)
-      if (is_surface(geometry, c.edge_body) &&
-          depth_behind(geometry, c) > search_distance(tolerances))
+      if (distance_to_edge(geometry, c) > tolerances.search_distance())
         deep_pairs.push_back({c.vertex_body, c.vertex, c.edge_body, c.edge});
     candidates.keep_awake(deep_pairs);
   }

@@ -114,13 +114,15 @@ namespace hybrid::dda
     const EdgeFrame &frame = frames->edge(body, edge);
     const Vec2       r     = point - position(*geometry, body, edge);
     const double     gap   = r.dot(frame.normal);
-    if (gap > tolerances.reach || frame.length == 0. ||
-        (gap < -tolerances.max_depth && !is_held(body, edge, gap)))
+    if (gap > tolerances.reach || frame.length == 0.)
       return;
-
     const double along = r.dot(frame.direction);
     ContactTrial trial{{vertex_body, vertex, body, edge}, gap, 0., true, History::none, -1};
     trial.overhang = std::max({0., -along, along - frame.length});
+    const bool is_far =
+      gap < -tolerances.max_depth || std::hypot(gap, trial.overhang) > tolerances.search_distance();
+    if (is_far && !is_held(body, edge, gap))
+      return;
     if (trial.overhang > 0. && is_below_valley(trial.contact, along))
       trial.overhang = 0.;
     trial.origin = old.find(body, edge);
@@ -153,7 +155,7 @@ namespace hybrid::dda
   /// not by that of the smallest one.
   bool ContactSelection::is_held(const int body, const int edge, const double gap) const
   {
-    if (old.find(body, edge) < 0)
+    if (gap > 0. || old.find(body, edge) < 0)
       return false;
     if (is_surface(*geometry, body))
       return gap >= -tolerances.held_depth;

@@ -34,9 +34,9 @@ namespace hybrid::dda
    *    max_depth behind it (a contact that persists is not lost for its depth
    *    while the vertex is in the block, or within held_depth below a
    *    surface), projects on it (a contact that persists may hang over by
-   *    reach / 100), and both edges of the vertex lie on the outer side of its
-   *    line up to 3 degrees (Shi 1988, entrance; 5 degrees for a contact that
-   *    persists). The angle test is what keeps neighbours in a stack, whose
+   *    reach / 100; at a valley more, see 4, within ContactTolerances::search_distance()), and both
+   * edges of the vertex lie on the outer side of its line up to 3 degrees (Shi 1988, entrance; 5
+   * degrees for a contact that persists). The angle test is what keeps neighbours in a stack, whose
    *    corners coincide, from catching each other.
    * 3. *A new contact behind an edge* counts only if the vertex is really
    *    inside the block: targets need not be convex. Or if two tips have passed

@@ -50,7 +50,6 @@ namespace
     Vec2    n;
   };
 
-  /// All pairs of new contacts between triangles, straight from rules 1, 2, 3, 5, 6 and 7 of the
   /// True if the sides of two corners cross, all but one pair at most, and neither corner is in the
   /// other's block.
   bool corners_cross(const Geometry &g, const int p, const int q)
@@ -74,6 +73,7 @@ namespace
     return crossings >= 3;
   }
 
+  /// All pairs of new contacts between triangles, straight from rules 1, 2, 3, 5, 6 and 7 of the
   /// header.
   Contacts all_pairs_between_blocks(const Geometry &g)
   {
