@@ -37,8 +37,8 @@ namespace hybrid::dda
   } // namespace
 
 
-  ContactCandidates::ContactCandidates(const double distance_, const double margin_)
-    : distance(distance_)
+  ContactCandidates::ContactCandidates(const PairTolerances &pair_tolerances, const double margin_)
+    : pairs(pair_tolerances)
     , margin(margin_)
     , skin(margin_)
   {}
@@ -91,6 +91,7 @@ namespace hybrid::dda
                                    const double             way)
   {
     // Two points that meet on their ways were at most twice the movement apart.
+    const double distance = pairs.narrowest().search_distance();
     if (movement(vertices, nodes) <= 0.5 * (distance + skin))
       return false;
     build(geometry, std::max(margin, 2. * way - distance));
@@ -120,18 +121,18 @@ namespace hybrid::dda
     awake_for = moved;
     awake_pairs.clear();
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      if (apart_when_built[i] - 2. * moved <= distance ||
+      if (apart_when_built[i] - 2. * moved <= search_distance(candidates[i]) ||
           std::binary_search(kept_awake.begin(), kept_awake.end(), candidates[i]))
         awake_pairs.push_back(candidates[i]);
   }
 
 
 
-  void ContactCandidates::keep_awake(const std::vector<ContactCandidate> &pairs)
+  void ContactCandidates::keep_awake(const std::vector<ContactCandidate> &held)
   {
-    if (pairs == kept_awake)
+    if (held == kept_awake)
       return;
-    kept_awake.assign(pairs.begin(), pairs.end());
+    kept_awake.assign(held.begin(), held.end());
     awake_for = -1.;
   }
 
@@ -164,11 +165,12 @@ namespace hybrid::dda
 
   void ContactCandidates::list_boxes(const Geometry &geometry)
   {
+    const auto widest = [this](const int body) { return pairs.of(body).search_distance() + skin; };
     boxes.clear();
     bodies.clear();
     for (int i = 0; i + 1 < static_cast<int>(geometry.foundation_nodes.size()); ++i)
       {
-        boxes.push_back(box_around(&geometry.foundation_nodes[i], 2, distance + skin));
+        boxes.push_back(box_around(&geometry.foundation_nodes[i], 2, widest(foundation_body)));
         bodies.push_back({foundation_body, i});
       }
     const int n_mass = std::min(first_bedrock, geometry.n_blocks());
@@ -176,14 +178,14 @@ namespace hybrid::dda
       {
         boxes.push_back(box_around(&geometry.vertices[geometry.offset[b]],
                                    geometry.offset[b + 1] - geometry.offset[b],
-                                   distance + skin));
+                                   widest(b)));
         bodies.push_back({b, -1});
       }
     for (int v = geometry.offset[n_mass]; v < static_cast<int>(geometry.vertices.size()); ++v)
       if (geometry.bedrock.next[v] != BedrockSurface::inside)
         {
           const Vec2 ends[2]{geometry.vertices[v], geometry.vertices[geometry.next(v)]};
-          boxes.push_back(box_around(ends, 2, distance + skin));
+          boxes.push_back(box_around(ends, 2, widest(geometry.block_of[v])));
           bodies.push_back({geometry.block_of[v], v});
         }
   }
@@ -267,7 +269,7 @@ namespace hybrid::dda
 
   void ContactCandidates::add(const ContactCandidate &pair, const double apart)
   {
-    if (!(apart <= distance + skin))
+    if (!(apart <= search_distance(pair) + skin))
       return;
     candidates.push_back(pair);
     apart_when_built.push_back(apart);

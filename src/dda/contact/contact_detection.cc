@@ -70,10 +70,9 @@ namespace hybrid::dda
 
   ContactDetection::ContactDetection(const Parameters &parameters)
     : smooth_angle(parameters.smooth_angle)
-    , tolerances(make_tolerances(parameters))
-    , candidates(tolerances.search_distance(), parameters.margin)
-    , selection(tolerances)
-    , watch(tolerances.coincidence())
+    , pairs(make_tolerances(parameters))
+    , candidates(pairs, parameters.margin)
+    , selection(pairs)
   {
     assert(parameters.reach > 0. && parameters.margin >= 0.);
     assert(parameters.held_depth <= parameters.margin); // or it is not in every list
@@ -95,7 +94,7 @@ namespace hybrid::dda
         contacts.clear();
         return;
       }
-    watch.look(geometry, rest);
+    watch.look(geometry, rest, pairs.narrowest().coincidence());
     if (is_all_settled(contacts, rest))
       return;
     ++last.searches;
@@ -113,7 +112,8 @@ namespace hybrid::dda
           Contact &contact = trials[i].contact;
           if (trials[i].history == ContactTrial::History::none &&
               candidates.is_first_activation(contact.vertex_body, contact.edge_body))
-            contact.stress_free_gap = std::min(0., trials[i].gap - tolerances.extension());
+            contact.stress_free_gap =
+              std::min(0., trials[i].gap - tolerances_of(contact).extension());
           contacts.push_back(contact);
         }
     settle(contacts, rest);
@@ -128,7 +128,7 @@ namespace hybrid::dda
   {
     deep_pairs.clear();
     for (const Contact &c : contacts)
-      if (distance_to_edge(geometry, c) > tolerances.search_distance())
+      if (distance_to_edge(geometry, c) > tolerances_of(c).search_distance())
         deep_pairs.push_back({c.vertex_body, c.vertex, c.edge_body, c.edge});
     candidates.keep_awake(deep_pairs);
   }
@@ -142,7 +142,7 @@ namespace hybrid::dda
     DisplacementSpread spread;
     spread.add(motion.vertices);
     spread.add(motion.nodes);
-    if (2. * spread.half_diagonal() <= tolerances.reach)
+    if (2. * spread.half_diagonal() <= pairs.narrowest().reach)
       return false;
     const auto move = [](const auto &from, const auto &by, auto &to) {
       to.resize(from.size());
@@ -153,7 +153,7 @@ namespace hybrid::dda
     move(geometry.foundation_nodes, motion.nodes, moved_nodes);
     last.builds +=
       candidates.list_for(geometry, moved_vertices, moved_nodes, spread.half_diagonal()) ? 1 : 0;
-    const ContactPassage passage(geometry, motion, tolerances.reach, tolerances.max_depth);
+    const ContactPassage passage(geometry, motion, pairs);
     return std::any_of(candidates.all().begin(),
                        candidates.all().end(),
                        [&](const ContactCandidate &pair) {
@@ -368,7 +368,7 @@ namespace hybrid::dda
     const int   n       = geometry.offset[block + 1] - geometry.offset[block];
     const Vec2 &point   = position(geometry, vertex_body, vertex);
     return contains(outline, n, point) &&
-           distance_to_outline(outline, n, point) > tolerances.max_depth;
+           distance_to_outline(outline, n, point) > pairs.of(vertex_body, block).max_depth;
   }
 
 
@@ -405,9 +405,10 @@ namespace hybrid::dda
   {
     if (trials[i].history == ContactTrial::History::same_edge)
       return false;
-    const Contact &c    = trials[i].contact;
-    const Vec2    &p    = position(geometry, c.vertex_body, c.vertex);
-    const Vec2    &mine = frames.edge(c.edge_body, c.edge).normal;
+    const Contact           &c          = trials[i].contact;
+    const ContactTolerances &tolerances = tolerances_of(c);
+    const Vec2              &p          = position(geometry, c.vertex_body, c.vertex);
+    const Vec2              &mine       = frames.edge(c.edge_body, c.edge).normal;
     for (const int end : {c.edge, end_place(geometry, c.edge_body, c.edge)})
       {
         if (end < 0)
@@ -424,11 +425,13 @@ namespace hybrid::dda
               if (g < 0)
                 continue;
               const Vec2  &normal = frames.edge(c.vertex_body, g).normal;
-              const double height = tolerances.hysteresis() + 0.5 * std::max(0., -k->gap);
+              const double height =
+                PairTolerances::narrower(tolerances, tolerances_of(k->contact)).hysteresis() +
+                0.5 * std::max(0., -k->gap);
               if (!is_same_body(geometry, k->contact.edge_body, c.vertex_body) &&
-                  -mine.dot(normal) < tolerances.continuing_cosine &&
+                  -mine.dot(normal) < ContactTolerances::continuing_cosine &&
                   normal.dot(frames.edge(k->contact.edge_body, k->contact.edge).normal) >=
-                    tolerances.continuing_cosine &&
+                    ContactTolerances::continuing_cosine &&
                   std::abs(normal.dot(q - p) - k->gap) <= height)
                 return true;
             }
@@ -457,7 +460,8 @@ namespace hybrid::dda
             if (it->gap >= 0. || !is_same_body(geometry, it->contact.edge_body, c.vertex_body) ||
                 (edge != edge_after(geometry, c.vertex_body, c.vertex) &&
                  edge != edge_before(geometry, c.vertex_body, c.vertex)) ||
-                -n.dot(frames.edge(c.vertex_body, edge).normal) >= tolerances.continuing_cosine)
+                -n.dot(frames.edge(c.vertex_body, edge).normal) >=
+                  ContactTolerances::continuing_cosine)
               continue;
             const auto mine_key =
               std::make_tuple(mine.history, mine.gap, -c.vertex_body, -c.vertex);

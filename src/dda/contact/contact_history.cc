@@ -6,8 +6,8 @@
 
 namespace hybrid::dda
 {
-  ContactHistory::ContactHistory(const ContactTolerances &tolerances_)
-    : tolerances(tolerances_)
+  ContactHistory::ContactHistory(const PairTolerances &pair_tolerances)
+    : pairs(pair_tolerances)
   {}
 
 
@@ -46,15 +46,19 @@ namespace hybrid::dda
 
 
 
-  int ContactHistory::find_continued(const Vec2 &normal, const double gap) const
+  int
+  ContactHistory::find_continued(const int edge_body, const Vec2 &normal, const double gap) const
   {
     for (std::size_t i = 0; i < entries.size(); ++i)
       {
-        const Entry &e      = entries[i];
+        const Entry             &e = entries[i];
+        const Contact           &c = *e.contact;
+        const ContactTolerances &tolerances =
+          PairTolerances::narrower(pairs.of(c.vertex_body, c.edge_body),
+                                   pairs.of(c.vertex_body, edge_body));
         const double height = tolerances.hysteresis() + 0.5 * std::max(0., -e.gap) +
                               tolerances.continuing_sine * e.overhang;
-        if (normal.dot(frames->edge(e.contact->edge_body, e.contact->edge).normal) >=
-              tolerances.continuing_cosine &&
+        if (normal.dot(frames->edge(c.edge_body, c.edge).normal) >= tolerances.continuing_cosine &&
             e.overhang <= 0.5 * tolerances.reach && std::abs(gap - e.gap) <= height)
           return static_cast<int>(i);
       }

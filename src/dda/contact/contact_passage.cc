@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/contact/contact_passage.h>
-#include <hybrid/dda/contact/contact_tolerances.h>
 #include <hybrid/dda/geometry/outline_frames.h>
 #include <hybrid/dda/geometry/polygon.h>
 
@@ -17,14 +16,12 @@ namespace hybrid::dda
   } // namespace
 
 
-  ContactPassage::ContactPassage(const Geometry   &all,
-                                 const StepMotion &of_step,
-                                 const double      reach_of_contacts,
-                                 const double      depth_that_counts)
+  ContactPassage::ContactPassage(const Geometry       &all,
+                                 const StepMotion     &of_step,
+                                 const PairTolerances &pair_tolerances)
     : geometry(all)
     , motion(of_step)
-    , reach(reach_of_contacts)
-    , depth(depth_that_counts)
+    , pairs(pair_tolerances)
   {}
 
 
@@ -32,13 +29,13 @@ namespace hybrid::dda
   bool ContactPassage::takes(const ContactCandidate &pair) const
   {
     const Vec2 way = relative_displacement(pair);
-    if (!(way.norm() > reach))
+    if (!(way.norm() > pairs.of(pair.vertex_body, pair.edge_body).reach))
       return false;
     if (!is_corner(pair))
       return false;
     const Vec2 &from = position(geometry, pair.vertex_body, pair.vertex);
     return is_surface(geometry, pair.edge_body) ? goes_behind_edge(pair, from, from + way)
-                                                : goes_into_block(pair.edge_body, from, from + way);
+                                                : goes_into_block(pair, from, from + way);
   }
 
 
@@ -73,8 +70,9 @@ namespace hybrid::dda
                                         const Vec2             &from,
                                         const Vec2             &to) const
   {
-    const Vec2 &a = position(geometry, pair.edge_body, pair.edge);
-    const Vec2  along =
+    const double depth = pairs.of(pair.vertex_body, pair.edge_body).max_depth;
+    const Vec2  &a     = position(geometry, pair.edge_body, pair.edge);
+    const Vec2   along =
       position(geometry, pair.edge_body, second_end(geometry, pair.edge_body, pair.edge)) - a;
     const double side  = pair.edge_body == foundation_body ? 1. : -1.; // of the outward normal
     const double first = side * cross_of(along, from - a), last = side * cross_of(along, to - a);
@@ -88,12 +86,16 @@ namespace hybrid::dda
 
 
 
-  bool ContactPassage::goes_into_block(const int block, const Vec2 &from, const Vec2 &to) const
+  bool ContactPassage::goes_into_block(const ContactCandidate &pair,
+                                       const Vec2             &from,
+                                       const Vec2             &to) const
   {
-    const int   begin = geometry.offset[block], n = geometry.offset[block + 1] - begin;
-    const Vec2 *outline = &geometry.vertices[begin];
-    const Vec2  way     = to - from;
-    const auto  is_deep = [&](const double part) {
+    const int    block = pair.edge_body;
+    const double depth = pairs.of(pair.vertex_body, block).max_depth;
+    const int    begin = geometry.offset[block], n = geometry.offset[block + 1] - begin;
+    const Vec2  *outline = &geometry.vertices[begin];
+    const Vec2   way     = to - from;
+    const auto   is_deep = [&](const double part) {
       const Vec2 place = from + part * way;
       return contains(outline, n, place) && distance_to_outline(outline, n, place) > depth;
     };

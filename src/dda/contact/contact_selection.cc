@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace hybrid::dda
 {
@@ -71,9 +72,9 @@ namespace hybrid::dda
   } // namespace
 
 
-  ContactSelection::ContactSelection(const ContactTolerances &tolerances_)
-    : tolerances(tolerances_)
-    , old(tolerances_)
+  ContactSelection::ContactSelection(const PairTolerances &pair_tolerances)
+    : pairs(pair_tolerances)
+    , old(pair_tolerances)
   {}
 
 
@@ -111,17 +112,20 @@ namespace hybrid::dda
   void ContactSelection::add_edge(const int body, const int edge)
   {
     ++edge_tests;
-    const EdgeFrame &frame = frames->edge(body, edge);
-    const Vec2       r     = point - position(*geometry, body, edge);
-    const double     gap   = r.dot(frame.normal);
+    const ContactTolerances &tolerances = with(body);
+    const EdgeFrame         &frame      = frames->edge(body, edge);
+    const Vec2               r          = point - position(*geometry, body, edge);
+    const double             gap        = r.dot(frame.normal);
     if (gap > tolerances.reach || frame.length == 0.)
       return;
     const double along = r.dot(frame.direction);
     ContactTrial trial{{vertex_body, vertex, body, edge}, gap, 0., true, History::none, -1};
-    trial.overhang = std::max({0., -along, along - frame.length});
-    const bool is_far =
-      gap < -tolerances.max_depth || std::hypot(gap, trial.overhang) > tolerances.search_distance();
-    if (is_far && !is_held(body, edge, gap))
+    trial.overhang     = std::max({0., -along, along - frame.length});
+    const double apart = std::hypot(gap, trial.overhang);
+    if (trial.overhang > tolerances.search_distance())
+      return;
+    if ((gap < -tolerances.max_depth || apart > tolerances.search_distance()) &&
+        !is_held(body, edge, gap))
       return;
     if (trial.overhang > 0. && is_below_valley(trial.contact, along))
       trial.overhang = 0.;
@@ -141,7 +145,7 @@ namespace hybrid::dda
     if (!persists)
       {
         trial.contact.edge_position = along / frame.length;
-        trial.origin                = old.find_continued(frame.normal, gap);
+        trial.origin                = old.find_continued(body, frame.normal, gap);
         if (trial.origin >= 0)
           trial.history = History::continuing;
       }
@@ -158,7 +162,7 @@ namespace hybrid::dda
     if (gap > 0. || old.find(body, edge) < 0)
       return false;
     if (is_surface(*geometry, body))
-      return gap >= -tolerances.held_depth;
+      return gap >= -with(body).held_depth;
     const int begin = geometry->offset[body];
     return contains(&geometry->vertices[begin], geometry->offset[body + 1] - begin, point);
   }
@@ -200,9 +204,9 @@ namespace hybrid::dda
     const Vec2       r   = point - position(*geometry, body, other);
     const double     gap = beside.normal.dot(r), on_beside = beside.direction.dot(r);
     const double     rises = (is_first ? -1. : 1.) * mine.normal.dot(beside.direction);
-    if (!(rises > 0. && gap <= tolerances.reach && gap >= -tolerances.max_depth))
+    if (!(rises > 0. && gap <= with(body).reach && gap >= -with(body).max_depth))
       return false;
-    return mine.normal.dot(beside.normal) < tolerances.continuing_cosine ||
+    return mine.normal.dot(beside.normal) < ContactTolerances::continuing_cosine ||
            (gap <= 0. && (is_first ? on_beside > beside.length : on_beside < 0.));
   }
 
@@ -214,7 +218,7 @@ namespace hybrid::dda
   {
     const int    body = trial.contact.edge_body;
     const double plain =
-      trial.history == History::same_edge ? tolerances.extension() : tolerances.coincidence();
+      trial.history == History::same_edge ? of(trial).extension() : of(trial).coincidence();
     if (!is_surface(*geometry, body) || trial.gap <= 0. || trial.overhang == 0.)
       return plain;
     const int edge  = trial.contact.edge;
@@ -223,7 +227,7 @@ namespace hybrid::dda
       return plain;
     const Vec2  &normal = frames->edge(body, trial.contact.edge).normal;
     const double cosine = normal.dot(frames->edge(body, other).normal);
-    if (cosine < tolerances.continuing_cosine)
+    if (cosine < ContactTolerances::continuing_cosine)
       return plain;
     const double sine = std::abs(cross(normal, frames->edge(body, other).normal));
     return std::max(plain, trial.gap * sine / cosine);
@@ -241,9 +245,10 @@ namespace hybrid::dda
 
 
   /// The side below a seam: the vertex slides on an edge that the neighbour of this edge continues.
-  bool ContactSelection::is_below_seam(const ContactTrial &trial) const
+  /// A side that the vertex presses on has stood higher, and holds.
+  bool ContactSelection::is_below_seam(const ContactTrial &trial, const Support support) const
   {
-    if (trial.history == History::same_edge)
+    if (trial.history == History::same_edge && trial.gap <= 0.)
       return false;
     const int   body = trial.contact.edge_body, edge = trial.contact.edge;
     const int   ends[2]{edge, end_place(*geometry, body, edge)};
@@ -253,9 +258,11 @@ namespace hybrid::dda
         const int other = i == 0 ? edge_before(*geometry, body, edge) : edge_following(body, edge);
         if (other < 0 || frames->corner(body, ends[i]) != Corner::convex)
           continue;
-        const Vec2 &normal = frames->edge(body, other).normal;
-        if (normal.dot(mine) < tolerances.continuing_cosine &&
-            old.find_continued(normal, normal.dot(point - position(*geometry, body, other))) >= 0)
+        const Vec2  &normal = frames->edge(body, other).normal;
+        const double gap    = normal.dot(point - position(*geometry, body, other));
+        if (normal.dot(mine) < ContactTolerances::continuing_cosine &&
+            (support == Support::before ? old.find_continued(body, normal, gap) >= 0
+                                        : is_level_with_trial(body, normal, gap)))
           return true;
       }
     return false;
@@ -263,10 +270,28 @@ namespace hybrid::dda
 
 
 
+  /// One of the trials is an edge that goes on along another one of @p body, with this normal,
+  /// whose line is at this gap from the vertex.
+  bool
+  ContactSelection::is_level_with_trial(const int body, const Vec2 &normal, const double gap) const
+  {
+    return std::any_of(trials.begin(), trials.end(), [&](const ContactTrial &t) {
+      const Contact &c = t.contact;
+      const double   height =
+        PairTolerances::narrower(with(body), of(t)).hysteresis() + 0.5 * std::max(0., -t.gap);
+      return !is_same_body(*geometry, c.edge_body, body) &&
+             normal.dot(frames->edge(c.edge_body, c.edge).normal) >=
+               ContactTolerances::continuing_cosine &&
+             std::abs(gap - t.gap) <= height;
+    });
+  }
+
+
+
   /// A new contact of a vertex exactly on a corner, where both edges of the corner would do.
   bool ContactSelection::is_undecided(const ContactTrial &trial) const
   {
-    if (trial.history != History::none || std::abs(trial.gap) > tolerances.coincidence())
+    if (trial.history != History::none || std::abs(trial.gap) > of(trial).coincidence())
       return false;
     const int body = trial.contact.edge_body, edge = trial.contact.edge;
     const int ends[2]{edge, end_place(*geometry, body, edge)};
@@ -274,12 +299,12 @@ namespace hybrid::dda
       {
         const int other = i == 0 ? edge_before(*geometry, body, edge) : edge_following(body, edge);
         if (other < 0 || frames->corner(body, ends[i]) != Corner::convex ||
-            (position(*geometry, body, ends[i]) - point).norm() > 2. * tolerances.coincidence())
+            (position(*geometry, body, ends[i]) - point).norm() > 2. * of(trial).coincidence())
           continue;
         const Vec2 &normal = frames->edge(body, other).normal;
         if (normal.dot(frames->edge(body, trial.contact.edge).normal) <
-              tolerances.continuing_cosine &&
-            passes_angle_test(normal, tolerances.entry_sine))
+              ContactTolerances::continuing_cosine &&
+            passes_angle_test(normal, ContactTolerances::entry_sine))
           return true;
       }
     return false;
@@ -291,7 +316,7 @@ namespace hybrid::dda
   bool ContactSelection::is_in_body(const ContactTrial &trial) const
   {
     const int b = trial.contact.edge_body;
-    if (trial.history == History::same_edge || trial.gap >= -tolerances.coincidence() ||
+    if (trial.history == History::same_edge || trial.gap >= -of(trial).coincidence() ||
         is_surface(*geometry, b))
       return true;
     const int first = geometry->offset[b];
@@ -315,7 +340,7 @@ namespace hybrid::dda
     const int                corner = nearer ? first : second;
     const int                begin  = geometry->offset[vertex_body];
     if (frames->corner(body, corner) != Corner::convex ||
-        (point - v[corner]).norm() > tolerances.reach ||
+        (point - v[corner]).norm() > of(trial).reach ||
         contains(&v[begin], geometry->offset[vertex_body + 1] - begin, v[corner]))
       return false;
     int crossings = 0;
@@ -338,7 +363,8 @@ namespace hybrid::dda
     const EdgeFrame &fa = frames->edge(a.contact.edge_body, a.contact.edge);
     const EdgeFrame &fb = frames->edge(b.contact.edge_body, b.contact.edge);
     const Vec2       ab = middle(b.contact) - middle(a.contact);
-    return a.is_inside && b.is_inside && fa.normal.dot(fb.normal) < tolerances.continuing_cosine &&
+    return a.is_inside && b.is_inside &&
+           fa.normal.dot(fb.normal) < ContactTolerances::continuing_cosine &&
            fa.normal.dot(ab) > 0. && fb.normal.dot(ab) < 0.;
   }
 
@@ -353,14 +379,15 @@ namespace hybrid::dda
     trials.erase(std::remove_if(begin,
                                 trials.end(),
                                 [this](const ContactTrial &t) {
-                                  return is_undecided(t) || is_below_seam(t) ||
+                                  return is_undecided(t) || is_below_seam(t, Support::before) ||
                                          !(t.has_crossed || is_in_body(t));
                                 }),
                  trials.end());
-    sort_by(trials.begin() + body_begin,
-            trials.end(),
-            Carries::min_penetration,
-            tolerances.coincidence());
+    if (trials.size() > body_begin + 1)
+      sort_by(trials.begin() + body_begin,
+              trials.end(),
+              Carries::min_penetration,
+              of(trials.back()).coincidence());
 
     std::size_t kept = body_begin;
     for (std::size_t i = body_begin; i < trials.size(); ++i)
@@ -385,18 +412,32 @@ namespace hybrid::dda
   {
     if (a.history == History::same_edge && b.history == History::same_edge)
       return false;
-    const Vec2  &na     = frames->edge(a.contact.edge_body, a.contact.edge).normal;
-    const Vec2  &nb     = frames->edge(b.contact.edge_body, b.contact.edge).normal;
-    const double height = tolerances.hysteresis() + 0.5 * std::max({0., -a.gap, -b.gap});
+    const Vec2  &na = frames->edge(a.contact.edge_body, a.contact.edge).normal;
+    const Vec2  &nb = frames->edge(b.contact.edge_body, b.contact.edge).normal;
+    const double height =
+      PairTolerances::narrower(of(a), of(b)).hysteresis() + 0.5 * std::max({0., -a.gap, -b.gap});
     return !is_same_body(*geometry, a.contact.edge_body, b.contact.edge_body) &&
-           na.dot(nb) >= tolerances.continuing_cosine && std::abs(a.gap - b.gap) <= height;
+           na.dot(nb) >= ContactTolerances::continuing_cosine && std::abs(a.gap - b.gap) <= height;
   }
 
 
 
   void ContactSelection::end_vertex(std::vector<ContactTrial> &all)
   {
-    sort_by(trials.begin(), trials.end(), Carries::highest, tolerances.coincidence());
+    // Where a vertex touches a row for the first time, nothing before says that it slides on it.
+    below_seam.assign(trials.size(), 0);
+    for (std::size_t i = 0; i < trials.size(); ++i)
+      below_seam[i] = is_below_seam(trials[i], Support::now) ? 1 : 0;
+    std::size_t left = 0;
+    double      same = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < trials.size(); ++i)
+      if (!below_seam[i])
+        {
+          same           = std::min(same, of(trials[i]).coincidence());
+          trials[left++] = trials[i];
+        }
+    trials.erase(trials.begin() + left, trials.end());
+    sort_by(trials.begin(), trials.end(), Carries::highest, same);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < trials.size(); ++i)
       {

@@ -6,13 +6,7 @@
 
 namespace hybrid::dda
 {
-  StillnessCache::StillnessCache(const double tolerance_)
-    : tolerance(tolerance_)
-  {}
-
-
-
-  void StillnessCache::look(const Geometry &geometry, RestState &rest)
+  void StillnessCache::look(const Geometry &geometry, RestState &rest, const double tolerance)
   {
     // New places are the first ones: they count as moved.
     if (rest.vertices.size() != geometry.vertices.size() ||
@@ -22,7 +16,7 @@ namespace hybrid::dda
               std::vector<char>(geometry.vertices.size(), 0),
               std::vector<char>(geometry.foundation_nodes.size(), 0)};
 
-    const auto is_same = [this](const Vec2 &now, const Vec2 &then) {
+    const auto is_same = [tolerance](const Vec2 &now, const Vec2 &then) {
       return (now - then).squaredNorm() <= tolerance * tolerance; // false for NaN
     };
     is_resting.assign(geometry.n_blocks(), 1);

@@ -17,21 +17,29 @@ namespace hybrid::dda
   {
     ContactDetection::Parameters detection_parameters(const Model &model)
     {
-      double largest = 0., smallest = std::numeric_limits<double>::infinity();
+      double largest = 0.;
       // Blocks of the bedrock never meet each other: the sizes of the mass count, if there is one.
       const int n_mass = model.n_mass();
       for (int b = 0; b < (n_mass > 0 ? n_mass : model.n_blocks()); ++b)
-        {
-          largest  = std::max(largest, model.blocks[b].size);
-          smallest = std::min(smallest, model.blocks[b].size);
-        }
+        largest = std::max(largest, model.blocks[b].size);
       // Two bodies that move towards each other by the largest allowed displacement each.
       const double moved = 2. * model.iteration.maximum_displacement_ratio * largest;
-      return {std::min(moved, 0.25 * smallest),
+      return {std::min(moved, 0.25 * largest),
               0.25 * largest,
               ContactTolerances::smooth_angle,
-              0.25 * smallest,
+              0.25 * largest,
               0.25 * largest};
+    }
+
+
+
+    /// Of the blocks, for the tolerances of their contacts: those of the bedrock are surfaces.
+    std::vector<double> sizes_of(const Model &model)
+    {
+      std::vector<double> sizes(model.blocks.size(), std::numeric_limits<double>::infinity());
+      for (int b = 0; b < model.n_mass(); ++b)
+        sizes[b] = model.blocks[b].size;
+      return sizes;
     }
 
 
@@ -107,6 +115,7 @@ namespace hybrid::dda
         offset.push_back(static_cast<int>(list.size()));
       }
     detection.set_neighbours(offset, list);
+    detection.set_sizes(sizes_of(model));
     iteration.set_processes(model.processes.get());
   }
 

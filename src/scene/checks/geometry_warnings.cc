@@ -219,34 +219,6 @@ namespace hybrid::scene
     }
 
 
-    /// Widths of contacts follow the smallest block, the balance of all the heaviest.
-    void look_at_sizes(const SectionMesh &mesh, std::vector<std::string> &warnings)
-    {
-      constexpr double too_small = 0.01; // of the largest block's size
-      double           least = 0., most = 0.;
-      Vec2             where = Vec2::Zero();
-      for (const auto &block : mesh.blocks)
-        {
-          const double size = std::sqrt(area_of(mesh, block));
-          most              = std::max(most, size);
-          if (least > 0. && size >= least)
-            continue;
-          least = size;
-          where = mesh.nodes[block[0]];
-        }
-      if (!(least < too_small * most))
-        return;
-      std::ostringstream text;
-      text.precision(3);
-      text
-        << "the smallest block, at " << at(where) << ", is " << most / least
-        << " times smaller than the largest: what counts as one seam or one corner follows its "
-           "size for all blocks, so that large ones may catch in seams or glide over cracks, and "
-           "it is itself computed to the accuracy of the largest; leave it out, or draw it larger";
-      warnings.push_back(text.str());
-    }
-
-
     /// Corners of two blocks that are all but in one place, so that edges there are not bonded.
     void look_at_near_corners(const SectionMesh &mesh, std::vector<std::string> &warnings)
     {
@@ -360,7 +332,6 @@ namespace hybrid::scene
          scene.environment.static_stage == StaticStage::move))
       look_at_support(mesh, warnings);
     look_at_slivers(mesh, warnings);
-    look_at_sizes(mesh, warnings);
     if (scene.blocks.bonded)
       look_at_near_corners(mesh, warnings);
     look_at_water(mesh, scene, warnings);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hybrid/dda/contact/contact_scope.h>
+#include <hybrid/dda/contact/pair_tolerances.h>
 #include <hybrid/dda/geometry/cell_grid.h>
 #include <hybrid/dda/geometry/geometry.h>
 
@@ -65,7 +66,7 @@ namespace hybrid::dda
 
 
   /**
-   * All (vertex, body) pairs closer than a distance, kept in a Verlet list.
+   * All (vertex, body) pairs closer than their search distance, kept in a Verlet list.
    *
    * The list holds pairs closer than distance + margin and is good until some
    * point has moved by margin / 2, less what all points have moved together (an
@@ -92,9 +93,9 @@ namespace hybrid::dda
   class ContactCandidates
   {
   public:
-    /// @param distance [m] within which no pair may be missed. @param margin [m] of the Verlet
-    /// list.
-    ContactCandidates(double distance, double margin);
+    /// @param pairs within whose search distance none may be missed; must outlive this.
+    /// @param margin [m] of the Verlet list.
+    ContactCandidates(const PairTolerances &pairs, double margin);
 
     /// Blocks that joints hold beside each other, as compressed rows; the row of block b is
     /// list[offset[b]] .. list[offset[b + 1] - 1]. The relation is symmetric.
@@ -105,7 +106,7 @@ namespace hybrid::dda
 
     /// Pairs of the list that do not sleep however far they are, sorted: contacts that lie deep
     /// behind an edge.
-    void keep_awake(const std::vector<ContactCandidate> &pairs);
+    void keep_awake(const std::vector<ContactCandidate> &held);
 
     /// Build the list if it is no longer good. Returns true if it was built.
     bool update(const Geometry &geometry);
@@ -169,6 +170,11 @@ namespace hybrid::dda
 
     void add(const ContactCandidate &pair, double apart);
 
+    double search_distance(const ContactCandidate &pair) const
+    {
+      return pairs.of(pair.vertex_body, pair.edge_body).search_distance();
+    }
+
     void wake(double moved);
 
     bool are_neighbours(int block, int other) const;
@@ -179,9 +185,9 @@ namespace hybrid::dda
 
     bool is_held_off(int block) const;
 
-    const double distance;
-    const double margin;
-    double       skin; ///< of the list: the margin, or wider for a step that moves far [m]
+    const PairTolerances &pairs;
+    const double          margin;
+    double                skin; ///< of the list: the margin, or wider for a step that moves far [m]
 
     std::vector<int>          neighbour_offset, neighbours; ///< rows sorted
     SkippedPairs              skipped;                      ///< as given

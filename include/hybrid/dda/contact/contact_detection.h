@@ -82,15 +82,25 @@ namespace hybrid::dda
   public:
     struct Parameters
     {
-      double reach;            ///< gap below which a pair becomes a contact [m], > 0
+      double reach;            ///< gap below which a pair becomes a contact, at most [m], > 0
       double margin;           ///< skin of the Verlet list [m], >= 0
       double smooth_angle;     ///< turns up to this are no corners [rad], e.g. 1e-3
-      double max_depth  = -1.; ///< penetration above which a vertex is lost [m]; negative: reach
+      double max_depth = -1.;  ///< penetration above which a vertex is lost, at most [m];
+                               ///< negative: reach
       double held_depth = -1.; ///< the same of a contact with a surface that persists [m], at most
                                ///< the margin; negative: max_depth
     };
 
     explicit ContactDetection(const Parameters &parameters);
+
+    ContactDetection(const ContactDetection &)            = delete; ///< parts refer to its pairs
+    ContactDetection &operator=(const ContactDetection &) = delete;
+
+    /// Sizes of the blocks [m]: pairs with small ones have smaller tolerances (PairTolerances).
+    void set_sizes(const std::vector<double> &size)
+    {
+      pairs.set_sizes(size);
+    }
 
     /// Blocks that joints hold beside each other; see ContactCandidates.
     void set_neighbours(const std::vector<int> &offset, const std::vector<int> &list)
@@ -194,12 +204,17 @@ namespace hybrid::dda
 
     Range trials_of(int body, int vertex) const;
 
+    const ContactTolerances &tolerances_of(const Contact &contact) const
+    {
+      return pairs.of(contact.vertex_body, contact.edge_body);
+    }
+
     bool is_above_seam(const Geometry &geometry, std::size_t trial) const;
 
     bool loses_corner(const Geometry &geometry, std::size_t trial) const;
 
     const double                  smooth_angle;
-    const ContactTolerances       tolerances;
+    PairTolerances                pairs;
     ContactCandidates             candidates;
     std::vector<ContactCandidate> deep_pairs; ///< sorted
     ContactSelection              selection;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <hybrid/dda/contact/contact.h>
-#include <hybrid/dda/contact/contact_tolerances.h>
+#include <hybrid/dda/contact/pair_tolerances.h>
 #include <hybrid/dda/geometry/outline_frames.h>
 
 #include <vector>
@@ -17,7 +17,8 @@ namespace hybrid::dda
   class ContactHistory
   {
   public:
-    explicit ContactHistory(const ContactTolerances &tolerances);
+    /// @param pairs must outlive this
+    explicit ContactHistory(const PairTolerances &pairs);
 
     /// @param contacts of the vertex at @p point, @p n of them; they must outlive the use.
     void set(const Geometry      &geometry,
@@ -36,10 +37,10 @@ namespace hybrid::dda
 
     /**
      * Number of the old contact whose edge goes on along an edge with outward
-     * @p normal, whose line is at @p gap from the vertex, or -1. Both lines must pass the
-     * vertex at the same place: a step of a row is an obstacle, not a seam.
+     * @p normal on @p edge_body, whose line is at @p gap from the vertex, or -1. Both lines must
+     * pass the vertex at the same place: a step of a row is an obstacle, not a seam.
      */
-    int find_continued(const Vec2 &normal, double gap) const;
+    int find_continued(int edge_body, const Vec2 &normal, double gap) const;
 
     /// Mark an old contact as used; false if it was already.
     bool take(int number);
@@ -57,8 +58,8 @@ namespace hybrid::dda
       bool           taken;
     };
 
-    const ContactTolerances tolerances;
-    const OutlineFrames    *frames = nullptr;
-    std::vector<Entry>      entries;
+    const PairTolerances &pairs;
+    const OutlineFrames  *frames = nullptr;
+    std::vector<Entry>    entries;
   };
 } // namespace hybrid::dda

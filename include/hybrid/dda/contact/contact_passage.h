@@ -3,6 +3,7 @@
 
 #include <hybrid/dda/block/block_motion.h>
 #include <hybrid/dda/contact/contact_candidates.h>
+#include <hybrid/dda/contact/pair_tolerances.h>
 #include <hybrid/dda/geometry/geometry.h>
 
 #include <vector>
@@ -29,21 +30,21 @@ namespace hybrid::dda
    * The way of the vertex is straight, seen from the body. It counts if its end is deeper inside
    * than a depth, or the middle of a part of it inside a block: sliding over a row takes a pressed
    * vertex through the sides of its blocks, but no deeper than it is pressed. Vertices that are no
-   * convex corners cannot touch.
+   * convex corners cannot touch. Reach and depth are those of the pair.
    */
   class ContactPassage
   {
   public:
-    /// @param reach of contacts [m]; @param depth that counts [m]. The others must outlive this.
-    ContactPassage(const Geometry &geometry, const StepMotion &motion, double reach, double depth);
+    /// All must outlive this.
+    ContactPassage(const Geometry &geometry, const StepMotion &motion, const PairTolerances &pairs);
 
     /// @param pair without a contact when the step began
     bool takes(const ContactCandidate &pair) const;
 
   private:
-    const Geometry   &geometry;
-    const StepMotion &motion;
-    const double      reach, depth;
+    const Geometry       &geometry;
+    const StepMotion     &motion;
+    const PairTolerances &pairs;
 
     /// Of a surface, or convex.
     bool is_corner(const ContactCandidate &pair) const;
@@ -54,6 +55,6 @@ namespace hybrid::dda
 
     bool goes_behind_edge(const ContactCandidate &pair, const Vec2 &from, const Vec2 &to) const;
 
-    bool goes_into_block(int block, const Vec2 &from, const Vec2 &to) const;
+    bool goes_into_block(const ContactCandidate &pair, const Vec2 &from, const Vec2 &to) const;
   };
 } // namespace hybrid::dda

@@ -43,7 +43,8 @@ namespace hybrid::dda
   class ContactSelection
   {
   public:
-    explicit ContactSelection(const ContactTolerances &tolerances);
+    /// @param pairs must outlive this
+    explicit ContactSelection(const PairTolerances &pairs);
 
     void begin_step(const Geometry &geometry, const OutlineFrames &frames);
 
@@ -76,7 +77,16 @@ namespace hybrid::dda
 
     int edge_following(int body, int edge) const;
 
-    bool is_below_seam(const ContactTrial &trial) const;
+    /// Which contacts of the vertex carry it at a seam.
+    enum class Support
+    {
+      before, ///< those of the last step
+      now     ///< the trials
+    };
+
+    bool is_below_seam(const ContactTrial &trial, Support support) const;
+
+    bool is_level_with_trial(int body, const Vec2 &normal, double gap) const;
 
     bool is_undecided(const ContactTrial &trial) const;
 
@@ -90,14 +100,26 @@ namespace hybrid::dda
 
     bool is_same_seam(const ContactTrial &a, const ContactTrial &b) const;
 
-    const ContactTolerances tolerances;
-    const Geometry         *geometry = nullptr;
-    const OutlineFrames    *frames   = nullptr;
+    /// Of the vertex and a body.
+    const ContactTolerances &with(const int body) const
+    {
+      return pairs.of(vertex_body, body);
+    }
+
+    const ContactTolerances &of(const ContactTrial &trial) const
+    {
+      return with(trial.contact.edge_body);
+    }
+
+    const PairTolerances &pairs;
+    const Geometry       *geometry = nullptr;
+    const OutlineFrames  *frames   = nullptr;
 
     int                       vertex_body = 0, vertex = 0;
     Vec2                      point, to_next, to_previous; ///< of the vertex
     ContactHistory            old;
     std::vector<ContactTrial> trials;         ///< of this vertex
+    std::vector<char>         below_seam;     ///< per trial, work of end_vertex()
     std::size_t               body_begin = 0; ///< first trial of the present body
     long                      edge_tests = 0;
   };

@@ -4,7 +4,8 @@
 namespace hybrid::dda
 {
   /**
-   * Lengths and angles that decide which vertex-edge pairs are contacts.
+   * Lengths and angles that decide which vertex-edge pairs are contacts (PairTolerances: of which
+   * two bodies).
    *
    * The small lengths follow from the reach: positions nearer than
    * coincidence() are the same, hysteresis() keeps a vertex that rests exactly
@@ -19,10 +20,11 @@ namespace hybrid::dda
     double max_depth;  ///< largest penetration of a new contact [m]
     double held_depth; ///< of one with a surface that has been there, >= max_depth [m]
 
-    double entry_sine        = 0.0523; ///< sin 3 deg: angle test of a new contact
-    double hold_sine         = 0.0872; ///< sin 5 deg: angle test of a contact that persists
-    double continuing_cosine = 0.9848; ///< cos 10 deg: edges that continue one another
-    double continuing_sine   = 0.1736; ///< sin 10 deg
+    static constexpr double entry_sine = 0.0523; ///< sin 3 deg: angle test of a new contact
+    static constexpr double hold_sine  = 0.0872; ///< sin 5 deg: of a contact that persists
+    static constexpr double continuing_cosine =
+      0.9848; ///< cos 10 deg: edges that continue one another
+    static constexpr double continuing_sine = 0.1736; ///< sin 10 deg
 
     /// An edge whose nearest point is farther from a vertex than this is no new partner [m]: what
     /// edges give way to each other at a ridge adds less than 5 %.

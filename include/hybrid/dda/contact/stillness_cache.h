@@ -19,11 +19,9 @@ namespace hybrid::dda
   class StillnessCache
   {
   public:
-    /// @param tolerance [m] below which two places are the same to the search.
-    explicit StillnessCache(double tolerance);
-
-    /// Compare all places with @p rest, and note there those that have moved.
-    void look(const Geometry &geometry, RestState &rest);
+    /// Compare all places with @p rest, and note there those that have moved. @param tolerance [m]
+    /// below which two places are the same to the search.
+    void look(const Geometry &geometry, RestState &rest, double tolerance);
 
     /// True if the vertex body and the edge body, or the segment of the foundation, rest.
     bool rests(const ContactCandidate &pair) const;
@@ -35,7 +33,6 @@ namespace hybrid::dda
     }
 
   private:
-    const double      tolerance;
     std::vector<char> is_resting;      ///< per block
     std::vector<char> is_resting_node; ///< per foundation node
   };

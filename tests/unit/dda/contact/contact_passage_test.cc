@@ -47,10 +47,11 @@ namespace
 
     ContactPassage passage() const
     {
-      return {geometry, motion, reach, depth};
+      return {geometry, motion, pairs};
     }
 
-    StepMotion motion{blocks, vertices, nodes};
+    StepMotion     motion{blocks, vertices, nodes};
+    PairTolerances pairs{{reach, depth, depth}};
   };
 } // namespace
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <tuple>
 #include <vector>
 
@@ -86,6 +87,33 @@ namespace hybrid::dda::contact_scenes
         EXPECT_EQ(a[i].plastic_slip, b[i].plastic_slip);
         EXPECT_EQ(a[i].state, b[i].state);
       }
+  }
+
+  /// Triangles thrown at random, some of them into each other, above a rough foundation.
+  inline Geometry cloud(const int n, const unsigned seed)
+  {
+    std::mt19937                           random(seed);
+    const double                           side = 0.8 * std::sqrt(n);
+    std::uniform_real_distribution<double> place(0., side), angle(0., 360. * degree),
+      size(0.3, 0.6);
+    Geometry g;
+    g.offset.push_back(0);
+    for (int i = 0; i < n; ++i)
+      {
+        const Vec2   c(place(random), place(random));
+        const double a = angle(random);
+        Outline      t;
+        for (int k = 0; k < 3; ++k)
+          {
+            const double phi = a + k * 120. * degree;
+            t.push_back(c + size(random) * Vec2(std::cos(phi), std::sin(phi)));
+          }
+        add_block(g, t);
+      }
+    std::uniform_real_distribution<double> height(-0.2, 0.4);
+    for (double x = -1.; x < side + 1.; x += 0.7)
+      g.foundation_nodes.emplace_back(x, height(random));
+    return g;
   }
 
   struct Edge

@@ -204,6 +204,24 @@ namespace
     EXPECT_GT(slip, 1.75);
   }
 
+  TEST(ContactSelection, ACornerThatBeginsBeforeASeamIsNotBesideTheNextBlock)
+  {
+    for (const double before : {0.1, 0.05, 0.01, 1e-3, 1e-5})
+      {
+        Geometry         g = blocks({square(0., -1.), square(1., -1.), square(-before, 0.)});
+        ContactDetection detection(parameters);
+        Contacts         contacts;
+        for (int step = 0; step < 20; ++step)
+          {
+            detection.update(g, contacts);
+            EXPECT_EQ(find(contacts, 9, 1, 7), nullptr) << "corner at the side, " << before;
+            EXPECT_EQ(find(contacts, 7, 2, 9), nullptr) << "side at the corner, " << before;
+            EXPECT_EQ(count_vertex(contacts, 9), 1) << before;
+            move_block(g, 2, {0.01, step == 0 ? -1e-4 : 0.});
+          }
+      }
+  }
+
   TEST(ContactSelection, StepOfTheRowIsAnObstacle)
   {
     // the next square is 5 cm higher: its side stops the slider

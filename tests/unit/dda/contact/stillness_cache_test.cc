@@ -32,14 +32,14 @@ namespace
 TEST(StillnessCache, a_body_rests_until_it_is_a_tolerance_away_from_where_it_last_moved)
 {
   Geometry       g = two_blocks();
-  StillnessCache watch(tolerance);
+  StillnessCache watch;
   RestState      rest;
-  watch.look(g, rest);
+  watch.look(g, rest, tolerance);
   EXPECT_TRUE(watch.rests(upper_on_lower));
   for (int step = 0; step < 10; ++step) // a fifth of the tolerance each
     {
       move_block(g, 1, {0.2 * tolerance, 0.});
-      watch.look(g, rest);
+      watch.look(g, rest, tolerance);
       EXPECT_EQ(watch.rests(upper_on_lower), step != 5) << step;
       EXPECT_TRUE(watch.rests(lower_on_foundation));
     }
@@ -50,11 +50,11 @@ TEST(StillnessCache, a_body_rests_until_it_is_a_tolerance_away_from_where_it_las
 TEST(StillnessCache, segments_of_the_base_rest_one_by_one)
 {
   Geometry       g = two_blocks();
-  StillnessCache watch(tolerance);
+  StillnessCache watch;
   RestState      rest;
-  watch.look(g, rest);
+  watch.look(g, rest, tolerance);
   g.foundation_nodes[2].y() += 2. * tolerance;
-  watch.look(g, rest);
+  watch.look(g, rest, tolerance);
   EXPECT_TRUE(watch.rests(lower_on_foundation));
   EXPECT_FALSE(watch.rests(end_on_foundation));
 }
@@ -64,9 +64,9 @@ TEST(StillnessCache, segments_of_the_base_rest_one_by_one)
 TEST(StillnessCache, not_a_number_never_rests)
 {
   Geometry       g = two_blocks();
-  StillnessCache watch(tolerance);
+  StillnessCache watch;
   RestState      rest;
   g.vertices[4].x() = std::numeric_limits<double>::quiet_NaN();
-  watch.look(g, rest);
+  watch.look(g, rest, tolerance);
   EXPECT_FALSE(watch.rests(upper_on_lower));
 }

@@ -92,15 +92,6 @@ namespace hybrid::scene
   }
 
 
-  TEST_F(GeometryWarnings, ABlockThatIsFarSmallerThanOthersIsNamed)
-  {
-    add_block({{8., 0.}, {8.02, 0.}, {8.02, 0.02}, {8., 0.02}});
-    expect({});
-    add_block({{9., 0.}, {9.005, 0.}, {9.005, 0.005}, {9., 0.005}});
-    expect({"the smallest block, at (9, 0)", "is 200 times smaller than the largest"});
-  }
-
-
   TEST_F(GeometryWarnings, ASectionFarFromTheOriginIsNamed)
   {
     for (Vec2 &node : mesh.nodes)
