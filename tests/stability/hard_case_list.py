@@ -110,8 +110,27 @@ def same_as_alone(case, variant, run):
     case.true("%s: it moved" % variant, np.abs(b - run.get("section/blocks_points")[:4]).max() > 0.1)
 
 
+def light_as_alone(case, variant, run):
+    pebble = run.get("section/blocks_points_final")[:4] - run.get("section/blocks_points")[:4]
+    if variant == "scene":
+        case.together = pebble
+    elif variant == "alone":
+        way = np.abs(pebble).max()
+        case.below("%s: difference of the pebble's way of %.3g m, over it" % (variant, way), np.abs(pebble - case.together).max() / way, 1e-5)
+    else:
+        slope, t = np.radians(45), run.time[-1]
+        expected = 0.5 * 9.81 * (np.sin(slope) - np.cos(slope) * np.tan(np.radians(30))) * t**2
+        way = np.linalg.norm(run.get("section/blocks_displacement")[0])
+        case.below("%s: the pebble slides %.5f m, closed form %.5f, error" % (variant, way, expected), abs(way / expected - 1), 5e-3)
+
+
 def lands_or_pushes(case, variant, run):
     corners = run.get("section/blocks_points_final")
+    if variant == "row":
+        slab, t = corners[:4] - run.get("section/blocks_points")[:4], run.time[-1]
+        expected = 6 * t - 0.5 * 9.81 * np.tan(np.radians(20)) * t**2
+        case.below("%s: the slab slides %.4f m, closed form %.4f, error" % (variant, slab[:, 0].mean(), expected), abs(slab[:, 0].mean() / expected - 1), 1e-3)
+        return
     if variant == "meets":
         front = corners[:4, 0].max()
         case.true("%s: the pebbles are before the block, by %.2f m and more" % (variant, corners[4:, 0].min() - front), corners[4:, 0].min() > front - 1e-3)
@@ -182,9 +201,15 @@ CASES = {
                       "presses": ["Mesh/Polygons file=" + str(HARD / "square_and_grain.csv"), "Time/Time step=0.0002"],
                       "soft": ["Mesh/Polygons file=" + str(HARD / "soft_square_and_pebble.csv"), "Materials/rock/Young modulus=1e7",
                                "Gravity/Static stage=equilibrium", "Time/End time=1"],
+                      "row": ["Mesh/Polygons file=" + str(HARD / "slab_on_row.csv"), "Materials/rock/Friction angle=20", "Gravity/Static stage=held",
+                              "Blocks/Initial velocities=slab: 0, 5, 1.3, 3, 6, 0, 0", "Time/End time=1.5", "Time/Time step=0.0005"],
                       "meets": ["Mesh/Polygons file=" + str(HARD / "square_meets_pebbles.csv"), "Mesh/Surface file=" + str(HARD / "far_base.csv"),
                                 "Gravity/Acceleration=0", "Blocks/Initial velocities=square: -20, 0, -10, 10, 20, 0, 0",
                                 "Time/Time step=0.008", "Time/End time=0.32"]}, more=lands_or_pushes),
+    "light_and_heavy_far": Wanted({"scene": [], "alone": ["Mesh/Polygons file=" + str(HARD / "pebble_alone.csv")],
+                                   "slope": ["Mesh/Polygons file=" + str(HARD / "pebble_on_slope.csv"), "Motion/Type=none", "Time/End time=1",
+                                             "Mesh/Surface file=" + str(HARD / "level_and_slope.csv"), "Gravity/Static stage=equilibrium or move"]},
+                                  more=light_as_alone),
     "soft_base": Wanted(residual=0.001),
     "friction_10": Wanted(),
     "slope_blocks": Wanted(full_speed=1.7, full_size={"600": ["Mesh/Numbers=Angle = 20; Columns = 120; Rows = 5; Base above = 150"]},

@@ -98,6 +98,27 @@ namespace hybrid::dda
       return false;
     const std::size_t n_moving = bodies.size();
     grow(matrix, false);
+    list_bodies(n_moving);
+    return true;
+  }
+
+
+
+  void LocalSystem::choose(const BlockMatrix &matrix, const std::vector<int> &blocks)
+  {
+    n_all_blocks = matrix.n_blocks();
+    bodies.assign(blocks.begin(), blocks.end());
+    chosen.assign(n_all_blocks + matrix.n_nodes(), 0);
+    for (const int body : bodies)
+      chosen[body] = 1;
+    grow(matrix, false);
+    list_bodies(blocks.size());
+  }
+
+
+
+  void LocalSystem::list_bodies(const std::size_t n_moving)
+  {
     moving_blocks.clear();
     moving_nodes.clear();
     changing.clear();
@@ -113,7 +134,6 @@ namespace hybrid::dda
       }
     for (std::vector<int> *list : {&moving_blocks, &moving_nodes, &changing})
       std::sort(list->begin(), list->end());
-    return true;
   }
 
 

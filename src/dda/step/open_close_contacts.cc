@@ -99,7 +99,7 @@ namespace hybrid::dda
         std::copy(conditions.begin(), conditions.end(), tangent_conditions.begin());
         previous = result.residual;
         // A mass that may rest is balanced block by block, so that it comes to rest.
-        const double enough = 0.2 * model.iteration.tolerance;
+        const double enough = std::min(0.2 * model.iteration.tolerance, local.enough);
         const double part   = problem.is_narrow() ? LocalAttempt::accuracy : accuracy.part(k);
         solve_linear(result,
                      may_rest ? std::min(enough, 1e-3 * norm) : std::max(enough, part * norm));

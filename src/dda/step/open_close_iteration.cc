@@ -51,6 +51,8 @@ namespace hybrid::dda
       attempt = search(result);
     if (attempt == Attempt::failed && parameters.changes_together && !parameters.is_patient)
       attempt = follow_path(result, Stride::common);
+    if (attempt == Attempt::converged)
+      balance_each(result);
     return attempt;
   }
 

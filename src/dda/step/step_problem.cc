@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hybrid::dda
 {
@@ -77,6 +78,32 @@ namespace hybrid::dda
   double StepProblem::whole_residual() const
   {
     return residual.cwiseQuotient(scale).norm() / std::max(reference, 1e-300);
+  }
+
+
+
+  StepProblem::Imbalance StepProblem::imbalance(std::vector<int> &blocks) const
+  {
+    double most = 0.; // acceleration, squared
+    for (int b = 0; b < model->n_blocks(); ++b)
+      most = std::max(most, inertial_acceleration(b).head<2>().squaredNorm());
+    most = std::sqrt(most);
+    Imbalance found;
+    found.allowed = std::numeric_limits<double>::infinity();
+    for (int b = 0; b < model->n_blocks(); ++b)
+      {
+        const double left =
+          residual.segment<6>(6 * b).cwiseQuotient(scale.segment<6>(6 * b)).norm();
+        const double allowed = nearly_at_rest * (absolute[b] + model->blocks[b].mass * most);
+        if (!(left > allowed) || allowed == 0.)
+          continue;
+        const auto place = std::lower_bound(blocks.begin(), blocks.end(), b);
+        if (place == blocks.end() || *place != b)
+          blocks.insert(place, b);
+        found.worst   = std::max(found.worst, left / allowed);
+        found.allowed = std::min(found.allowed, allowed);
+      }
+    return found;
   }
 
 
@@ -236,10 +263,9 @@ namespace hybrid::dda
 #pragma omp parallel for schedule(static) if (is_worth_sharing(moving.size()))
     for (std::size_t k = 0; k < moving.size(); ++k)
       {
-        const int              b = moving[k];
-        const BlockProperties &p = model->blocks[b];
-        const Vec6             inertial_force =
-          mass[b] * (kinematics.inertia(b) * (trial.increment[b] - kinematics.predicted(b)));
+        const int              b              = moving[k];
+        const BlockProperties &p              = model->blocks[b];
+        const Vec6             inertial_force = mass[b] * inertial_acceleration(b);
         // The damping follows the mean strain rate of the step: with the rate at its end it would
         // feed what it damps while a contact holds (doc/theory.md).
         const Eigen::Vector3d stress = block_stress(b);

@@ -63,14 +63,16 @@ namespace hybrid::dda
 
   void StepProblem::judge(StepResult &result) const
   {
+    constexpr double of_one_block = 1e-3; // a light one counts, however heavy the others are
     struct Judgement
     {
-      double unbalanced = 0., ratio = 0.;
+      double unbalanced = 0., ratio = 0., worst = 0.;
       int    largest = -1;
 
       void operator+=(const Judgement &other)
       {
         unbalanced += other.unbalanced;
+        worst = std::max(worst, other.worst);
         if (other.ratio > ratio || largest < 0)
           {
             ratio   = other.ratio;
@@ -82,13 +84,17 @@ namespace hybrid::dda
       shared_sum<Judgement>(model->blocks.size(), [&](const std::size_t b, Judgement &sum) {
         const double size    = model->blocks[b].size;
         const Vec6   inertia = mass[b] * (acceleration[b] + contact_acceleration[b]);
-        sum += {inertia.head<2>().squaredNorm() + inertia.tail<4>().squaredNorm() / (size * size),
+        const double left =
+          inertia.head<2>().squaredNorm() + inertia.tail<4>().squaredNorm() / (size * size);
+        sum += {left,
                 displacement_ratio(static_cast<int>(b)),
+                absolute[b] > 0. ? std::sqrt(left) / absolute[b] : 0.,
                 static_cast<int>(b)};
       });
     result.displacement_ratio = all.ratio;
     result.largest_block      = all.largest;
-    result.unbalanced         = std::sqrt(all.unbalanced) / std::max(reference, 1e-300);
+    result.unbalanced =
+      std::max(std::sqrt(all.unbalanced) / std::max(reference, 1e-300), of_one_block * all.worst);
   }
 
 

@@ -34,6 +34,9 @@ namespace hybrid::dda
     /// all, or 4,000, or all are fewer than 500
     bool choose(const BlockMatrix &matrix, const Residual &residual);
 
+    /// Choose these blocks, ascending, and no others.
+    void choose(const BlockMatrix &matrix, const std::vector<int> &blocks);
+
     /// Blocks that move, ascending.
     const std::vector<int> &blocks() const
     {
@@ -80,6 +83,9 @@ namespace hybrid::dda
     /// Take the bodies with the largest parts of the residual. @return false if they are more than
     /// @p most
     bool take_largest(const BlockMatrix &matrix, const Residual &residual, std::size_t most);
+
+    /// The lists of what moves, the first bodies, and of what changes, all.
+    void list_bodies(std::size_t n_moving);
 
     /// Take what is coupled to the bodies taken so far. @param with_nodes else blocks alone
     void grow(const BlockMatrix &matrix, bool with_nodes);

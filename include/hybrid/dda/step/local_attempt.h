@@ -20,7 +20,9 @@ namespace hybrid::dda
     bool        is_stuck = false; ///< the last one of this step found no conditions
     double      stuck_at = -std::numeric_limits<double>::infinity(); ///< time from which a step was
                                                                      ///< given up for that [s]
-    double                 tolerance = 0.; ///< of the bodies' own relative residual
+    double tolerance = 0.; ///< of the bodies' own relative residual
+    double enough = std::numeric_limits<double>::infinity(); ///< what the linear solver may leave
+                                                             ///< of it, at most
     TrialPlace             start;
     std::vector<Condition> conditions; ///< of springs at the start; in the end those to go on with
   };

@@ -117,6 +117,7 @@ namespace hybrid::dda
     UpdateAccuracy         accuracy;
     TrialPlace             at_start;
     LocalAttempt           local;
+    std::vector<int>       light; ///< blocks that balance_each() moves, ascending
 
     InteriorContacts       interior;
     PathProgress           path_progress;
@@ -141,6 +142,12 @@ namespace hybrid::dda
 
     /// What the laws say now; a spring that would slide back, or one that goes round, sticks first.
     void renew_conditions(bool goes_round);
+
+    /// Go on while single bodies are left with forces that would move them.
+    void balance_each(StepResult &result);
+
+    /// Those bodies alone, all others held. @return whether that helped
+    bool balance_light(StepResult &result, StepProblem::Imbalance &left);
 
     /// The interior point method, from the start of the step or of the few bodies' attempt.
     Attempt follow_path(StepResult &result, Stride stride);

@@ -119,6 +119,22 @@ namespace hybrid::dda
     /// To the tolerance, and every block nearly.
     bool lies_in_balance() const;
 
+    /// Blocks whose own forces are not in balance: more than a millionth is left of them, and of
+    /// what would accelerate the block as much as any.
+    struct Imbalance
+    {
+      double worst   = 0.; ///< largest force that is left, over what may be [-]
+      double allowed = 0.; ///< least force that may be left on one of them [N]
+
+      bool is_any() const
+      {
+        return worst > 1.;
+      }
+    };
+
+    /// @param blocks receives those blocks beside what it has, ascending
+    Imbalance imbalance(std::vector<int> &blocks) const;
+
     /// The trial is the solution: its rates and accelerations. @param rests all stops where it is
     void finish(bool rests);
 
@@ -234,6 +250,12 @@ namespace hybrid::dda
 
     /// Of a block in the trial [Pa].
     Eigen::Vector3d block_stress(int block);
+
+    /// Of a block in the trial, with the weight of its contacts [m/s2, 1/s2].
+    Vec6 inertial_acceleration(const int block) const
+    {
+      return kinematics.inertia(block) * (trial.increment[block] - kinematics.predicted(block));
+    }
 
     /// Inertia, stresses and weights.
     void add_block_forces();

@@ -16,7 +16,8 @@ namespace hybrid::dda
     double residual           = 0.; ///< at the end [-]
     double displacement_ratio = 0.; ///< largest displacement over block size [-]
     double unbalanced =
-      0.; ///< relative inertial force at the end (the static residual of a step from rest) [-]
+      0.; ///< relative inertial force at the end (the static residual of a step from rest), or a
+          ///< thousandth of a single block's beside its own forces [-]
     int  largest_block = -1;    ///< block that moved most, relative to its size
     bool is_passed     = false; ///< a vertex would go into a body before it could have a contact
   };
