@@ -159,6 +159,29 @@ namespace hybrid::dda
       if (geometry.block_of[v] < first_bedrock ||
           geometry.bedrock.next[v] != BedrockSurface::inside)
         add_candidates(geometry, geometry.block_of[v], v);
+    add_kept();
+  }
+
+
+
+  bool ContactCandidates::lists_edges(const Geometry &geometry, const int body)
+  {
+    return is_surface(geometry, body) ||
+           geometry.offset[body + 1] - geometry.offset[body] > many_edges;
+  }
+
+
+
+  void ContactCandidates::add_kept()
+  {
+    for (const ContactCandidate &pair : kept_awake)
+      {
+        const auto place = std::lower_bound(candidates.begin(), candidates.end(), pair);
+        if (place != candidates.end() && *place == pair)
+          continue;
+        apart_when_built.insert(apart_when_built.begin() + (place - candidates.begin()), 0.);
+        candidates.insert(place, pair);
+      }
   }
 
 
@@ -242,7 +265,7 @@ namespace hybrid::dda
     const Vec2 &point   = position(geometry, body, vertex);
     const Vec2 *outline = &geometry.vertices[geometry.offset[block]];
     const int   n       = geometry.offset[block + 1] - geometry.offset[block];
-    if (n > many_edges)
+    if (lists_edges(geometry, block))
       add_near_edges(geometry, {body, vertex, block, -1}, point);
     else
       add({body, vertex, block, -1},

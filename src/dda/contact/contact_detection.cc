@@ -75,7 +75,6 @@ namespace hybrid::dda
     , selection(pairs)
   {
     assert(parameters.reach > 0. && parameters.margin >= 0.);
-    assert(parameters.held_depth <= parameters.margin); // or it is not in every list
   }
 
 
@@ -122,13 +121,15 @@ namespace hybrid::dda
 
 
 
-  /// Pairs of an edge that lie deeper behind it than the search looks for others.
+  /// Pairs of an edge that lie deeper behind it than the search looks for others, unless a pair of
+  /// their block is near anyway.
   void ContactDetection::keep_deep_contacts(const Geometry             &geometry,
                                             const std::vector<Contact> &contacts)
   {
     deep_pairs.clear();
     for (const Contact &c : contacts)
-      if (distance_to_edge(geometry, c) > tolerances_of(c).search_distance())
+      if (ContactCandidates::lists_edges(geometry, c.edge_body) &&
+          distance_to_edge(geometry, c) > tolerances_of(c).search_distance())
         deep_pairs.push_back({c.vertex_body, c.vertex, c.edge_body, c.edge});
     candidates.keep_awake(deep_pairs);
   }

@@ -17,15 +17,19 @@ namespace hybrid::dda
   {
     ContactDetection::Parameters detection_parameters(const Model &model)
     {
-      double largest = 0.;
       // Blocks of the bedrock never meet each other: the sizes of the mass count, if there is one.
-      const int n_mass = model.n_mass();
+      const int           n_mass = model.n_mass();
+      std::vector<double> sizes;
       for (int b = 0; b < (n_mass > 0 ? n_mass : model.n_blocks()); ++b)
-        largest = std::max(largest, model.blocks[b].size);
+        sizes.push_back(model.blocks[b].size);
+      const auto middle = sizes.begin() + sizes.size() / 2;
+      std::nth_element(sizes.begin(), middle, sizes.end());
+      const double largest = *std::max_element(sizes.begin(), sizes.end());
       // Two bodies that move towards each other by the largest allowed displacement each.
       const double moved = 2. * model.iteration.maximum_displacement_ratio * largest;
+      // The list of near pairs has a skin that suits most blocks.
       return {std::min(moved, 0.25 * largest),
-              0.25 * largest,
+              0.25 * *middle,
               ContactTolerances::smooth_angle,
               0.25 * largest,
               0.25 * largest};

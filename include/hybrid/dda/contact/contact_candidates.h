@@ -104,9 +104,12 @@ namespace hybrid::dda
     /// The list is built again at the next update() only if @p skipped differs from the last one.
     void set_skipped_pairs(const SkippedPairs &skipped);
 
-    /// Pairs of the list that do not sleep however far they are, sorted: contacts that lie deep
-    /// behind an edge.
+    /// Pairs that are in the list, awake, however far they are, sorted: contacts that lie deep
+    /// behind an edge of an outline that lists its edges one by one.
     void keep_awake(const std::vector<ContactCandidate> &held);
+
+    /// Edges of this body are near a vertex one by one: of a surface, or of a large outline.
+    static bool lists_edges(const Geometry &geometry, int body);
 
     /// Build the list if it is no longer good. Returns true if it was built.
     bool update(const Geometry &geometry);
@@ -169,6 +172,9 @@ namespace hybrid::dda
     add_near_edges(const Geometry &geometry, const ContactCandidate &any_edge, const Vec2 &point);
 
     void add(const ContactCandidate &pair, double apart);
+
+    /// What is kept awake, however far it is.
+    void add_kept();
 
     double search_distance(const ContactCandidate &pair) const
     {

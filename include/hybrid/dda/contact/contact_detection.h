@@ -87,8 +87,8 @@ namespace hybrid::dda
       double smooth_angle;     ///< turns up to this are no corners [rad], e.g. 1e-3
       double max_depth = -1.;  ///< penetration above which a vertex is lost, at most [m];
                                ///< negative: reach
-      double held_depth = -1.; ///< the same of a contact with a surface that persists [m], at most
-                               ///< the margin; negative: max_depth
+      double held_depth = -1.; ///< the same of a contact with a surface that persists [m];
+                               ///< negative: max_depth
     };
 
     explicit ContactDetection(const Parameters &parameters);

@@ -243,15 +243,16 @@ namespace
   TEST(ContactDetection, AContactThatPressesIsNotLostForASmallBlockElsewhere)
   {
     // A square of 4 m presses a surface and a square below it; new contacts are 1 mm deep at most,
-    // as where there is a pebble of 4 mm, and the skin of the list is 1 m.
-    for (const bool on_surface : {true, false})
+    // as where there is a pebble of 4 mm.
+    for (const auto &[on_surface, skin] :
+         {std::pair(true, 1.), std::pair(true, 1e-3), std::pair(false, 1.), std::pair(false, 1e-3)})
       {
         Geometry g = blocks({square(0., 0., 4.)});
         if (on_surface)
           g.foundation_nodes = {{-5., 0.}, {9., 0.}};
         else
           add_block(g, square(-1., -6., 6.));
-        ContactDetection detection({1e-3, 1., ContactTolerances::smooth_angle, 1e-3, 1.});
+        ContactDetection detection({1e-3, skin, ContactTolerances::smooth_angle, 1e-3, 1.});
         Contacts         contacts;
         detection.update(g, contacts);
         ASSERT_EQ(contacts.size(), 2u);
