@@ -64,6 +64,7 @@ namespace hybrid::dda
         model.horizontal           = scene.environment.horizontal * scene.environment.gravity;
         model.blocks_yield         = scene.blocks.yielding && n_mass > 0;
         model.dynamic_coefficient  = scene.time.dynamic_coefficient;
+        model.coefficient_step     = scene.time.time_step;
         model.joint_damping_time   = damping_time;
         model.bedrock_damping_time = scene.continuum.rayleigh_stiffness;
         model.iteration            = {scene.blocks.maximum_iterations,

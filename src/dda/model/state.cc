@@ -185,9 +185,19 @@ namespace hybrid::dda
 
   double fastest_block(const DdaState &state)
   {
-    double squared = 0.;
-    for (const BlockState &block : state.blocks)
-      squared = std::max(squared, block.velocity.head<2>().squaredNorm());
+    double          squared  = 0.;
+    const Geometry &geometry = state.geometry;
+    for (std::size_t b = 0; b < state.blocks.size(); ++b)
+      {
+        const BlockState &block = state.blocks[b];
+        for (int v = geometry.offset[b]; v < geometry.offset[b + 1]; ++v)
+          {
+            const Vec2 arm = geometry.vertices[v] - block.centroid;
+            const Vec2 speed =
+              block.velocity.head<2>() + block.velocity[2] * Vec2(-arm.y(), arm.x());
+            squared = std::max(squared, speed.squaredNorm());
+          }
+      }
     return std::sqrt(squared);
   }
 } // namespace hybrid::dda

@@ -14,7 +14,7 @@ namespace hybrid::dda
       const Newmark         &nm = step.model.newmark;
       const double           dt = step.trial.dt, excess = nm.gamma - 0.5;
       const double           filter  = nm.filter_in(dt, step.before.last_step);
-      const double           k01     = step.model.dynamic_coefficient;
+      const double           k01     = step.model.velocity_kept_in(dt);
       const MaxwellStresses &maxwell = step.stresses.branches();
       const BlockProperties &p       = step.model.blocks[b];
       const BlockState      &s       = step.before.blocks[b];

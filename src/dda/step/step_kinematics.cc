@@ -29,6 +29,7 @@ namespace hybrid::dda
     rate.resize(n);
     change.resize(n);
     choose_filters(model, springs);
+    const double k01      = model.velocity_kept_in(dt);
     const double kept     = Newmark::remembered_in(dt, state.last_step);
     const double filtered = 0.5 * dt * dt * model.newmark.filter_in(dt, state.last_step);
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
@@ -37,7 +38,7 @@ namespace hybrid::dda
         const BlockState &block = state.blocks[b];
         const Vec6        a     = block.acceleration - block.contact_acceleration;
         const double      whole = 1. + filter[b];
-        rate[b]                 = model.dynamic_coefficient * block.velocity;
+        rate[b]                 = k01 * block.velocity;
         change[b]               = kept * block.velocity_change;
         prediction[b]           = dt * rate[b] + whole * dt * dt * (0.5 - beta) * a;
         if (filtered > 0.)

@@ -71,11 +71,11 @@ namespace hybrid::dda
   void StepProblem::start_trial(const bool with_acceleration)
   {
     const int    n  = model->n_blocks();
-    const double dt = trial.dt;
+    const double dt = trial.dt, kept = model->velocity_kept_in(dt);
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
-        trial.increment[b] = dt * (model->dynamic_coefficient * before->blocks[b].velocity);
+        trial.increment[b] = dt * (kept * before->blocks[b].velocity);
         if (with_acceleration)
           trial.increment[b] += 0.5 * dt * dt * before->blocks[b].acceleration;
       }

@@ -44,7 +44,7 @@ namespace hybrid::scene
       "m/s",
       ParameterRange::above(0.),
       "The run ends before End time when, after the motion and the rise of loads, no "
-      "block was faster than this for a second.");
+      "corner of a block was faster than this for a second.");
     section.integer("Maximum halvings",
                     time.maximum_halvings,
                     {0, 20},
@@ -74,8 +74,9 @@ namespace hybrid::scene
       time.dynamic_coefficient,
       "",
       {0., 1., false, true},
-      "Factor k01 on the velocity of the blocks at the start of each step; 1 is dynamic, a "
-      "smaller one damps with the rate (1 - k01) / dt. It brakes absolute velocities: on ground that "
+      "Factor k01 on the velocity of the blocks at the start of each step of Time step; a shorter "
+      "one, where steps are cut, has its power dt / Time step. 1 is dynamic, a smaller one damps "
+      "with the rate (1 - k01) / dt. It brakes absolute velocities: on ground that "
       "moves it drags the mass behind, so use it for masses that come to rest and 1 in earthquakes.");
   }
 

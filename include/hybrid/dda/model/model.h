@@ -13,6 +13,7 @@
 #include <hybrid/dda/linear/process_group.h>
 #include <hybrid/scene/newmark.h>
 
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -137,6 +138,7 @@ namespace hybrid::dda
     double                        gravity    = 9.81; ///< [m/s2]
     double                        horizontal = 0.;   ///< pseudo-static acceleration along +x [m/s2]
     double                        dynamic_coefficient = 1.; ///< k01 [-]
+    double                        coefficient_step    = 1.; ///< that it is for [s]
     double                        joint_damping_time  = 0.; ///< beta_K of the joints' springs [s]
     bool                          damps_loose         = false; ///< blocks have a loose_damping_time
     bool                          blocks_yield        = false; ///< blocks have a limited strength
@@ -146,6 +148,12 @@ namespace hybrid::dda
     EdgeLoads                     edge_loads;
     std::vector<MovingBlocks>     moving_blocks; ///< at t = 0; the others are at rest
     IterationParameters           iteration;
+    /// What a step of this size leaves of velocities, as the given steps do in the same time [-].
+    double velocity_kept_in(const double dt) const
+    {
+      return dynamic_coefficient == 1. ? 1. : std::pow(dynamic_coefficient, dt / coefficient_step);
+    }
+
     std::shared_ptr<const ProcessGroup> processes; ///< that compute the scene; null: this one alone
 
     int    n_bedrock            = 0;     ///< the last blocks are the bedrock

@@ -155,7 +155,7 @@ namespace hybrid::dda
   };
 
 
-  /// Largest speed of a block's centroid [m/s]; 0 without blocks.
+  /// Largest speed of a block's corner, as a rigid body [m/s]; 0 without blocks.
   double fastest_block(const DdaState &state);
 
 

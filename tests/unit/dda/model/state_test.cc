@@ -54,6 +54,26 @@ namespace hybrid::dda
 
 
 
+    TEST(State, TheFastestCornerIsThatOfABlockThatSpins)
+    {
+      DdaState state;
+      EXPECT_EQ(fastest_block(state), 0.);
+      state.geometry.vertices = {{0., 0.}, {2., 0.}, {1., 3.}, {5., 0.}, {6., 0.}, {5., 3.}};
+      state.geometry.offset   = {0, 3, 6};
+      state.geometry.block_of = {0, 0, 0, 1, 1, 1};
+      state.blocks.resize(2);
+      state.blocks[0].centroid = {1., 1.};
+      state.blocks[1].centroid = {16. / 3., 1.};
+      for (BlockState &block : state.blocks)
+        block.velocity.setZero();
+      state.blocks[1].velocity[1] = -0.5;
+      EXPECT_DOUBLE_EQ(fastest_block(state), 0.5);
+      state.blocks[0].velocity[2] = 0.3; // its highest corner is 2 m from its middle
+      EXPECT_DOUBLE_EQ(fastest_block(state), 0.6);
+    }
+
+
+
     TEST(State, SpringStateIsStoredWhole)
     {
       SpringState spring;
