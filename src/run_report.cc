@@ -189,15 +189,16 @@ namespace hybrid
 
   void RunReport::slid_blocks(const dda::StaticResult &settled) const
   {
-    if (!settled.slid || settled.fallen_block >= 0)
+    if (settled.slid_block < 0 || settled.fallen_block >= 0)
       return;
     char text[300];
     std::snprintf(
       text,
       sizeof(text),
-      "blocks have moved by up to %.3g m before they came to rest, elasticity explains at "
-      "most about %.2g m: they slid or turned; is this the slope that you drew?",
-      settled.largest_displacement,
+      "block %s has moved by %.3g m before it came to rest, more than any other that elasticity does "
+      "not explain (at most about %.2g m): blocks slid or turned; is this the slope that you drew?",
+      model.mesh.block_name(settled.slid_block).c_str(),
+      settled.slid_by,
       settled.elastic_settlement);
     log.warning(text);
   }

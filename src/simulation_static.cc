@@ -109,7 +109,7 @@ namespace hybrid
     return {settled.steps + settled.cuts > 0,
             settled.equilibrium && settled.fallen_block < 0,
             planes_at_rest.equilibrium,
-            settled.slid,
+            settled.slid_block >= 0,
             settled.residual,
             settled.iterations,
             settled.largest_displacement,

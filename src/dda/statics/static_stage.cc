@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/statics/begin_motion.h>
+#include <hybrid/dda/statics/elastic_settlement.h>
 #include <hybrid/dda/statics/static_stage.h>
 #include <hybrid/dda/step/block_energy.h>
 #include <hybrid/dda/step/start_accelerations.h>
@@ -26,24 +27,6 @@ namespace hybrid::dda
 
 
 
-    /// A bound on what a mass settles elastically under its weight, joints as soft as blocks [m].
-    double elastic_settlement(const Model &model)
-    {
-      double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, strain = 0.;
-      for (int v = 0; v < model.initial.offset[model.n_mass()]; ++v)
-        {
-          lowest  = std::min(lowest, model.initial.vertices[v].y());
-          highest = std::max(highest, model.initial.vertices[v].y());
-        }
-      for (int b = 0; b < model.n_mass(); ++b)
-        strain = std::max(strain,
-                          model.blocks[b].weight * model.gravity /
-                            (model.blocks[b].area * model.blocks[b].elasticity(2, 2)));
-      return model.n_mass() > 0 ? strain * std::pow(highest - lowest, 2) : 0.;
-    }
-
-
-
     /// Find the block that has come to rest farther from where it was drawn than half its size
     /// beyond what elasticity explains, or turned by ten degrees; and whether loose ones have slid
     /// by a five-hundredth of their size beyond it. (A bonded mass bends, which the bound does not
@@ -58,14 +41,21 @@ namespace hybrid::dda
         !model.blocks_yield && std::none_of(model.bonded.begin(),
                                             model.bonded.begin() + model.n_mass(),
                                             [](const bool bonded) { return bonded; });
-      const double elastic = result.elastic_settlement = elastic_settlement(model);
+      const std::vector<double> settlement = elastic_settlement(model);
       for (int b = 0; b < model.n_mass(); ++b)
         {
+          const double elastic        = settlement[b];
           const double moved          = (state.blocks[b].centroid - start[b].centroid).norm();
           const double turned         = std::abs(state.blocks[b].rotation - start[b].rotation);
           result.largest_displacement = std::max(result.largest_displacement, moved);
-          result.slid                 = result.slid || (is_loose && result.equilibrium &&
-                                        moved > clearly * elastic + slip * model.blocks[b].size);
+          const bool slid             = is_loose && result.equilibrium &&
+                            moved > clearly * elastic + slip * model.blocks[b].size;
+          if (slid && (result.slid_block < 0 || moved > result.slid_by))
+            {
+              result.slid_block         = b;
+              result.slid_by            = moved;
+              result.elastic_settlement = elastic;
+            }
           if ((moved <= 0.5 * model.blocks[b].size + elastic && turned <= turn) ||
               (result.fallen_block >= 0 && moved <= result.fallen_by))
             continue;

@@ -149,18 +149,17 @@ namespace hybrid::scene
     }
 
 
-    /// Length of the shortest edge of all polygons [m].
-    double shortest_edge(const std::vector<Polygon> &polygons)
+    /// Length of the shortest edge [m].
+    double shortest_edge(const Polygon &polygon)
     {
       double shortest = std::numeric_limits<double>::infinity();
-      for (const Polygon &polygon : polygons)
-        for (std::size_t i = 0; i < polygon.vertices.size(); ++i)
-          {
-            const Vec2 &a = polygon.vertices[i].x;
-            const Vec2 &b = polygon.vertices[(i + 1) % polygon.vertices.size()].x;
-            if (a != b)
-              shortest = std::min(shortest, (b - a).norm());
-          }
+      for (std::size_t i = 0; i < polygon.vertices.size(); ++i)
+        {
+          const Vec2 &a = polygon.vertices[i].x;
+          const Vec2 &b = polygon.vertices[(i + 1) % polygon.vertices.size()].x;
+          if (a != b)
+            shortest = std::min(shortest, (b - a).norm());
+        }
       return shortest;
     }
 
@@ -170,28 +169,29 @@ namespace hybrid::scene
     class NodeFinder
     {
     public:
-      NodeFinder(std::vector<Vec2> &node_list, const double same_place)
+      explicit NodeFinder(std::vector<Vec2> &node_list)
         : nodes(node_list)
-        , distance(same_place)
       {}
 
-      int find_or_add(const Vec2 &x)
+      /// @param distance within which places are the same for the polygon of this corner [m]
+      int find_or_add(const Vec2 &x, const double distance)
       {
         for (auto near = index.lower_bound(x.x() - distance);
              near != index.end() && near->first <= x.x() + distance;
              ++near)
-          if ((nodes[near->second] - x).norm() <= distance)
+          if ((nodes[near->second] - x).norm() <= std::min(distance, distances.at(near->second)))
             return near->second;
         const int number = static_cast<int>(nodes.size());
         index.emplace(x.x(), number);
+        distances.emplace(number, distance);
         nodes.push_back(x);
         return number;
       }
 
     private:
       std::vector<Vec2>         &nodes;
-      const double               distance; ///< [m]
-      std::multimap<double, int> index;    ///< by x
+      std::multimap<double, int> index;     ///< by x
+      std::map<int, double>      distances; ///< of the polygon that a node is from [m]
     };
 
 
@@ -247,13 +247,14 @@ namespace hybrid::scene
     drop_unused_nodes(mesh);
 
     constexpr double same_place = 1e-6; ///< of the shortest edge [-]
-    NodeFinder       finder(mesh.nodes, same_place * shortest_edge(polygons));
+    NodeFinder       finder(mesh.nodes);
     for (const Polygon &polygon : polygons)
       {
         check_simple(polygon, file);
+        const double     distance = same_place * shortest_edge(polygon);
         std::vector<int> block;
         for (const Vertex &vertex : polygon.vertices)
-          block.push_back(finder.find_or_add(vertex.x));
+          block.push_back(finder.find_or_add(vertex.x, distance));
         if (signed_area(polygon) < 0.)
           throw InputError(file,
                            polygon.vertices.front().line,

@@ -19,14 +19,15 @@ namespace hybrid::dda
     int    cuts                 = 0;
     double residual             = 0.; ///< relative to the sum of absolute forces [-]
     double largest_displacement = 0.; ///< of a centroid [m]
-    double elastic_settlement   = 0.; ///< a bound on what the mass settles elastically [m]
     int    moving_block = -1; ///< that moved most in the last step, if there is no equilibrium
 
     int    fallen_block = -1; ///< came to rest farther than elasticity explains, most of all; or -1
     double fallen_by    = 0.; ///< its displacement [m]
     double turned_by    = 0.; ///< its rotation [rad]
 
-    bool slid = false; ///< loose blocks have come to rest farther than elasticity explains
+    int    slid_block = -1; ///< loose, came to rest farther than elasticity explains, most of all
+    double slid_by    = 0.; ///< its displacement [m]
+    double elastic_settlement = 0.; ///< a bound on what it settles elastically [m]
 
     PartTimes times; ///< of the steps
   };

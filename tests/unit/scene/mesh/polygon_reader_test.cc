@@ -57,6 +57,10 @@ namespace hybrid::scene::test
       polygons(left + "b,0.30000000000000004,0\nb,1,0\nb,1,1\nb,0.2999999999,1\n").nodes.size(),
       6u);
     EXPECT_EQ(polygons(left + "b,0.301,0\nb,1,0\nb,1,1\nb,0.301,1\n").nodes.size(), 8u);
+    // However small a block elsewhere is.
+    const std::string right = "b,0.3000001,0\nb,1,0\nb,1,1\nb,0.3,1\n";
+    EXPECT_EQ(polygons(left + right).nodes.size(), 6u);
+    EXPECT_EQ(polygons("s,5,0\ns,5.001,0\ns,5,0.001\n" + left + right).nodes.size(), 9u);
   }
 
 
