@@ -131,6 +131,18 @@ namespace hybrid::output
 
 
 
+    std::string off_surface_text(const int blocks)
+    {
+      return blocks == 0
+               ? ""
+               : indent + format("%d %s the surface no more at the end: how far %s counts as slip",
+                                 blocks,
+                                 blocks == 1 ? "block touches" : "blocks touch",
+                                 blocks == 1 ? "it has moved" : "they have moved");
+    }
+
+
+
     std::string slip_text(const Summary &summary)
     {
       const Summary::Slip &slip = summary.slip;
@@ -139,7 +151,11 @@ namespace hybrid::output
       return "slip on the sliding surface: " + length_text(slip.mean_left) + " left (largest " +
              length_text(slip.largest_left) +
              format("), %.3g %% of it slipped by more than ", 100. * slip.part) +
-             length_text(slip.threshold) + "; " + joints_text(summary.joints);
+             length_text(slip.threshold) + "; " + joints_text(summary.joints) +
+             (slip.downhill == "both ways" ? indent + "slides lie on both flanks: the slip of each "
+                                                      "is positive its own way downhill"
+                                           : "") +
+             off_surface_text(slip.off_surface);
     }
 
 

@@ -17,11 +17,12 @@ namespace hybrid::output
     , probes(run.blocks, run.continuum, run.foundation)
     , file(run.scene.output.directory + "/run.h5", mode)
     , pictures(run.scene.output.directory, run.blocks, run.continuum)
-    , downhill(scene::downhill_sign(run.mesh))
+    , downhill(run.blocks != nullptr && !run.blocks->soles.empty() ? run.blocks->downhill.shared()
+                                                                   : scene::downhill_sign(run.mesh))
     , bedding(run.continuum,
               run.scene.bedding.slips ? run.blocks : nullptr,
               run.scene.bedding.names)
-    , slip(run.blocks, downhill, run.scene.output.slip_threshold)
+    , slip(run.blocks, run.scene.output.slip_threshold)
     , lines(run.scene, run.mesh, probes)
     , peaks(run.scene.monitors.has_peak_fields ? run.blocks : nullptr,
             run.scene.monitors.has_peak_fields ? run.continuum : nullptr,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/blocks_off_base.h>
 #include <hybrid/output/slip_recorder.h>
 #include <hybrid/restart/archive.h>
 
@@ -7,14 +8,11 @@
 
 namespace hybrid::output
 {
-  SlipRecorder::SlipRecorder(const dda::Model *blocks,
-                             const double      downhill,
-                             const double      slip_threshold)
+  SlipRecorder::SlipRecorder(const dda::Model *blocks, const double slip_threshold)
     : model(blocks)
-    , sign(downhill < 0. ? -1. : 1.)
-    , is_level(downhill == 0.)
+    , is_level(blocks == nullptr || blocks->downhill.is_level())
     , threshold(slip_threshold)
-    , slip(blocks, downhill)
+    , slip(blocks)
     , farthest(slip.n_soles(), 0.)
   {}
 
@@ -25,14 +23,20 @@ namespace hybrid::output
     const std::size_t n = slip.n_soles();
     if (n == 0)
       return;
-    std::vector<double> position, length;
+    std::vector<double> position, length, downhill, slide;
     for (int k = 0; k < slip.n_soles(); ++k)
       {
         position.insert(position.end(), {slip.position(k).x(), slip.position(k).y()});
         length.push_back(slip.length(k));
+        downhill.push_back(slip.downhill(k));
+        slide.push_back(slip.slide(k));
       }
     file.write_table("slip/position", "m", position.data(), n, 2, "middle of each sole, initial");
     file.write_table("slip/length", "m", length.data(), n, 1, "of each sole");
+    file.write_table(
+      "slip/downhill", "1", downhill.data(), n, 1, "sign of x downhill of each sole, 0: level");
+    file.write_table(
+      "slip/slide", "1", slide.data(), n, 1, "number of the slide that each sole belongs to");
     mean_series    = file.add_series("slip/mean", "m", 1, "of all soles, downhill positive");
     largest_series = file.add_series("slip/largest", "m", 1, "of the sole that has slid farthest");
     part_series    = file.add_series("slip/part",
@@ -66,7 +70,15 @@ namespace hybrid::output
   {
     if (!(force.strength > 0.))
       return 0.;
-    return (is_level ? std::abs(force.shear) : sign * force.shear) / force.strength;
+    return (is_level ? std::abs(force.shear) : force.shear) / force.strength;
+  }
+
+
+
+  std::string SlipRecorder::downhill_words() const
+  {
+    const double sign = model->downhill.shared();
+    return sign > 0. ? "+x" : sign < 0. ? "-x" : is_level ? "level" : "both ways";
   }
 
 
@@ -84,7 +96,7 @@ namespace hybrid::output
                        std::vector<double>{rest.force.x(), rest.force.y()});
     file.set_attribute("base_shear",
                        "at_rest",
-                       std::vector<double>{sign * rest.shear, rest.normal, rest.strength});
+                       std::vector<double>{rest.shear, rest.normal, rest.strength});
   }
 
 
@@ -111,13 +123,12 @@ namespace hybrid::output
       }
 
     const dda::SurfaceForce &force = state.surface_force;
-    const double             shear = sign * force.shear;
     file.append(force_series, force.force.data());
-    file.append(shear_series, &shear);
+    file.append(shear_series, &force.shear);
     file.append(normal_series, &force.normal);
     file.append(strength_series, &force.strength);
-    if (std::abs(shear) > std::abs(largest_shear))
-      largest_shear = shear;
+    if (std::abs(force.shear) > std::abs(largest_shear))
+      largest_shear = force.shear;
     largest_mobilised = std::max(largest_mobilised, mobilised(force));
   }
 
@@ -153,9 +164,11 @@ namespace hybrid::output
                                        slip.mean(now),
                                        now[SoleSlip::farthest(now)],
                                        slip.part_beyond(farthest, threshold),
-                                       threshold};
+                                       threshold,
+                                       downhill_words(),
+                    state.last_step > 0. ? blocks_off_surface(*model, state) : 0};
     summary.base_shear              = {largest_shear,
-                                       sign * force.shear,
+                                       force.shear,
                                        force.normal,
                                        mobilised_at_rest,
                                        std::max(largest_mobilised, mobilised(force)),

@@ -31,7 +31,9 @@ namespace hybrid::output
               {"mean_left", slip.mean_left},
               {"largest_left", slip.largest_left},
               {"part_slipped", slip.part},
-              {"threshold", slip.threshold}};
+              {"threshold", slip.threshold},
+              {"downhill", slip.downhill},
+              {"blocks_off_surface", slip.off_surface}};
     }
 
 

@@ -129,16 +129,16 @@ namespace hybrid::output
       std::vector<double> row;
     };
 
-    RunParts                   parts;
-    Probes                     probes;
-    HistoryFile                file;
-    Pictures                   pictures;
-    const double               downhill; ///< sign of x downhill; 0: level
-    BeddingRecorder            bedding;
-    SlipRecorder               slip;
-    LineRecorder               lines;
-    PeakFields                 peaks;
-    EnergyLedger               ledger;
+    RunParts        parts;
+    Probes          probes;
+    HistoryFile     file;
+    Pictures        pictures;
+    const double    downhill; ///< sign of x downhill; 0: level, or slides that face each other
+    BeddingRecorder bedding;
+    SlipRecorder    slip;
+    LineRecorder    lines;
+    PeakFields      peaks;
+    EnergyLedger    ledger;
     std::vector<MonitorSeries> monitors;
     WatchedPoints              watched;        ///< without monitors, for the error alone
     std::vector<MonitorSeries> watched_motion; ///< of these; no series of run.h5

@@ -6,6 +6,7 @@
 #include <hybrid/output/summary.h>
 
 #include <limits>
+#include <string>
 
 namespace hybrid::output
 {
@@ -14,9 +15,8 @@ namespace hybrid::output
   class SlipRecorder
   {
   public:
-    /// @param blocks may be nullptr.  @param downhill sign of x downhill, 0: level.
-    /// @param threshold what slides farther has slipped [m].
-    SlipRecorder(const dda::Model *blocks, double downhill, double threshold);
+    /// @param blocks may be nullptr.  @param threshold what slides farther has slipped [m].
+    SlipRecorder(const dda::Model *blocks, double threshold);
 
     void add_series(HistoryFile &file);
 
@@ -40,8 +40,7 @@ namespace hybrid::output
 
   private:
     const dda::Model *model;
-    const double      sign; ///< of forces, for a shear that is positive downhill
-    const bool        is_level;
+    const bool        is_level; ///< downhill is nowhere
     const double      threshold;
     SoleSlip          slip;
     int               mean_series = -1, largest_series = -1, part_series = -1, time_series = -1,
@@ -56,5 +55,8 @@ namespace hybrid::output
 
     /// Shear over strength, downhill positive; on level ground its size [-].
     double mobilised(const dda::SurfaceForce &force) const;
+
+    /// See Summary::Slip.
+    std::string downhill_words() const;
   };
 } // namespace hybrid::output

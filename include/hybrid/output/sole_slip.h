@@ -9,31 +9,20 @@
 
 namespace hybrid::output
 {
-  /// A point of the ground: between two nodes of the base, or two vertices of a block of the
-  /// bedrock.
-  struct SoleGround
-  {
-    bool   base  = false; ///< else vertices
-    int    first = -1, second = -1;
-    double fraction = 0.; ///< of the path from the first to the second
-  };
-
-
   /**
    * How far the mass has slid on what it stands on.
    *
-   * A sole is an edge of a block of the mass that lies on the base or on the bedrock's blocks
-   * before the first step: with its middle, or, where it bridges a dip, with another of its points.
-   * Its slip is the displacement of that point relative to the point of the ground that it lay on,
-   * since the state at rest, along the sole as it was then; positive downhill (along +x on a level
-   * surface). Nothing is summed up over steps, so it is the same whatever holds the sole: joints,
-   * contacts or nothing.
+   * The slip of a sole (dda/model/soles.h) is the displacement of its point relative to the point
+   * of the ground that it lay on, since the state at rest, along the sole as it was then; positive
+   * downhill of its block (dda/model/downhill.h), along +x where that is level. Nothing is summed
+   * up over steps, so it is the same whatever holds the sole: joints, contacts or nothing, as of a
+   * block that flies.
    */
   class SoleSlip
   {
   public:
-    /// @param blocks may be nullptr.  @param downhill sign of x downhill, 0: level.
-    SoleSlip(const dda::Model *blocks, double downhill);
+    /// @param blocks may be nullptr.
+    explicit SoleSlip(const dda::Model *blocks);
 
     int n_soles() const
     {
@@ -50,6 +39,18 @@ namespace hybrid::output
     int vertex(const int sole) const
     {
       return soles[sole].first;
+    }
+
+    /// Sign of x downhill, 0: level.
+    double downhill(const int sole) const
+    {
+      return downhill(soles[sole]);
+    }
+
+    /// Number of the slide that it belongs to.
+    int slide(const int sole) const
+    {
+      return model->downhill.slide[model->initial.block_of[soles[sole].first]];
     }
 
     /// [m]
@@ -77,21 +78,17 @@ namespace hybrid::output
     void serialize(restart::Archive &archive);
 
   private:
-    struct Sole
+    struct Sole : dda::Sole
     {
-      int        first, second; ///< vertices of the block, counter-clockwise
-      double     fraction;      ///< of the path from the first to the second: the point that slides
-      SoleGround ground;
-      Vec2       position;
-      double     length;
-      Vec2       start = Vec2::Zero(); ///< the point relative to the ground at rest [m]
-      Vec2       along = Vec2::Zero(); ///< unit vector at rest
+      Vec2 start = Vec2::Zero(); ///< the point relative to the ground at rest [m]
+      Vec2 along = Vec2::Zero(); ///< unit vector at rest, downhill
     };
 
-    const double      sign; ///< of the block's edge, for a slip that is positive downhill
+    const dda::Model *model;
     std::vector<Sole> soles;
 
-    void find_soles(const dda::Model &model);
+    /// Sign of x; 0: level.
+    double downhill(const dda::Sole &sole) const;
 
     /// The point of a sole relative to the ground point it started on [m].
     static Vec2 place(const dda::DdaState &state, const Sole &sole);

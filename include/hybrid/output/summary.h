@@ -50,6 +50,9 @@ namespace hybrid::output
 
       double part      = MonitorSummary::unknown; ///< of the length that slid beyond threshold [-]
       double threshold = MonitorSummary::unknown;
+
+      std::string downhill    = ""; ///< "+x", "-x", "level", or "both ways": slides face each other
+      int         off_surface = 0; ///< blocks that lay on it and touch it no more; their ways count
     };
 
     /// Force of the mass on what it stands on; NaN: nothing stands on it. Mobilised is the shear

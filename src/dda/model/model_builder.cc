@@ -52,6 +52,8 @@ namespace hybrid::dda
           held_neighbours({outlines.begin(), outlines.begin() + n_mass}, model.contacts.bonded);
         model.neighbours.resize(outlines.size());
         add_slices();
+        model.soles    = find_soles(model);
+        model.downhill = find_downhill(model, mesh);
         if (model.n_bedrock > 0)
           model.boundary =
             boundary_edges(mesh, scene, model.initial, {outlines, materials, n_mass});

@@ -6,7 +6,10 @@ namespace hybrid::dda
 {
   SurfaceForce surface_force(const Model &model, const Springs &springs)
   {
-    const auto is_mass = [&](const int body) { return body >= 0 && body < model.n_mass(); };
+    const auto is_mass  = [&](const int body) { return body >= 0 && body < model.n_mass(); };
+    const auto downhill = [&](const int block) {
+      return model.downhill.sign_of(block) < 0. ? -1. : 1.;
+    };
     return shared_sum<SurfaceForce>(
       springs.springs.size(), [&](const std::size_t s, SurfaceForce &sum) {
         if (is_mass(springs.bodies[s].block) == is_mass(springs.bodies[s].other))
@@ -21,7 +24,8 @@ namespace hybrid::dda
         const Vec2   into  = side * response.normal, along(-into.y(), into.x());
         const Vec2   shear = side * spring.length * now.shear * response.tangent;
         sum.force += shear + spring.length * now.normal * into;
-        sum.shear += shear.dot(along);
+        sum.shear +=
+          downhill(is_mass(spring.block) ? spring.block : spring.other) * shear.dot(along);
         sum.normal += spring.length * now.normal;
         sum.strength += spring.length * response.shear_strength;
       });

@@ -50,3 +50,20 @@ TEST(BlocksOffBase, need_a_base)
   const dda::DdaState state = dda::initial_state(model);
   EXPECT_EQ(output::blocks_off_base(model, state), 0);
 }
+
+
+
+TEST(BlocksOffSurface, are_those_that_lay_on_it_and_touch_it_no_more)
+{
+  // Two rows of two: the upper ones never lay on it.
+  const dda::Model model = dda::build_model(test::square_blocks(2, 2, 2.),
+                                            test::block_parameters(30.),
+                                            test::straight_foundation(0., 1., 6., 7));
+  dda::DdaState    state = dda::initial_state(model);
+  state.contacts = {{0, 0, dda::foundation_body, 1}, {1, 4, dda::foundation_body, 3}, {1, 4, 0, 1}};
+  EXPECT_EQ(output::blocks_off_surface(model, state), 2); // open
+  state.contacts[1].state = state.contacts[2].state = dda::ContactState::sliding;
+  EXPECT_EQ(output::blocks_off_surface(model, state), 1);
+  state.contacts[0].state = dda::ContactState::locked;
+  EXPECT_EQ(output::blocks_off_surface(model, state), 0);
+}

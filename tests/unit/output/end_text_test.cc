@@ -68,6 +68,29 @@ namespace hybrid::output
 
 
 
+    TEST(EndText, SaysWhatSlipCountsWhereMassesFaceEachOtherAndBlocksFly)
+    {
+      Summary run = a_run();
+      EXPECT_EQ(end_text(run, {}).in_file.find("touch"), std::string::npos);
+      run.slip.downhill    = "both ways";
+      run.slip.off_surface = 1;
+      EXPECT_NE(
+        end_text(run, {}).in_file.find(
+          "no joint failed"
+          "\n          slides lie on both flanks: the slip of each is positive its own way "
+          "downhill"
+          "\n          1 block touches the surface no more at the end: how far it has moved "
+          "counts as slip\n"),
+        std::string::npos);
+      run.slip.off_surface = 3;
+      EXPECT_NE(end_text(run, {}).in_file.find(
+                  "\n          3 blocks touch the surface no more at the end: how far they have "
+                  "moved counts as slip\n"),
+                std::string::npos);
+    }
+
+
+
     TEST(EndText, AMassThatIsHeldHasMobilisedNothingAtRest)
     {
       Summary run                      = a_run();

@@ -43,7 +43,8 @@ TEST(SoleSlip, counts_from_rest_relative_to_the_ground)
   TwoBlocks scene;
   for (const double sign : {1., -1., 0.})
     {
-      SoleSlip slip(&scene.model, sign);
+      scene.model.downhill.sign.assign(2, sign);
+      SoleSlip slip(&scene.model);
       ASSERT_EQ(slip.n_soles(), 2);
       EXPECT_NEAR(slip.length(0), 2., 1e-12);
       EXPECT_LT((slip.position(1) - Vec2(3., 0.)).norm(), 1e-12);
@@ -72,7 +73,7 @@ TEST(SoleSlip, of_a_sole_that_bridges_a_dip_is_that_of_a_point_beside_it)
   const dda::Model        model =
     dda::build_model(test::square_blocks(1, 1, 2.), test::block_parameters(30.), notched);
   dda::DdaState state = dda::initial_state(model);
-  SoleSlip      slip(&model, 1.);
+  SoleSlip      slip(&model);
   ASSERT_EQ(slip.n_soles(), 1);
   slip.set_reference(state);
   for (Vec2 &vertex : state.geometry.vertices)
@@ -86,7 +87,7 @@ TEST(SoleSlip, of_a_sole_that_bridges_a_dip_is_that_of_a_point_beside_it)
 TEST(SoleSlip, follows_the_point_that_the_sole_lay_on)
 {
   TwoBlocks scene;
-  SoleSlip  slip(&scene.model, 1.);
+  SoleSlip  slip(&scene.model);
   slip.set_reference(scene.state);
   for (int k = 0; k < scene.model.n_foundation_nodes(); ++k)
     scene.state.foundation_displacement[2 * k] = 0.01 * scene.model.initial.foundation_nodes[k].x();
@@ -112,7 +113,7 @@ TEST(SoleSlip, is_known_beside_two_nodes_at_one_place)
   const dda::Model model =
     dda::build_model(test::square_blocks(2, 1, 2.), test::block_parameters(30.), base);
   dda::DdaState state = dda::initial_state(model);
-  SoleSlip      slip(&model, 1.);
+  SoleSlip      slip(&model);
   ASSERT_EQ(slip.n_soles(), 2);
   slip.set_reference(state);
   for (Vec2 &vertex : state.geometry.vertices)
@@ -128,6 +129,6 @@ TEST(SoleSlip, blocks_in_the_air_and_scenes_without_blocks_have_no_soles)
   const dda::Model model = dda::build_model(test::square_blocks(1, 1, 2.),
                                             test::block_parameters(30.),
                                             {Vec2(-1., -0.2), Vec2(3., -0.2)});
-  EXPECT_EQ(SoleSlip(&model, 1.).n_soles(), 0);
-  EXPECT_EQ(SoleSlip(nullptr, 1.).n_soles(), 0);
+  EXPECT_EQ(SoleSlip(&model).n_soles(), 0);
+  EXPECT_EQ(SoleSlip(nullptr).n_soles(), 0);
 }

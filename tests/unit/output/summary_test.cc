@@ -29,7 +29,7 @@ namespace hybrid::output
       summary.energy_residual    = 1.25e-4;
       summary.joints             = {7, 9};
       summary.static_joints      = {1, 2};
-      summary.slip               = {0.25, -0.5, {{3., 4.}}, 0.125, 0.375, 0.75, 1e-3};
+      summary.slip               = {0.25, -0.5, {{3., 4.}}, 0.125, 0.375, 0.75, 1e-3, "-x", 2};
       summary.base_shear         = {1e6, 5e5, 2e6, 0.5, 1., MonitorSummary::unknown};
       summary.static_stage       = {true, true, false, true, 1e-10, 12, 0.25};
       summary.wasted             = {3, 2, 1, 80};
@@ -58,7 +58,7 @@ assert s['contact_search'] == {'steps': 12003, 'searches': 40, 'lists': 2}
 assert (s['resolved_frequency_hz'], s['motion_frequency_hz']) == (2.5, 6.75)
 assert s['resolved_by_part_hz'] == {'the continuum': 13.5, 'the sliding mass': 2.5}
 assert s['slip_m'] == {'mean': 0.25, 'largest': -0.5, 'largest_at': [3, 4], 'mean_left': 0.125, 'largest_left': 0.375,
-                       'part_slipped': 0.75, 'threshold': 0.001}
+                       'part_slipped': 0.75, 'threshold': 0.001, 'downhill': '-x', 'blocks_off_surface': 2}
 assert s['base_shear'] == {'shear_N_per_m': 1e6, 'shear_left_N_per_m': 5e5, 'normal_left_N_per_m': 2e6, 'mobilised_at_rest': 0.5,
                            'mobilised': 1, 'mobilised_left': None}
 assert s['static_stage'] == {'equilibrium': True, 'planes_hold': False, 'slid': True, 'residual': 1e-10, 'iterations': 12,

@@ -11,6 +11,8 @@
 #include <hybrid/dda/geometry/geometry.h>
 #include <hybrid/dda/joint/joint_law.h>
 #include <hybrid/dda/linear/process_group.h>
+#include <hybrid/dda/model/downhill.h>
+#include <hybrid/dda/model/soles.h>
 #include <hybrid/scene/newmark.h>
 
 #include <cmath>
@@ -133,6 +135,8 @@ namespace hybrid::dda
     ContactLaws                   contacts;
     std::vector<std::vector<int>> neighbours; ///< per block of the mass, see held_neighbours()
     std::vector<bool>             bonded;     ///< per block: has at least one joint
+    std::vector<Sole>             soles;      ///< of the mass, on what it lies on
+    Downhill                      downhill;   ///< of the blocks of the mass
     std::vector<int>              slice;      ///< per block: for sweeps by several threads
     Newmark                       newmark;
     double                        gravity    = 9.81; ///< [m/s2]

@@ -114,7 +114,7 @@ namespace hybrid::dda
   struct SurfaceForce
   {
     Vec2   force    = Vec2::Zero(); ///< resultant, also of what acts across the surface
-    double shear    = 0.;           ///< sum of shear, positive towards +x along a level surface
+    double shear    = 0.;           ///< sum of shear, downhill positive (+x where level)
     double normal   = 0.;           ///< sum of normal forces, compression positive
     double strength = 0.;           ///< that the shear may reach, of all that presses or is bonded
 

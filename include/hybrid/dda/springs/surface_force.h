@@ -11,7 +11,8 @@ namespace hybrid::dda
    * trial.
    *
    * Shear and normal force are sums of sizes along the surface, the integrals of its tractions;
-   * on a bent surface they are no components of the resultant.
+   * on a bent surface they are no components of the resultant. Shear is positive downhill of the
+   * block that bears it, so that slides that face each other do not cancel.
    */
   SurfaceForce surface_force(const Model &model, const Springs &springs);
 } // namespace hybrid::dda

@@ -59,3 +59,20 @@ TEST(Downhill, blocks_on_the_ground_slide_towards_its_lower_end)
   EXPECT_EQ(sign_of({{0., 0.}, {10., 5.}}, "ground"), -1.);
   EXPECT_EQ(sign_of({{0., 5.}, {10., 0.}}, "ground"), 1.);
 }
+
+
+
+TEST(Downhill, of_a_level_stretch_is_that_of_the_surface_beside_it)
+{
+  const auto beside = [](const double left, const double right) {
+    scene::SectionMesh mesh;
+    mesh.nodes                    = {{-9., left}, {0., 0.}, {2., 0.}, {9., right}};
+    mesh.lines["sliding_surface"] = {{0, 1}, {1, 2}, {2, 3}};
+    return scene::downhill_beside({{0., 0.}, {2., 0.}}, mesh);
+  };
+  EXPECT_EQ(beside(3., 0.), 1.);
+  EXPECT_EQ(beside(3., -1.), 1.);
+  EXPECT_EQ(beside(-3., 0.), -1.);
+  EXPECT_EQ(beside(3., 4.), 0.);   // valley
+  EXPECT_EQ(beside(-3., -4.), 0.); // hill
+}
