@@ -343,7 +343,7 @@ namespace hybrid::output
 
   void RunRecorder::write_section(const coupling::CoupledState &state)
   {
-    std::vector<double> outline, surface;
+    std::vector<double> outline;
     for (const auto &line : parts.mesh.lines)
       {
         if (line.first.rfind("bedding", 0) == 0 || line.first == "mass_surface")
@@ -355,17 +355,7 @@ namespace hybrid::output
     if (!outline.empty())
       file.write_table(
         "section/outline", "m", outline.data(), outline.size() / 4, 4, "edges of the bedrock");
-    const auto sliding = parts.mesh.lines.find("sliding_surface");
-    if (sliding != parts.mesh.lines.end() && !sliding->second.empty())
-      {
-        for (const auto &edge : sliding->second)
-          surface.insert(surface.end(),
-                         {parts.mesh.nodes[edge[0]].x(), parts.mesh.nodes[edge[0]].y()});
-        const Vec2 &last = parts.mesh.nodes[sliding->second.back()[1]];
-        surface.insert(surface.end(), {last.x(), last.y()});
-        file.write_table(
-          "section/surface", "m", surface.data(), surface.size() / 2, 2, "sliding surface");
-      }
+    write_surface(file, parts.mesh);
     if (parts.blocks == nullptr)
       return;
     const Vec2           base = base_displacement();

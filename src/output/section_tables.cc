@@ -164,4 +164,33 @@ namespace hybrid::output
     tables.write_blocks(*model);
     tables.write_belt();
   }
+
+
+
+  void write_surface(HistoryFile &file, const scene::SectionMesh &mesh)
+  {
+    const auto line = mesh.lines.find("sliding_surface");
+    if (line == mesh.lines.end() || line->second.empty())
+      return;
+    std::vector<double> points;
+    std::vector<int>    offsets;
+    int                 last = -1;
+    const auto          add  = [&](const int node) {
+      points.insert(points.end(), {mesh.nodes[node].x(), mesh.nodes[node].y()});
+      last = node;
+    };
+    for (const auto &edge : line->second)
+      {
+        if (edge[0] != last)
+          {
+            offsets.push_back(static_cast<int>(points.size() / 2));
+            add(edge[0]);
+          }
+        add(edge[1]);
+      }
+    offsets.push_back(static_cast<int>(points.size() / 2));
+    file.write_table(
+      "section/surface", "m", points.data(), points.size() / 2, 2, "sliding surface");
+    file.write_integers("section/surface_offsets", offsets, "first point of each of its paths");
+  }
 } // namespace hybrid::output

@@ -19,4 +19,7 @@ namespace hybrid::output
                                const scene::SceneParameters &scene,
                                const scene::SectionMesh     &mesh,
                                const dda::Model             *model);
+
+  /// The line sliding_surface, if there is one: section/surface, and surface_offsets of its paths.
+  void write_surface(HistoryFile &file, const scene::SectionMesh &mesh);
 } // namespace hybrid::output
