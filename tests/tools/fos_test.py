@@ -217,6 +217,64 @@ def test_a_slope_on_level_ground_is_pushed_downhill_and_a_wedge_on_it_both_ways(
     assert_brackets(read(tmp_path / "out", "yield"), "yield", (4 / 3) / (10 / 3), 0.02)  # towards -x, about (0, 0)
 
 
+def valley(folder, blocks, left, right=(40, 40 * np.tan(np.radians(25)))):
+    """A scene of squares of 4 x 2 m on the flanks of a valley: (place along the flank [m], its angle [degrees], to the right positive)."""
+    rows = "block,x,y\n"
+    for k, (place, degrees) in enumerate(blocks):
+        side, angle = np.sign(degrees), np.radians(abs(degrees))
+        along, up = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
+        corners = np.array([place * along, (place + 4) * along, (place + 4) * along + 2 * up, place * along + 2 * up]) * [side, 1]
+        rows += "".join("%d,%.9g,%.9g\n" % (k, *corner) for corner in corners[::int(side)])
+    (folder / "blocks.csv").write_text(rows)
+    (folder / "valley.csv").write_text("x,y\n%.9g,%.9g\n0,0\n%.9g,%.9g\n" % (*left, *right))
+    scene = folder / "valley.prm"
+    scene.write_text((DAM % "paper").replace("  set Line file = line.csv\n", "").replace("dam.csv", "blocks.csv").replace("ground.csv", "valley.csv"))
+    return scene
+
+
+def shake(hybrid, scene, directory):
+    settings = ["Time/End time=5", "Time/Time step=0.001", "Gravity/Static stage=equilibrium", "Motion/Type=sine", "Motion/Frequency=1",
+                "Motion/Peak=4", "Motion/Cycles=4", f"Output/Directory={directory}"]
+    result = hybrid(scene, *[word for setting in settings for word in ("-s", setting)], cwd=directory.parent)
+    assert result.returncode == 0, result.stderr
+
+
+def test_a_mass_below_a_higher_flank_is_pushed_downhill(hybrid, tmp_path):
+    """Friction of 30 on a flank of 25 degrees; the flank opposite is higher."""
+    scene = valley(tmp_path, [(12, 25)], (-60, 45))
+    shake(hybrid, scene, tmp_path / "run")
+    run, tan = Run(tmp_path / "run"), {degrees: np.tan(np.radians(degrees)) for degrees in (5, 25, 30)}
+    assert run.downhill == -1 and not run.is_level and run.slips_downhill and not run.is_on_both_flanks
+    assert run.summary["slip_m"]["mean_left"] > 0.1
+    assert run.summary["base_shear"]["mobilised_at_rest"] == pytest.approx(tan[25] / tan[30], rel=1e-6)
+    result = hybrid("fos", tmp_path / "run", "--newmark", "--output", tmp_path / "out")
+    assert result.returncode == 0, result.stderr
+    assert "pushed towards -x" in result.stdout
+    found, newmark = read(tmp_path / "out", "yield"), read(tmp_path / "out", "newmark")
+    assert_brackets(found, "yield", tan[5], 0.01)
+    assert found["towards"] == newmark["towards"] == "-x"
+    assert newmark["rate_on_surface"] == pytest.approx(np.cos(np.radians(5)) / np.cos(np.radians(30)), rel=1e-6)
+    assert newmark["rigid_block_m"] == pytest.approx(newmark["coupled_mean_m"], rel=0.02)
+
+
+def test_masses_on_both_flanks_slide_their_own_ways_and_are_pushed_both_ways(hybrid, tmp_path):
+    scene = valley(tmp_path, [(12, 25), (24, -10)], (-150, 150 * np.tan(np.radians(10))))
+    shake(hybrid, scene, tmp_path / "run")
+    run = Run(tmp_path / "run")
+    assert run.is_on_both_flanks and run.is_level and run.slips_downhill  # no direction of x is downhill of both
+    assert list(run.downhill_of_soles) == [-1, 1] and list(run.get("slip/slide")) == [0, 1]
+    left = run.get("slip/profile")[-1]
+    assert left[0] > 0.1 and left[1] > -1e-3 and run.summary["slip_m"]["mean_left"] == pytest.approx(left.mean(), rel=1e-6)
+    result = hybrid("fos", tmp_path / "run", "--newmark", "--output", tmp_path / "out")
+    assert result.returncode == 0, result.stderr
+    assert "slides lie on both flanks: pushed both ways" in result.stdout and "pushed towards -x" in result.stdout
+    found, newmark = read(tmp_path / "out", "yield"), read(tmp_path / "out", "newmark")
+    assert_brackets(found, "yield", np.tan(np.radians(5)), 0.01)
+    assert found["towards"] == "-x" and found["other_way"] == pytest.approx(np.tan(np.radians(20)), rel=0.01)
+    assert newmark["coupled_mean_m"] == pytest.approx(left[0], rel=1e-9)
+    assert newmark["rigid_block_m"] == pytest.approx(newmark["coupled_mean_m"], rel=0.02)
+
+
 def test_yield_coefficient_and_displacements_of_a_stiff_slab(hybrid, slab, tmp_path):
     result = hybrid("fos", slab[0], "--newmark", "--output", tmp_path / "out")
     assert result.returncode == 0, result.stderr

@@ -16,7 +16,7 @@ import tool
 from hybrid_run import Run, UserError
 from hybrid_run.geometry import chains
 from hybrid_tools import style
-from hybrid_tools.plot import boreholes, energy_balance, everything, failure_process, monitor_choice, overview, section_view, velocities, water
+from hybrid_tools.plot import boreholes, energy_balance, everything, failure_process, monitor_choice, overview, section_view, slip, velocities, water
 
 FIGURES = ["overview", "input_motion", "monitors_S", "monitors_D", "monitors_base", "velocities", "boreholes", "section", "slip", "energy", "steps"]
 
@@ -50,6 +50,38 @@ def test_the_slip_of_a_single_block_is_drawn(synthetic_run):
         file["slip/profile"], file["slip/position"] = profile, position
     assert tool.main("plot", ["--figures", "slip", str(run)]) == 0
     assert pictures(run) == ["slip.png"]
+
+
+def test_surfaces_and_slip_of_two_slides_are_not_joined_through_the_air(synthetic_run):
+    directory = synthetic_run("complete")
+    with h5py.File(directory / "run.h5", "a") as file:
+        n, k = len(file["section/surface"]), len(file["slip/position"])
+        file["section/surface_offsets"] = [0, n // 2, n]
+        file["slip/slide"] = np.repeat([0.0, 1.0], [k // 2, k - k // 2])
+        file["slip/downhill"] = np.repeat([1.0, -1.0], [k // 2, k - k // 2])
+    run = Run(directory)
+    assert [len(line) for line in run.surface] == [n // 2, n - n // 2]
+    section, axes = section_view.Section(run), plt.figure().add_subplot()
+    section_view.draw_rock(section, axes)
+    drawn = [collection for collection in axes.collections if np.allclose(collection.get_color()[0, :3], plt.matplotlib.colors.to_rgb(style.SLIP))]
+    assert [len(path) for path in drawn[0].get_segments()] == [n // 2, n - n // 2]
+    axes = plt.figure().add_subplot()
+    slip.draw_profiles(run, axes, 1.0, "m")
+    lines = [line for line in axes.lines if len(line.get_xdata()) > 2]
+    assert lines and all(np.isnan(line.get_ydata()[k // 2]) and np.isnan(line.get_ydata()).sum() == 1 for line in lines)
+    assert axes.get_ylabel().startswith("slip downhill")
+    top, bottom = section.surface[0][0] + [0, 30], section.surface[0][0] - [0, 30]
+    run.file.close()
+    with h5py.File(directory / "run.h5", "a") as file:
+        gap = 0.5 * (section.surface[0][-1, 0] + section.surface[1][0, 0])
+        file["profiles/gap/depth"] = [0.0, 1.0]
+        file["profiles/gap"].attrs["position"] = [gap, 500.0, gap, 0.0]
+        file["profiles/end/depth"] = [0.0, 1.0]
+        file["profiles/end"].attrs["position"] = [*top, *bottom]
+    run = Run(directory)
+    assert boreholes.depth_of_slip(run, "profiles/gap") is None
+    assert boreholes.depth_of_slip(run, "profiles/end") == pytest.approx(30)
+    plt.close("all")
 
 
 def test_blocks_that_all_left_the_section_are_drawn_where_they_are(hybrid, synthetic_run):

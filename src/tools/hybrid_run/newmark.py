@@ -87,13 +87,13 @@ def rigid_block(time, acceleration, critical, uphill=np.inf, rate=1.0):
     return slip
 
 
-def driving_accelerations(run):
-    """Horizontal accelerations of a run that drive its mass downhill [m/s2]: (outcrop motion, mean of the mass).
+def driving_accelerations(run, towards=None):
+    """Horizontal accelerations of a run that drive its mass downhill, or towards this sign of x [m/s2]: (outcrop motion, mean of the mass).
 
     The second is what the base shear makes of the mass: (force at rest - force) / mass, the horizontal equivalent acceleration of a run in
     which nothing slides (Seed and Martin 1966; Makdisi and Seed 1978).
     """
-    sign = -run.downhill
+    sign = -(run.downhill if towards is None else towards)
     mass = float(np.ravel(run.attribute("base_shear", "mass"))[0])
     rest = np.ravel(run.attribute("base_shear", "force_at_rest"))
     force = run.history("base_shear/force")

@@ -128,6 +128,31 @@ class Run:
     def names(self, group):
         return sorted(self.file[group], key=natural_key) if group in self.file else []
 
+    @property
+    def downhill_of_soles(self):
+        """Sign of x downhill of each sole, 0 where it is level. @raises MissingData without soles."""
+        if self.has("slip/downhill"):
+            return np.ravel(self.get("slip/downhill"))
+        return np.full(len(self.get("slip/position").reshape(-1, 2)), 0.0 if self.is_level else self.downhill)
+
+    @property
+    def slips_downhill(self):
+        """Whether slip is positive downhill, at least of some soles; else along +x."""
+        return bool(np.any(self.downhill_of_soles)) if self.has("slip/downhill") else not self.is_level
+
+    @property
+    def is_on_both_flanks(self):
+        """Whether some soles fall towards +x and others towards -x."""
+        return self.has("slip/downhill") and {1.0, -1.0} <= set(self.downhill_of_soles)
+
+    @property
+    def surface(self):
+        """The sliding surface: a list of polylines, each n x 2 [m]. @raises MissingData without one."""
+        points = self.get("section/surface")
+        if not self.has("section/surface_offsets"):
+            return [points]
+        return np.split(points, self.get("section/surface_offsets").astype(int)[1:-1])
+
     def history(self, path):
         values = self.get(path)
         if self.n < 2:

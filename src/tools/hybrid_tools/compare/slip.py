@@ -5,6 +5,7 @@ import numpy as np
 
 from hybrid_run import MissingData
 from hybrid_tools import style
+from hybrid_tools.plot.slip import broken, slide_breaks
 
 from . import curves
 
@@ -14,7 +15,8 @@ def having(comparison):
 
 
 def last_profile(comparison, i):
-    """(x of the soles [m], slip [m], time [s]) of run i at its last picture within the common time."""
+    """(x of the soles [m], slip [m], time [s], breaks between slides) of run i at its last picture within the common time; slip is
+    positive as of the reference's sole next to it."""
     run = comparison.runs[i]
     time, profile, position = run.get("slip/time"), run.get("slip/profile"), run.get("slip/position")
     n = min(len(time), len(profile))
@@ -23,7 +25,16 @@ def last_profile(comparison, i):
     if row < 0 or len(position) < 2:
         raise MissingData("no picture, or one block alone")
     order = np.argsort(position[:, 0])
-    return position[order, 0], run.downhill * comparison.downhill * profile[row][order], time[row]
+    reference = comparison.reference
+    others = reference.get("slip/position").reshape(-1, 2)[:, 0]
+    nearest = np.abs(position[:, :1] - others).argmin(axis=1)
+    sign = signs(run) * signs(reference)[nearest]
+    return position[order, 0], (sign * profile[row])[order], time[row], slide_breaks(run, order)
+
+
+def signs(run):
+    """Of x, of slip that is positive on each sole."""
+    return np.where(run.downhill_of_soles < 0, -1.0, 1.0)
 
 
 def draw(comparison, directory):
@@ -43,13 +54,13 @@ def draw(comparison, directory):
     if profiles:
         draw_profiles(axes[0, 1], profiles, factor)
     for axis in axes[0]:
-        axis.set_ylabel("slip %s[%s]" % ("" if comparison.reference.is_level else "downhill ", unit))
+        axis.set_ylabel("slip %s[%s]" % ("downhill " if comparison.reference.slips_downhill else "", unit))
         axis.axhline(0, color="#8a8a8a", lw=0.7, zorder=1)
     curves.finish(figure, comparison, "Slip on the sliding surface", directory, "slip")
 
 
 def profiles_of(comparison, runs):
-    """{run: (x, slip, time)} of those that have a picture; without pictures there are none."""
+    """{run: last_profile()} of those that have a picture; without pictures there are none."""
     found = {}
     for i in runs:
         try:
@@ -60,8 +71,8 @@ def profiles_of(comparison, runs):
 
 
 def draw_profiles(axis, profiles, factor):
-    for i, (x, slip, _) in profiles.items():
-        axis.plot(x, factor * slip, marker=".", ms=3, **curves.look(i))
-    times = sorted({time for _, _, time in profiles.values()})
+    for i, (x, slip, _, breaks) in profiles.items():
+        axis.plot(*broken(x, factor * slip, breaks), marker=".", ms=3, **curves.look(i))
+    times = sorted({time for _, _, time, _ in profiles.values()})
     axis.set_title("along the surface at %s s" % " | ".join("%.4g" % time for time in times))
     axis.set_xlabel("x of the block's sole at rest [m]")

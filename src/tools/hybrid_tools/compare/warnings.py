@@ -72,8 +72,8 @@ def other_bases(comparison):
 
 
 def other_axes(comparison):
-    downhill = [0.0 if run.is_level else run.downhill for run in comparison.runs]
-    words = {0.0: "level", 1.0: "towards +x", -1.0: "towards -x"}
+    downhill = ["both ways" if run.is_on_both_flanks else 0.0 if run.is_level else run.downhill for run in comparison.runs]
+    words = {"both ways": "both ways", 0.0: "level", 1.0: "towards +x", -1.0: "towards -x"}
     if len(set(downhill)) == 1:
         return []
     return ["downhill differs (%s): u is positive %s here" % (" | ".join(words.get(sign, "?") for sign in downhill),

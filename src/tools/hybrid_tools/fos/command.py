@@ -12,7 +12,7 @@ import numpy as np
 from hybrid_run import UserError
 from hybrid_tools import style
 from hybrid_tools.arguments import Arguments
-from hybrid_tools.fos import figure, sliding
+from hybrid_tools.fos import figure, flanks, sliding
 from hybrid_tools.fos.kinks import holding_kink
 from hybrid_tools.fos.search import factor_of_safety, yield_coefficient
 from hybrid_tools.fos.trial import Trials
@@ -72,7 +72,7 @@ def find_factor(trials, words):
 
 
 def find_yield(trials, words):
-    """Downhill; where nothing says which way that is, both ways, and the smaller one counts."""
+    """Downhill; where nothing says which way that is, or slides face each other, both ways, and the smaller one counts."""
     at_rest = trials("ky_0", 0.0, {COEFFICIENT: 0.0})
     run = at_rest.run()
 
@@ -81,17 +81,22 @@ def find_yield(trials, words):
             name = "ky_%.6g" % k if sign == run.downhill else "ky_back_%.6g" % k
             return at_rest if k == 0 else trials(name, k, {COEFFICIENT: sign * k})
 
-        return yield_coefficient(judge, 0.1 * words.tolerance)
+        bracket = yield_coefficient(judge, 0.1 * words.tolerance)
+        bracket.towards = sign
+        return bracket
 
     if not run.is_level:
         return pushed(run.downhill)
     found, back, n_there = either(pushed, run.downhill, trials)
-    ways = ["%s towards %sx" % ("it stands" if bracket is None else "it fails at %.4f" % bracket.value, sign)
-            for bracket, sign in ((found, "+"), (back, "-"))]
-    print("the surface is level: pushed both ways, %s and %s; the smaller coefficient counts" % tuple(ways))
+    ways = ["%s towards %s" % ("it stands" if bracket is None else "it fails at %.4f" % bracket.value, flanks.name_of(sign))
+            for bracket, sign in ((found, 1), (back, -1))]
+    why = "slides lie on both flanks" if run.is_on_both_flanks else "the surface is level"
+    print("%s: pushed both ways, %s and %s; the smaller coefficient counts" % (why, *ways))
     is_back = found is None or (back is not None and back.value < found.value)
     trials.done = trials.done[:1] + trials.done[n_there:] if is_back else trials.done[:n_there]
-    return back if is_back else found
+    chosen, other = (back, found) if is_back else (found, back)
+    chosen.other_way = other and other.value
+    return chosen
 
 
 def either(pushed, sign, trials):
@@ -125,7 +130,8 @@ def write_results(directory, name, results, trials):
 
 
 def tell_bracket(label, bracket):
-    print("%s %.4f  (stands at %.4f, fails at %.4f)" % (label, bracket.value, bracket.stands.value, bracket.fails.value))
+    way = "" if bracket.towards is None else ", pushed towards " + flanks.name_of(bracket.towards)
+    print("%s %.4f  (stands at %.4f, fails at %.4f%s)" % (label, bracket.value, bracket.stands.value, bracket.fails.value, way))
 
 
 def is_bonded(bracket):
@@ -142,15 +148,24 @@ def warn_of_edges(bracket, results):
               "  has one), or let its blocks yield (Blocks/Yielding=true)" % (100 * part))
 
 
+def resting(run, polygons, towards):
+    """The blocks of the mass that may slide towards this sign of x."""
+    if not run.is_on_both_flanks:
+        return polygons
+    return [polygons[k] for k in sorted({block for block, _ in flanks.sole_edges(run, flanks.falls(run, towards))})]
+
+
 def warn_of_kink(bracket, results):
     """Loose blocks are rigid where they meet a kink; a bonded mass that fails through itself is warned of by its edges."""
     run = bracket.stands.run()
     if is_bonded(bracket) or not run.has("section/surface"):
         return
     points, _, offsets = figure.moved(bracket.stands)
-    found = holding_kink(run.get("section/surface"), np.split(points, offsets[1:-1])[run.blocks.mass], run.downhill)
-    if found:
-        (x, y), bend = found
+    polygons = np.split(points, offsets[1:-1])[run.blocks.mass]
+    ways = (1.0, -1.0) if run.is_on_both_flanks and bracket.towards is None else (bracket.towards or run.downhill,)
+    found = [holding_kink(line, resting(run, polygons, towards), towards) for line in run.surface for towards in ways]
+    if any(found):
+        (x, y), bend = max(filter(None, found), key=lambda kink: kink[1])
         results["kink"] = {"point_m": [x, y], "bend_degrees": bend}
         print("warning: the sliding surface flattens by %.0f degrees at (%.6g, %.6g) m, where the corner of a loose block holds it whatever\n"
               "  its strength: this may be far too strong (for two wedges twice and more); cut that corner off by a few percent of the block" % (
@@ -187,6 +202,10 @@ def main(words):
     bracket = find_yield(trials, found) if name == "yield" else find_factor(trials, found)
     results = {"scene": os.path.abspath(scene), "overrides": found.overrides,
                name: bracket.value, "stands": bracket.stands.value, "fails": bracket.fails.value}
+    if bracket.towards is not None:
+        results["towards"] = flanks.name_of(bracket.towards)
+    if hasattr(bracket, "other_way"):
+        results["other_way"] = bracket.other_way
     tell_bracket("yield coefficient" if name == "yield" else "factor of safety", bracket)
     warn_of_edges(bracket, results)
     warn_of_kink(bracket, results)

@@ -66,7 +66,7 @@ def draw_mechanism(bracket, axes):
     if run.has("section/outline"):
         axes.add_collection(LineCollection(run.get("section/outline").reshape(-1, 2, 2), colors=style.ROCK_EDGE, lw=1.1, zorder=3))
     if run.has("section/surface"):
-        axes.plot(*run.get("section/surface").T, color=style.SLIP, lw=1.6, zorder=4)
+        axes.add_collection(LineCollection(run.surface, colors=style.SLIP, lw=1.6, zorder=4))
     some = np.unique(np.linspace(0, len(centres) - 1, MOST_ARROWS).astype(int))
     some = some[size[some] > 0.03]
     extent = np.ptp(points, axis=0).max()

@@ -7,7 +7,10 @@ MOST_DOUBLINGS = 12
 
 
 class Bracket:
-    """The largest value at which the slope stands and the smallest at which it fails."""
+    """The largest value at which the slope stands and the smallest at which it fails. towards: sign of x that it was pushed to; None: it
+    was not pushed."""
+
+    towards = None
 
     def __init__(self, stands, fails):
         self.stands, self.fails = stands, fails

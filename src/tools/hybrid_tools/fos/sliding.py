@@ -14,22 +14,10 @@ import numpy as np
 from hybrid_run import Run, UserError
 from hybrid_run.newmark import driving_accelerations, rate_on_slope, rigid_block
 from hybrid_tools import style
+from hybrid_tools.fos import flanks
 
 STRONG = "Materials/Strength reduction factor=1e-6"  # strengths a million times as large: nothing slides
 NEAR = 1e-3  # of the largest slip: a run in which sliding is prevented may creep by the springs
-
-
-def surface_slope(run):
-    """Angle of the line through the soles [rad], positive downhill."""
-    x, y = run.get("slip/position").T
-    slope = np.polyfit(x, y, 1, w=np.sqrt(run.get("slip/length")))[0] if len(x) > 1 else sole_slope(run)
-    return np.arctan(-run.downhill * slope)
-
-
-def sole_slope(run):
-    """Of a single sole: that of the force at rest, which it carries by friction."""
-    shear, normal, _ = np.ravel(run.attribute("base_shear", "at_rest"))
-    return -run.downhill * shear / normal
 
 
 def surface_material(run):
@@ -70,12 +58,12 @@ def gravity(run):
     return float(run.parameters["Gravity/Acceleration"].split()[0])
 
 
-def displacements(run, prevented, coefficient):
+def displacements(run, prevented, coefficient, towards):
     """{"rigid block": history, "decoupled": history} [m], and the rate of a slide on this surface [-]."""
-    rate = float(rate_on_slope(surface_slope(run), surface_friction(run)))
+    rate = float(rate_on_slope(flanks.slope(run, towards), surface_friction(run)))
     critical = coefficient * gravity(run)
-    outcrop, _ = driving_accelerations(run)
-    _, mean = driving_accelerations(prevented)
+    outcrop, _ = driving_accelerations(run, towards)
+    _, mean = driving_accelerations(prevented, towards)
     return {"rigid block": (run.time, rigid_block(run.time, outcrop, critical, rate=rate)),
             "decoupled": (prevented.time, rigid_block(prevented.time, mean, critical, rate=rate))}, rate
 
@@ -86,16 +74,17 @@ def compare(words, trials, bracket, directory):
         raise UserError("'%s' has no base shear: it has no sliding surface, or was made by an older program" % words.scene)
     print("the same motion with sliding prevented ...", flush=True)
     prevented = Run(trials.run("sliding_prevented", words.overrides + [STRONG]))
-    found, rate = displacements(run, prevented, bracket.value)
-    slip = run.history("slip/mean")
-    outcrop, _ = driving_accelerations(run)
-    _, mean = driving_accelerations(prevented)
+    towards = bracket.towards
+    found, rate = displacements(run, prevented, bracket.value, towards)
+    _, mean_slip, largest_slip = flanks.slip(run, towards)
+    outcrop, _ = driving_accelerations(run, towards)
+    _, mean = driving_accelerations(prevented, towards)
     g = gravity(run)
     numbers = {
-        "yield_coefficient": bracket.value, "rate_on_surface": rate,
+        "yield_coefficient": bracket.value, "towards": flanks.name_of(towards), "rate_on_surface": rate,
         "largest_coefficient_of_outcrop": float(outcrop.max() / g), "largest_coefficient_of_mass": float(mean.max() / g),
         "rigid_block_m": float(found["rigid block"][1][-1]), "decoupled_m": float(found["decoupled"][1][-1]),
-        "coupled_mean_m": float(slip[-1]), "coupled_largest_m": float(run.history("slip/largest")[-1]),
+        "coupled_mean_m": float(mean_slip[-1]), "coupled_largest_m": largest_slip,
         "slip_with_sliding_prevented_m": float(np.abs(prevented.history("slip/largest")).max()),
         "surface_keeps_after_slip": lost_strength(run),
     }
@@ -103,7 +92,10 @@ def compare(words, trials, bracket, directory):
         json.dump(numbers, file, indent=2)
         file.write("\n")
     tell(numbers)
-    draw(run, prevented, found, numbers, directory)
+    if run.is_on_both_flanks:
+        print("warning: slides lie on both flanks: slope and slip are of those that fall towards %s, the mean acceleration is of all; a\n"
+              "  scene of one slide alone tells more" % flanks.name_of(towards))
+    draw(run, prevented, found, numbers, directory, towards)
 
 
 def tell(numbers):
@@ -120,20 +112,20 @@ def tell(numbers):
                   numbers["surface_keeps_after_slip"]))
 
 
-def draw(run, prevented, found, numbers, directory):
+def draw(run, prevented, found, numbers, directory, towards):
     figure, axes = plt.subplots(2, 1, figsize=(9, 6.2), constrained_layout=True, sharex=True)
-    g, (outcrop, _), (_, mean) = gravity(run), driving_accelerations(run), driving_accelerations(prevented)
+    g, (outcrop, _), (_, mean) = gravity(run), driving_accelerations(run, towards), driving_accelerations(prevented, towards)
     axes[0].plot(run.time, outcrop / g, color=style.VERTICAL, lw=0.8, label="outcrop motion")
     axes[0].plot(prevented.time, mean / g, color=style.HORIZONTAL, lw=0.8, label="mean of the mass, sliding prevented")
     axes[0].axhline(numbers["yield_coefficient"], color=style.TENSILE, lw=0.9, ls="--",
                     label="yield coefficient %.3g" % numbers["yield_coefficient"])
-    axes[0].set_ylabel("coefficient driving downhill [-]")
+    axes[0].set_ylabel("coefficient driving %s [-]" % ("downhill" if run.slips_downhill else "towards " + flanks.name_of(towards)))
     axes[0].legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=3)
-    slip = run.history("slip/mean")
+    slip_time, slip, _ = flanks.slip(run, towards)
     factor, unit = style.length_unit(max(np.abs(slip).max(), *(np.abs(s).max() for _, s in found.values())))
     for (name, (time, values)), colour in zip(found.items(), (style.VERTICAL, style.HORIZONTAL)):
         axes[1].plot(time, factor * values, color=colour, label="%s: %.3g %s" % (name, factor * values[-1], unit))
-    axes[1].plot(run.time, factor * slip, color=style.TEXT, lw=1.4, label="coupled, mean: %.3g %s" % (factor * slip[-1], unit))
+    axes[1].plot(slip_time, factor * slip, color=style.TEXT, lw=1.4, label="coupled, mean: %.3g %s" % (factor * slip[-1], unit))
     axes[1].set_xlim(run.time[0], run.time[-1])
     axes[1].set_xlabel("time [s]")
     axes[1].set_ylabel("displacement [%s]" % unit)

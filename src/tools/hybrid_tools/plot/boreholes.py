@@ -16,10 +16,12 @@ def depth_of_slip(run, path):
     position = run.attribute(path, "position")
     if recorded is not None or position is None or not run.has("section/surface"):
         return recorded
-    surface = run.get("section/surface")
-    surface = surface[np.argsort(surface[:, 0])]
     x, top = position[:2]
-    return top - np.interp(x, surface[:, 0], surface[:, 1]) if surface[0, 0] <= x <= surface[-1, 0] else None
+    for line in run.surface:
+        line = line[np.argsort(line[:, 0])]
+        if line[0, 0] <= x <= line[-1, 0]:
+            return top - np.interp(x, line[:, 0], line[:, 1])
+    return None
 
 
 def left_at_end(run, x):

@@ -32,7 +32,7 @@ class Section:
         self.peak = self.magnitude(run, "section/blocks_peak_displacement")
         self.reference = " relative to the base" if run.base else ""
         self.outline = run.get("section/outline") if run.has("section/outline") else None
-        self.surface = run.get("section/surface") if run.has("section/surface") else None
+        self.surface = run.surface if run.has("section/surface") else None
         self.water = Water(run)
         self.read_materials(run)
         self.low, self.high = points.min(axis=0), points.max(axis=0)
@@ -76,7 +76,7 @@ def draw_rock(section, axes):
     for segments in section.bedding.values():
         axes.add_collection(LineCollection(chains(segments), colors=style.BEDDING, lw=0.9, linestyles="--", zorder=2))
     if section.surface is not None:
-        axes.plot(section.surface[:, 0], section.surface[:, 1], color=style.SLIP, lw=1.8, zorder=4)
+        axes.add_collection(LineCollection(section.surface, colors=style.SLIP, lw=1.8, zorder=4))
 
 
 def draw_materials(section, axes):

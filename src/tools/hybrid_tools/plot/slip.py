@@ -21,7 +21,7 @@ def draw_history(run, axes, factor, unit):
     axes.set_xlim(run.time[0], run.time[-1])
     axes.margins(y=0.15)
     axes.set_xlabel("time [s]")
-    axes.set_ylabel("slip %s[%s]" % ("" if run.is_level else "downhill ", unit))
+    axes.set_ylabel("slip %s[%s]" % ("downhill " if run.slips_downhill else "", unit))
     axes.legend(loc="upper left", ncol=2)
 
 
@@ -55,21 +55,32 @@ def mark_slipped(run, axes, order):
         axes.set_ylim(low, high)
 
 
+def slide_breaks(run, order):
+    """Numbers of the soles, taken in this order, with which another slide begins: no line goes there through the air."""
+    return np.flatnonzero(np.diff(np.ravel(run.get("slip/slide"))[order])) + 1 if run.has("slip/slide") else []
+
+
+def broken(x, values, breaks):
+    """The line x, values with gaps before these numbers."""
+    return np.insert(x, breaks, np.nan), np.insert(values, breaks, np.nan)
+
+
 def draw_profiles(run, axes, factor, unit):
     time, profile, position = run.get("slip/time"), run.get("slip/profile"), run.get("slip/position")
     n = min(len(time), len(profile))
     profile = profile.reshape(len(profile), -1)  # one sole alone has no second axis
     order = np.argsort(position[:, 0])
-    x = position[order, 0]
+    x, breaks = position[order, 0], slide_breaks(run, order)
+    marker = "." if len(breaks) else ""  # a slide of one sole has no line
     rows = sorted({int(round(row)) for row in np.linspace(0, n - 1, MOST_PROFILES + 1)} - {0, n - 1})
     colours = plt.get_cmap("viridis")(np.linspace(0.1, 0.9, max(len(rows), 1)))
     for row, colour in zip(rows, colours):
-        axes.plot(x, factor * profile[row][order], color=colour, lw=0.9, label="%.3g s" % time[row])
-    axes.plot(x, factor * profile[n - 1][order], color=style.TEXT, lw=1.6, marker=".", ms=3, label="%.3g s" % time[n - 1])
+        axes.plot(*broken(x, factor * profile[row][order], breaks), color=colour, lw=0.9, marker=marker, ms=3, label="%.3g s" % time[row])
+    axes.plot(*broken(x, factor * profile[n - 1][order], breaks), color=style.TEXT, lw=1.6, marker=".", ms=3, label="%.3g s" % time[n - 1])
     axes.axhline(0, color="#8a8a8a", lw=0.7)
     mark_slipped(run, axes, order)
     axes.set_xlabel("x of the block's sole at rest [m]")
-    axes.set_ylabel("slip %s[%s]" % ("" if run.is_level else "downhill ", unit))
+    axes.set_ylabel("slip %s[%s]" % ("downhill " if run.slips_downhill else "", unit))
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), handlelength=1.2)
 
 

@@ -122,8 +122,8 @@ def headline(run):
         subject = "The ground shook with up to %.3g m/s² (%.2g g) of outcrop motion" % (peak, peak / GRAVITY)
     found = slip(run)
     if found is not None:
-        mean = "" if run.is_level else ", by %s %s on average" % length(found[0])  # on level ground left and right cancel
-        way = " uphill" if found[1] < 0 and not run.is_level else ""
+        mean = "" if not run.slips_downhill else ", by %s %s on average" % length(found[0])  # on level ground left and right cancel
+        way = " uphill" if found[1] < 0 and run.slips_downhill else ""
         words.append("the mass has slipped for good by up to %s %s%s%s" % (length(abs(found[1])) + (way, mean)))
         leans = leaning(run)
         if leans and leans[1] > MUCH_MORE * abs(found[1]):
@@ -164,7 +164,7 @@ def facts(run):
         found.append(Fact("Peak acceleration", "%.3g" % peaks.max(), "m/s²", "%.2g g, at monitor %s%s" % (peaks.max() / GRAVITY, name, times)))
     slipped = slip(run)
     if slipped:
-        mean = "" if run.is_level else "; mean over all of it %s %s" % length(slipped[0])
+        mean = "" if not run.slips_downhill else "; mean over all of it %s %s" % length(slipped[0])
         found.append(Fact("Slip left", *length(slipped[1]), "at the end, where the mass has slid farthest on its surface" + mean))
     joints = failed_joints(run)
     if joints and (is_bonded(run) or sum(joints)):

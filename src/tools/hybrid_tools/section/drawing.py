@@ -29,8 +29,7 @@ class Scene:
         self.cells = run.get("section/cells").reshape(-1, 4, 2) if len(self.cell_material) else np.zeros((0, 4, 2))
         self.lines = {name: run.get("section/lines/" + name).reshape(-1, 2, 2) for name in run.names("section/lines")}
         if run.has("section/surface") and "sliding_surface" not in self.lines:  # polygons on a polyline
-            surface = run.get("section/surface")
-            self.lines["sliding_surface"] = np.stack([surface[:-1], surface[1:]], axis=1)
+            self.lines["sliding_surface"] = np.concatenate([np.stack([line[:-1], line[1:]], axis=1) for line in run.surface])
         self.belt, self.belt_material = self.lines.get("sliding_surface"), self.numbers("section/belt_material")
         if len(self.belt_material):
             self.belt = run.get("section/belt").reshape(-1, 2, 2)
