@@ -12,7 +12,12 @@ namespace hybrid::dda
     constexpr int most_times = 10;
     light.clear();
     StepProblem::Imbalance left = problem.imbalance(light);
-    for (int k = 0; k < most_times && left.is_any() && !tangent.is_outdated(); ++k)
+    if (left.is_any() && tangent.is_outdated())
+      {
+        problem.complete();
+        tangent.repair(problem, false, true);
+      }
+    for (int k = 0; k < most_times && left.is_any(); ++k)
       if (!balance_light(result, left))
         return;
   }

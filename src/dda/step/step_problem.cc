@@ -84,25 +84,28 @@ namespace hybrid::dda
 
   StepProblem::Imbalance StepProblem::imbalance(std::vector<int> &blocks) const
   {
+    const double part = std::max(nearly_at_rest, 100. * model->iteration.tolerance);
+    Imbalance    found;
+    if (whole_residual() * reference <= part * absolute.minCoeff())
+      return found;
     double most = 0.; // acceleration, squared
     for (int b = 0; b < model->n_blocks(); ++b)
       most = std::max(most, inertial_acceleration(b).head<2>().squaredNorm());
-    most = std::sqrt(most);
-    Imbalance found;
+    most          = std::sqrt(most);
     found.allowed = std::numeric_limits<double>::infinity();
     for (int b = 0; b < model->n_blocks(); ++b)
       {
         const double left =
           residual.segment<6>(6 * b).cwiseQuotient(scale.segment<6>(6 * b)).norm();
-        const double allowed = nearly_at_rest * (absolute[b] + model->blocks[b].mass * most);
+        const double allowed = part * (absolute[b] + model->blocks[b].mass * most);
         if (!(left > allowed) || allowed == 0.)
           continue;
-        const auto place = std::lower_bound(blocks.begin(), blocks.end(), b);
-        if (place == blocks.end() || *place != b)
-          blocks.insert(place, b);
+        blocks.push_back(b);
         found.worst   = std::max(found.worst, left / allowed);
         found.allowed = std::min(found.allowed, allowed);
       }
+    std::sort(blocks.begin(), blocks.end());
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
     return found;
   }
 
