@@ -47,7 +47,7 @@ namespace hybrid::dda
       widths += of_block.length();
     // Columns as wide as a block is on average.
     const int n_columns =
-      widths > 0. ? std::max(1, static_cast<int>(all.length() * n / widths)) : 1;
+      widths > 0. ? static_cast<int>(std::clamp(all.length() * n / widths, 1., 10. * n)) : 1;
     std::vector<double> column(n_columns, 0.); // largest gamma / G [1/m]
     const auto          columns_of = [&](const int b) {
       const auto at = [&](const double x) {

@@ -17,9 +17,12 @@ namespace hybrid::dda
         problem.complete();
         tangent.repair(problem, false, true);
       }
+    const bool of_laws = tangent_conditions.empty(); // the kept tangent
     for (int k = 0; k < most_times && left.is_any(); ++k)
       if (!balance_light(result, left))
-        return;
+        break;
+    if (of_laws)
+      tangent_conditions.clear();
   }
 
 

@@ -82,12 +82,21 @@ namespace hybrid::dda
 
 
 
+  double StepProblem::left_of(const int block) const
+  {
+    const auto r = residual.segment<6>(6 * block);
+    return std::sqrt(r.head<2>().squaredNorm() +
+                     r.tail<4>().squaredNorm() / std::pow(model->blocks[block].size, 2));
+  }
+
+
+
   StepProblem::Imbalance StepProblem::imbalance(std::vector<int> &blocks) const
   {
     const double part = std::max(nearly_at_rest, 100. * model->iteration.tolerance);
     Imbalance    found;
     if (whole_residual() * reference <= part * absolute.minCoeff())
-      return found;
+      return found;   // the scale is at most that of left_of()
     double most = 0.; // acceleration, squared
     for (int b = 0; b < model->n_blocks(); ++b)
       most = std::max(most, inertial_acceleration(b).head<2>().squaredNorm());
@@ -95,8 +104,7 @@ namespace hybrid::dda
     found.allowed = std::numeric_limits<double>::infinity();
     for (int b = 0; b < model->n_blocks(); ++b)
       {
-        const double left =
-          residual.segment<6>(6 * b).cwiseQuotient(scale.segment<6>(6 * b)).norm();
+        const double left    = left_of(b);
         const double allowed = part * (absolute[b] + model->blocks[b].mass * most);
         if (!(left > allowed) || allowed == 0.)
           continue;

@@ -37,6 +37,26 @@ namespace hybrid::dda
 
 
 
+  namespace
+  {
+    /// Of the norm of all masses: the forces on lighter blocks count in the balance as much as if
+    /// they had this share [-].
+    constexpr double lightest_share = 1e-4;
+
+
+
+    double norm_of_masses(const Model &model)
+    {
+      double    sum = 0.;
+      const int n   = model.n_mass() > 0 ? model.n_mass() : model.n_blocks();
+      for (int b = 0; b < n; ++b)
+        sum += model.blocks[b].mass * model.blocks[b].mass;
+      return std::sqrt(sum);
+    }
+  } // namespace
+
+
+
   void StepProblem::predict(const double dt)
   {
     const int n = model->n_blocks(), m = model->n_foundation_nodes();
@@ -51,11 +71,13 @@ namespace hybrid::dda
     scale.setOnes(6 * n + 2 * m);
     block_damping_times(*model, *before, damping_time);
     kinematics.begin(*model, *before, springs, dt);
+    const double light = lightest_share * norm_of_masses(*model);
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
         mass[b] = BlockMass(model->blocks[b], before->blocks[b].rotation);
         scale.segment<4>(6 * b + 2).setConstant(model->blocks[b].size);
+        scale.segment<6>(6 * b) *= std::min(1., model->blocks[b].mass / light);
       }
     assert(foundation->displacement.size() == 2 * m);
     start_trial(true);
@@ -152,8 +174,7 @@ namespace hybrid::dda
       return false;
     for (int b = 0; b < model->n_blocks(); ++b)
       {
-        const Vec6 left = residual.segment<6>(6 * b).cwiseQuotient(scale.segment<6>(6 * b));
-        if (!(left.norm() <= nearly_at_rest * absolute[b]))
+        if (!(left_of(b) <= nearly_at_rest * absolute[b]))
           return false;
       }
     return true;

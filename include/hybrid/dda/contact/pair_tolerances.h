@@ -49,11 +49,6 @@ namespace hybrid::dda
       return body == foundation_body || of_block.empty() ? of_surface : of_block[body];
     }
 
-    const ContactTolerances &widest() const
-    {
-      return of_surface;
-    }
-
     const ContactTolerances &narrowest() const
     {
       return narrowest_of_all;

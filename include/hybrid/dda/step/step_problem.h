@@ -251,6 +251,9 @@ namespace hybrid::dda
     /// Of a block in the trial [Pa].
     Eigen::Vector3d block_stress(int block);
 
+    /// What the balance of a block lacks [N].
+    double left_of(int block) const;
+
     /// Of a block in the trial, with the weight of its contacts [m/s2, 1/s2].
     Vec6 inertial_acceleration(const int block) const
     {

@@ -20,7 +20,7 @@ namespace
     EXPECT_EQ(pairs.of(3, 1).reach, 0.05);
     EXPECT_EQ(pairs.of(1, 0).max_depth, 0.05);
     EXPECT_EQ(pairs.narrowest().reach, 0.05);
-    EXPECT_EQ(pairs.widest().max_depth, 0.5);
+    EXPECT_EQ(pairs.of(foundation_body).max_depth, 0.5);
     EXPECT_EQ(pairs.of(1, 0).held_depth, 0.5) << "what presses is not lost for its size";
   }
 
