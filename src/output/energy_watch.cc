@@ -77,9 +77,9 @@ namespace hybrid::output
 
 
 
-  std::string EnergyWatch::of_scheme(const EnergyLedger &ledger) const
+  std::string EnergyWatch::of_scheme(const EnergyLedger &ledger, const double settling) const
   {
-    if (!(warning > 0.) || ledger.scheme_fraction() <= warning)
+    if (!(warning > 0.) || ledger.scheme_fraction() <= warning || ledger.exchanged() <= settling)
       return "";
     const bool              gave = ledger.given_by_scheme() > 0.;
     std::vector<EnergyTerm> terms;

@@ -30,8 +30,10 @@ namespace hybrid::output
       return passes(ledger, limit);
     }
 
-    /// What the scheme took, where that is more than the warning's part; said once, at the end.
-    std::string of_scheme(const EnergyLedger &ledger) const;
+    /// What the scheme took, where that is more than the warning's part; said once, at the end. Not
+    /// where the energy in play is no more than @p settling, the work of weights that act at once
+    /// over the elastic settlement [J/m]: then nothing has moved, and the scheme takes the ringing.
+    std::string of_scheme(const EnergyLedger &ledger, double settling = 0.) const;
 
     /// For the checkpoint.
     void serialize(restart::Archive &archive);

@@ -76,6 +76,21 @@ TEST(EnergyWatch, names_what_the_scheme_took)
 
 
 
+TEST(EnergyWatch, what_rings_as_weights_settle_is_no_motion)
+{
+  EnergyLedger           ledger(false);
+  coupling::CoupledState state;
+  ledger.update(state);
+  state.blocks.energy.gravity          = -100.;
+  state.blocks.energy.strain           = 90.;
+  state.blocks.energy.integration_loss = 10.;
+  ledger.update(state);
+  EXPECT_EQ(EnergyWatch(0.01, 0.05).of_scheme(ledger, 191.), "");
+  EXPECT_NE(EnergyWatch(0.01, 0.05).of_scheme(ledger, 189.), "");
+}
+
+
+
 TEST(EnergyWatch, stops_where_the_scheme_gives)
 {
   EnergyLedger           ledger(false);
