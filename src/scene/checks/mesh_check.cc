@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/scene/checks/cavern_check.h>
 #include <hybrid/scene/checks/geometry_check.h>
 #include <hybrid/scene/checks/mesh_check.h>
 #include <hybrid/scene/input_error.h>
@@ -148,7 +149,7 @@ namespace hybrid::scene
     }
 
 
-    void check_bedrock_lines(const SectionMesh &mesh)
+    void check_bedrock_lines(const SectionMesh &mesh, const SceneParameters &scene)
     {
       const EdgeCount             count = bedrock_edges(mesh);
       std::map<Edge, std::string> line_of_edge;
@@ -166,6 +167,7 @@ namespace hybrid::scene
                                    name + ".");
             }
         }
+      check_caverns(mesh, scene);
 
       for (const auto &[edge, cells] : count)
         if (cells == 1 && line_of_edge.count(edge) == 0)
@@ -261,7 +263,7 @@ namespace hybrid::scene
     if (needs_bedrock_cells(scene))
       {
         check_cells(mesh);
-        check_bedrock_lines(mesh);
+        check_bedrock_lines(mesh, scene);
         if (scene.environment.gravity > 0.) // without it a column may lie on its side
           check_sides(mesh);
         check_regions(mesh, scene);

@@ -12,7 +12,8 @@ namespace hybrid::scene
    *   - blocks: sliding_mass; both together: sliding_surface;
    *   - cells and blocks that are neither inverted nor of zero area;
    *   - every boundary edge of the bedrock on one of the lines base, left, right, ground,
-   *     sliding_surface, and those lines on the boundary; bedding planes inside;
+   *     sliding_surface, and those lines on the boundary; bedding planes inside; no caverns below
+   *     blocks (check_caverns());
    *   - blocks of the mesh sharing their nodes with the bedrock along the sliding surface;
    *   - what check_geometry() looks at.
    *
