@@ -53,6 +53,70 @@ namespace hybrid::output
     }
 
 
+    /// After slip [deg].
+    double residual_angle(const Material &material)
+    {
+      return material.residual_friction_angle < 0. ? material.friction_angle
+                                                   : material.residual_friction_angle;
+    }
+
+
+    /// " (rock: 30 deg)"
+    std::string with_angle(const std::string &name, const Material &material)
+    {
+      char angle[40];
+      std::snprintf(angle, sizeof(angle), ": %g deg)", residual_angle(material));
+      return " (" + name + angle;
+    }
+
+
+    /// A belt has other friction than a contact of blocks of the material, or has cohesion besides.
+    bool differs(const Material &belt, const Material &blocks)
+    {
+      const double cohesion = belt.residual_cohesion < 0. ? belt.cohesion : belt.residual_cohesion;
+      return residual_angle(belt) != residual_angle(blocks) || cohesion > 0.;
+    }
+
+
+    /// What holds a block that has left the part of the surface that a belt bonded, where it is not
+    /// what the belt has after slip; else nothing.
+    std::string off_the_belt(const SceneParameters &scene)
+    {
+      const scene::BlockParameters &blocks = scene.blocks;
+      const Material               &dry    = scene.material(blocks.material, "Blocks/Material");
+      bool is_said = differs(scene.material(blocks.belt_material, "Blocks/Belt material"), dry);
+      std::string words = "; blocks that have slid beyond the bonded part have the friction of "
+                          "Blocks/Material" +
+                          with_angle(blocks.material, dry);
+      const std::string wet_name =
+        blocks.saturated_material.empty() ? blocks.material : blocks.saturated_material;
+      const std::string wet_belt = blocks.saturated_belt_material.empty()
+                                     ? blocks.belt_material
+                                     : blocks.saturated_belt_material;
+      const Material   &wet      = scene.material(wet_name, "Blocks/Saturated material");
+      if (scene.environment.has_water())
+        {
+          is_said =
+            is_said || differs(scene.material(wet_belt, "Blocks/Saturated belt material"), wet);
+          if (wet_name != blocks.material)
+            words += ", below the water of" + with_angle(wet_name, wet);
+        }
+      std::string of_ground;
+      for (const auto &[region, name] : scene.continuum.region_material)
+        {
+          const Material   &ground      = scene.material(name, "Continuum/Materials");
+          const std::string words_of_it = with_angle(name, ground);
+          if (has_cells(scene) && ground.friction_is_given() &&
+              residual_angle(ground) < residual_angle(dry) &&
+              of_ground.find(words_of_it) == std::string::npos)
+            of_ground += words_of_it;
+        }
+      if (!of_ground.empty())
+        words += ", or of the ground where that is less" + of_ground;
+      return is_said ? words : "";
+    }
+
+
     std::string role_of_base(const SceneParameters &scene)
     {
       const scene::BaseBoundary &base        = scene.continuum.base;
@@ -148,7 +212,7 @@ namespace hybrid::output
       {
         std::string role = role_of(name, scene);
         if (is_bonded && name == "sliding_surface" && !scene.blocks.belt_material.empty())
-          role += shared_part(of_blocks, edges);
+          role += shared_part(of_blocks, edges) + off_the_belt(scene);
         const double length = length_of(mesh, edges);
         const auto   same =
           std::find_if(rows.begin(), rows.end(), [&](const Row &row) { return row.role == role; });

@@ -51,6 +51,9 @@ namespace hybrid::output
       const auto             mesh = mesh_with({"sliding_surface"});
       scene::SceneParameters scene;
       expect_row(describe_lines(mesh, scene), "sliding_surface", "unbonded contact with friction");
+      for (const char *name : {"rock", "belt", "wet"})
+        scene.materials[name].friction_angle = 30.;
+      scene.blocks.material                = "rock";
       scene.blocks.belt_material           = "belt";
       scene.blocks.saturated_belt_material = "wet";
       expect_row(describe_lines(mesh, scene),
@@ -65,6 +68,43 @@ namespace hybrid::output
     }
 
 
+    TEST(LineCard, FrictionBeyondTheBeltIsToldWhereItIsAnotherOne)
+    {
+      const auto             mesh = mesh_with({"sliding_surface"});
+      scene::SceneParameters scene;
+      for (const char *name : {"rock", "belt", "clay"})
+        scene.materials[name].friction_angle = 30.;
+      scene.blocks.material      = "rock";
+      scene.blocks.belt_material = "belt";
+      const std::string beyond   = "blocks that have slid beyond the bonded part have the friction";
+      EXPECT_EQ(describe_lines(mesh, scene).find(beyond), std::string::npos);
+
+      scene.materials["belt"].residual_friction_angle = 12.;
+      expect_row(describe_lines(mesh, scene), "sliding_surface", beyond);
+      expect_row(describe_lines(mesh, scene),
+                 "sliding_surface",
+                 "of Blocks/Material (rock: 30 deg)");
+
+      scene.materials["belt"].residual_friction_angle = -1.;
+      scene.materials["belt"].cohesion                = 1e4; // stays with the belt alone
+      expect_row(describe_lines(mesh, scene), "sliding_surface", beyond);
+
+      scene.continuum.region_material["bedrock"] = "clay";
+      scene.materials["clay"].friction_angle     = 20.;
+      EXPECT_EQ(describe_lines(mesh, scene).find("clay"), std::string::npos); // nobody has given it
+      scene.materials["clay"].given_friction_angle = 20.;
+      expect_row(describe_lines(mesh, scene),
+                 "sliding_surface",
+                 "or of the ground where that is less (clay: 20 deg)");
+
+      scene.environment.water_level   = 10.;
+      scene.blocks.saturated_material = "clay";
+      expect_row(describe_lines(mesh, scene),
+                 "sliding_surface",
+                 "(rock: 30 deg), below the water of (clay: 20 deg)");
+    }
+
+
     TEST(LineCard, TellsWhatNodesOfTheirOwnLeaveUnbonded)
     {
       // Two squares side by side on two edges of the sliding surface; the second one has nodes of
@@ -74,6 +114,9 @@ namespace hybrid::output
       mesh.blocks                   = {{0, 1, 4, 3}, {6, 2, 5, 7}};
       mesh.lines["sliding_surface"] = {{0, 1}, {1, 2}};
       scene::SceneParameters scene;
+      scene.materials["rock"];
+      scene.materials["belt"];
+      scene.blocks.material      = "rock";
       scene.blocks.belt_material = "belt";
       std::string text           = describe_lines(mesh, scene);
       expect_row(text, "sliding_surface", "share its edges, belt material belt (1 of its 2 edges)");
