@@ -11,7 +11,7 @@ from moving_run import STEP, Maker, quiver, wave
 
 from hybrid_run import Run
 from hybrid_run.parameter_differences import differences, main_difference
-from hybrid_tools.compare import command, curves, peaks, words
+from hybrid_tools.compare import boreholes, command, curves, peaks, words
 from hybrid_tools.compare.comparison import Comparison
 
 @pytest.fixture
@@ -233,6 +233,21 @@ def test_every_figure_of_complete_runs_and_none_of_an_earlier_comparison(synthet
     assert all(path.read_bytes().startswith(b"\x89PNG\r\n\x1a\n") for path in figures.iterdir())
     assert rows_by_name(table)["slip", "mean, left"]["b: change"] == pytest.approx(0.5)
     assert "8 more monitors" in text and "\nS" in text
+
+
+@pytest.mark.parametrize("has_surface", [True, False])
+def test_boreholes_name_the_sliding_surface_where_there_is_one(synthetic_run, has_surface, monkeypatch, tmp_path):
+    runs = [synthetic_run("complete", name) for name in "ab"]
+    for directory in runs:
+        with h5py.File(directory / "run.h5", "a") as file:
+            if not has_surface:
+                del file["section/surface"]
+                for borehole in file["profiles"].values():
+                    borehole.attrs.pop("slip_depth_m", None)
+    named = []
+    monkeypatch.setattr(curves, "finish", lambda *given: named.extend(handle.get_label() for handle in given[-1]))
+    boreholes.draw(Comparison([Run(directory) for directory in runs], ["a", "b"]), tmp_path)
+    assert ("sliding surface" in named) == has_surface and named[:2] == ["a", "b"]
 
 
 def test_peaks_of_monitors_are_those_of_the_histories(make):

@@ -33,7 +33,7 @@ def draw(comparison, directory):
     if not names:
         raise MissingData("no boreholes")
     figure, axes = curves.panels(1, len(names), (max(3.2, 5.4 / len(names)), 5.0))
-    has_measured = False
+    has_measured = has_surface = False
     for axis, name in zip(axes[0], names):
         profiles = [profile(comparison, i, name) for i in range(len(comparison.runs))]
         factor, unit = style.length_unit(max(np.nanmax(np.abs(x), initial=0) for _, x in profiles))
@@ -45,12 +45,14 @@ def draw(comparison, directory):
         axis.margins(x=0.1)
         slip_depth = depth_of_slip(comparison.reference, "profiles/" + name)
         if slip_depth is not None:
+            has_surface = True
             axis.axhline(slip_depth, color=style.SLIP, lw=1.0, zorder=1)
         axis.set_xlabel("%s displacement [%s]" % (comparison.reference.along("horizontal"), unit))
         axis.set_title(name)
     axes[0, 0].set_ylabel("depth [m]")
     handles = [Line2D([], [], label=label, **curves.look(i)) for i, label in enumerate(comparison.labels)]
-    handles.append(Line2D([], [], color=style.SLIP, lw=1.0, label="sliding surface"))
+    if has_surface:
+        handles.append(Line2D([], [], color=style.SLIP, lw=1.0, label="sliding surface"))
     if has_measured:
         handles.append(Line2D([], [], marker="D", color=style.TENSILE, ls="none", ms=6, mec="white", label="measured"))
     curves.finish(figure, comparison, "Boreholes at %.4g s" % comparison.end, directory, "boreholes", handles)
