@@ -60,6 +60,9 @@ namespace hybrid::output
 
   void RunRecorder::add_series()
   {
+    const char *energy_words =
+      "change since t = 0, where the value was the attribute start; held and "
+      "lost: positive, work from outside: negative; all terms sum to zero";
     time_series          = file.add_series("time", "s", 1, "end of each step");
     const char *names[3] = {"acceleration", "velocity", "displacement"};
     const char *units[3] = {"m/s2", "m/s", "m"};
@@ -74,8 +77,7 @@ namespace hybrid::output
     energy_time     = file.add_series("energy/time", "s", 1, "times of the audits");
     energy_residual = file.add_series("energy/residual", "1", 1, "relative residual of the audit");
     for (const std::string &name : ledger.names())
-      energy_series.push_back(
-        file.add_series("energy/" + name, "J/m", 1, "since the static state"));
+      energy_series.push_back(file.add_series("energy/" + name, "J/m", 1, energy_words));
 
     if (parts.blocks == nullptr || parts.blocks->n_foundation_nodes() == 0)
       return;
