@@ -48,10 +48,13 @@ namespace hybrid::scene
       "ended once more with all of them twice and four times as large, up to the first failed joint, and tells the "
       "error of the mesh from the differences: a quarter to a half as much time again. With one run, or a Time/Error "
       "target, it does not.");
-    section.file("Polygons file",
-                 mesh.polygons_file,
-                 "a CSV file block,x,y [m]",
-                 "Blocks as polygons, vertices counter-clockwise, instead of those of the mesh.");
+    section.file(
+      "Polygons file",
+      mesh.polygons_file,
+      "a CSV file block,x,y [m]",
+      "Blocks as polygons, vertices counter-clockwise, instead of those of the mesh. They share "
+      "one material, Blocks/Material (below the water Blocks/Saturated material); a fourth "
+      "column, region, names groups in pictures only.");
     section.file(
       "Surface file",
       mesh.surface_file,
