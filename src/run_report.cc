@@ -195,10 +195,10 @@ namespace hybrid
     std::snprintf(
       text,
       sizeof(text),
-      "block %s has moved by %.3g m before it came to rest, more than any other that elasticity does "
-      "not explain (at most about %.2g m): blocks slid or turned; is this the slope that you drew?",
-      model.mesh.block_name(settled.slid_block).c_str(),
+      "blocks have moved by up to %.3g m (block %s) before they came to rest, elasticity explains "
+      "at most about %.2g m: they slid or turned; is this the slope that you drew?",
       settled.slid_by,
+      model.mesh.block_name(settled.slid_block).c_str(),
       settled.elastic_settlement);
     log.warning(text);
   }

@@ -3,73 +3,95 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
+#include <numeric>
 
 namespace hybrid::dda
 {
   namespace
   {
-    /// From the least to the largest.
-    struct Range
+    /// Blocks in bodies: each body is known by one of its blocks.
+    class Bodies
     {
-      double least = std::numeric_limits<double>::infinity(), largest = -least;
-
-      void add(const double x)
+    public:
+      explicit Bodies(const int n_blocks)
+        : next(n_blocks)
       {
-        least   = std::min(least, x);
-        largest = std::max(largest, x);
+        std::iota(next.begin(), next.end(), 0);
       }
 
-      double length() const
+      /// The block by which the body of a block is known.
+      int of(int block)
       {
-        return largest - least;
+        while (next[block] != block)
+          block = next[block] = next[next[block]];
+        return block;
       }
+
+      /// Two blocks are in one body; nothing where one of them is not in the mass.
+      void connect(const int a, const int b)
+      {
+        const int n = static_cast<int>(next.size());
+        if (a >= 0 && b >= 0 && a < n && b < n)
+          next[of(a)] = of(b);
+      }
+
+    private:
+      std::vector<int> next; ///< towards the block that stands for the body
+    };
+
+
+    struct Body
+    {
+      double lowest  = std::numeric_limits<double>::infinity();
+      double highest = -std::numeric_limits<double>::infinity(); ///< of its corners as drawn [m]
+      double strain  = 0.;                                       ///< rho g / G of its softest [1/m]
     };
   } // namespace
 
 
 
-  std::vector<double> elastic_settlement(const Model &model)
+  std::vector<double> elastic_settlement(const Model &model, const DdaState &rest)
   {
-    const int          n = model.n_mass();
-    const Geometry    &g = model.initial;
-    std::vector<Range> width(n);
-    Range              all, height;
-    for (int b = 0; b < n; ++b)
-      for (int v = g.offset[b]; v < g.offset[b + 1]; ++v)
-        {
-          width[b].add(g.vertices[v].x());
-          all.add(g.vertices[v].x());
-          height.add(g.vertices[v].y());
-        }
-    double widths = 0.;
-    for (const Range &of_block : width)
-      widths += of_block.length();
-    // Columns as wide as a block is on average.
-    const int n_columns =
-      widths > 0. ? static_cast<int>(std::clamp(all.length() * n / widths, 1., 10. * n)) : 1;
-    std::vector<double> column(n_columns, 0.); // largest gamma / G [1/m]
-    const auto          columns_of = [&](const int b) {
-      const auto at = [&](const double x) {
-        const double part = all.length() > 0. ? (x - all.least) / all.length() : 0.;
-        return std::min(n_columns - 1, static_cast<int>(part * n_columns));
-      };
-      return std::make_pair(column.begin() + at(width[b].least),
-                            column.begin() + at(width[b].largest) + 1);
-    };
+    static_assert(foundation_body < 0, "the foundation is no block");
+    const int n = model.n_mass();
+    Bodies    bodies(n);
+    for (const Joint &joint : model.joints)
+      bodies.connect(joint.block, joint.other);
+    for (const Contact &contact : rest.contacts)
+      if (contact.state != ContactState::open)
+        bodies.connect(contact.vertex_body, contact.edge_body);
+
+    std::vector<Body> found(n);
     for (int b = 0; b < n; ++b)
       {
         const BlockProperties &p    = model.blocks[b];
-        const double           soft = p.weight * model.gravity / (p.area * p.elasticity(2, 2));
-        const auto [first, last]    = columns_of(b);
-        std::for_each(first, last, [soft](double &most) { most = std::max(most, soft); });
+        Body                  &body = found[bodies.of(b)];
+        body.strain =
+          std::max(body.strain, p.weight * model.gravity / (p.area * p.elasticity(2, 2)));
+        for (int v = model.initial.offset[b]; v < model.initial.offset[b + 1]; ++v)
+          {
+            body.lowest  = std::min(body.lowest, model.initial.vertices[v].y());
+            body.highest = std::max(body.highest, model.initial.vertices[v].y());
+          }
       }
     std::vector<double> settlement(n);
     for (int b = 0; b < n; ++b)
       {
-        const auto [first, last] = columns_of(b);
-        settlement[b] = *std::max_element(first, last) * height.length() * height.length();
+        const Body  &body   = found[bodies.of(b)];
+        const double height = body.highest - body.lowest;
+        settlement[b]       = body.strain * height * height;
       }
     return settlement;
+  }
+
+
+
+  double work_of_settlement(const Model &model, const DdaState &rest)
+  {
+    const std::vector<double> settlement = elastic_settlement(model, rest);
+    double                    work       = 0.;
+    for (int b = 0; b < model.n_mass(); ++b)
+      work += model.blocks[b].weight * model.gravity * settlement[b];
+    return work;
   }
 } // namespace hybrid::dda

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace hybrid::dda
 {
@@ -28,9 +27,9 @@ namespace hybrid::dda
 
 
     /// Find the block that has come to rest farther from where it was drawn than half its size
-    /// beyond what elasticity explains, or turned by ten degrees; and whether loose ones have slid
-    /// by a five-hundredth of their size beyond it. (A bonded mass bends, which the bound does not
-    /// know, and its joints tell their slip.)
+    /// beyond what elasticity explains, or turned by ten degrees; and the loose one that has moved
+    /// farthest of those that slid, by a five-hundredth of their size beyond it. (A bonded mass
+    /// bends, which the bound does not know, and its joints tell their slip.)
     void find_fallen(const Model                   &model,
                      const std::vector<BlockState> &start,
                      const DdaState                &state,
@@ -41,22 +40,21 @@ namespace hybrid::dda
         !model.blocks_yield && std::none_of(model.bonded.begin(),
                                             model.bonded.begin() + model.n_mass(),
                                             [](const bool bonded) { return bonded; });
-      const std::vector<double> settlement = elastic_settlement(model);
+      const std::vector<double> elastic = elastic_settlement(model, state);
       for (int b = 0; b < model.n_mass(); ++b)
         {
-          const double elastic        = settlement[b];
+          const double size           = model.blocks[b].size;
           const double moved          = (state.blocks[b].centroid - start[b].centroid).norm();
           const double turned         = std::abs(state.blocks[b].rotation - start[b].rotation);
           result.largest_displacement = std::max(result.largest_displacement, moved);
-          const bool slid             = is_loose && result.equilibrium &&
-                            moved > clearly * elastic + slip * model.blocks[b].size;
-          if (slid && (result.slid_block < 0 || moved > result.slid_by))
+          if (is_loose && result.equilibrium && moved > clearly * elastic[b] + slip * size &&
+              (result.slid_block < 0 || moved > result.slid_by))
             {
               result.slid_block         = b;
               result.slid_by            = moved;
-              result.elastic_settlement = elastic;
+              result.elastic_settlement = elastic[b];
             }
-          if ((moved <= 0.5 * model.blocks[b].size + elastic && turned <= turn) ||
+          if ((moved <= 0.5 * size + elastic[b] && turned <= turn) ||
               (result.fallen_block >= 0 && moved <= result.fallen_by))
             continue;
           result.fallen_block = b;

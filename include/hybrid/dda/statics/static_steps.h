@@ -25,9 +25,10 @@ namespace hybrid::dda
     double fallen_by    = 0.; ///< its displacement [m]
     double turned_by    = 0.; ///< its rotation [rad]
 
-    int    slid_block = -1; ///< loose, came to rest farther than elasticity explains, most of all
-    double slid_by    = 0.; ///< its displacement [m]
-    double elastic_settlement = 0.; ///< a bound on what it settles elastically [m]
+    int slid_block =
+      -1; ///< loose, came to rest farther than elasticity explains, most of all; or -1
+    double slid_by            = 0.; ///< its displacement [m]
+    double elastic_settlement = 0.; ///< a bound on what of it is elastic, see elastic_settlement()
 
     PartTimes times; ///< of the steps
   };

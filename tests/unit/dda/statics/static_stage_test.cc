@@ -169,7 +169,7 @@ TEST(StaticStage, water_at_the_drawn_place_bears_as_much_as_limit_equilibrium_sa
           DdaState           state    = initial_state(model);
           const StaticResult r        = settle(model, state);
           EXPECT_EQ(r.equilibrium && r.fallen_block<0, part> 1.) << part;
-          EXPECT_EQ(r.slid_block, -1);
+          EXPECT_LT(r.slid_block, 0);
         }
     }
 }
