@@ -250,11 +250,12 @@ namespace hybrid
   void RunReport::at_rest(const double time) const
   {
     char text[200];
-    std::snprintf(text,
-                  sizeof(text),
-                  "At rest    at t = %.4g s: no block was faster than %g m/s for a second",
-                  time,
-                  model.scene.time.rest_speed);
+    std::snprintf(
+      text,
+      sizeof(text),
+      "At rest    at t = %.4g s: no corner of a block was faster than %g m/s for a second",
+      time,
+      model.scene.time.rest_speed);
     log.info(text);
   }
 
