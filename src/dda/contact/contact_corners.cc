@@ -78,10 +78,13 @@ namespace hybrid::dda
 
 
 
-  /// The edges of the vertex and of the other body go on along each other at this end of the edge.
+  /// The edges of the vertex and of the other body go on along each other at this end of the edge,
+  /// a ridge: at the foot of a wall they do, and the wall holds.
   bool
   ContactDetection::meets_level(const Geometry &geometry, const Contact &c, const int end) const
   {
+    if (frames.corner(c.edge_body, end) != Corner::convex)
+      return false;
     const Vec2 &p = position(geometry, c.vertex_body, c.vertex);
     const Vec2 &q = position(geometry, c.edge_body, end);
     for (const int mine :

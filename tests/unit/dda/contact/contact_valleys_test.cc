@@ -42,6 +42,24 @@ namespace
       }
   }
 
+  TEST(ContactValleys, ACornerAtTheFootOfAWallTouchesFloorAndWall)
+  {
+    for (const double gap : {0., 1e-5, -1e-5})
+      {
+        Geometry g         = blocks({square(-1. - gap, 0.)});
+        g.foundation_nodes = {{-5., 0.}, {0., 0.}, {0.001, 3.}, {5., 3.}};
+        ContactDetection detection(parameters);
+        Contacts         contacts;
+        for (int step = 0; step < 3; ++step)
+          {
+            detection.update(g, contacts);
+            EXPECT_NE(find(contacts, 1, foundation_body, 0), nullptr) << "floor, " << gap;
+            EXPECT_NE(find(contacts, 1, foundation_body, 1), nullptr) << "wall, " << gap;
+            move_block(g, 0, {0., -1e-6});
+          }
+      }
+  }
+
   TEST(ContactValleys, ValleyActsWithBothSides)
   {
     Geometry g         = blocks({{{0., 1e-3}, {0.1, 1.}, {-0.1, 1.}}});
