@@ -5,7 +5,8 @@
 
 namespace hybrid
 {
-  /// Tells when a mass has come to rest: no block was faster than a speed for a second.
+  /// Tells when a mass has come to rest: no corner of a block was faster than a speed for a
+  /// second.
   class RestWatch
   {
   public:

@@ -427,8 +427,7 @@ namespace hybrid::dda
                 continue;
               const Vec2  &normal = frames.edge(c.vertex_body, g).normal;
               const double height =
-                PairTolerances::narrower(tolerances, tolerances_of(k->contact)).hysteresis() +
-                0.5 * std::max(0., -k->gap);
+                PairTolerances::narrower(tolerances, tolerances_of(k->contact)).seam_height(k->gap);
               if (!is_same_body(geometry, k->contact.edge_body, c.vertex_body) &&
                   -mine.dot(normal) < ContactTolerances::continuing_cosine &&
                   normal.dot(frames.edge(k->contact.edge_body, k->contact.edge).normal) >=

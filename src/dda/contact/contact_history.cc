@@ -56,8 +56,8 @@ namespace hybrid::dda
         const ContactTolerances &tolerances =
           PairTolerances::narrower(pairs.of(c.vertex_body, c.edge_body),
                                    pairs.of(c.vertex_body, edge_body));
-        const double height = tolerances.hysteresis() + 0.5 * std::max(0., -e.gap) +
-                              tolerances.continuing_sine * e.overhang;
+        const double height =
+          tolerances.seam_height(e.gap) + tolerances.continuing_sine * e.overhang;
         if (normal.dot(frames->edge(c.edge_body, c.edge).normal) >= tolerances.continuing_cosine &&
             e.overhang <= 0.5 * tolerances.reach && std::abs(gap - e.gap) <= height)
           return static_cast<int>(i);

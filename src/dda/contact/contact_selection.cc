@@ -276,9 +276,8 @@ namespace hybrid::dda
   ContactSelection::is_level_with_trial(const int body, const Vec2 &normal, const double gap) const
   {
     return std::any_of(trials.begin(), trials.end(), [&](const ContactTrial &t) {
-      const Contact &c = t.contact;
-      const double   height =
-        PairTolerances::narrower(with(body), of(t)).hysteresis() + 0.5 * std::max(0., -t.gap);
+      const Contact &c      = t.contact;
+      const double   height = PairTolerances::narrower(with(body), of(t)).seam_height(t.gap);
       return !is_same_body(*geometry, c.edge_body, body) &&
              normal.dot(frames->edge(c.edge_body, c.edge).normal) >=
                ContactTolerances::continuing_cosine &&
@@ -415,7 +414,7 @@ namespace hybrid::dda
     const Vec2  &na = frames->edge(a.contact.edge_body, a.contact.edge).normal;
     const Vec2  &nb = frames->edge(b.contact.edge_body, b.contact.edge).normal;
     const double height =
-      PairTolerances::narrower(of(a), of(b)).hysteresis() + 0.5 * std::max({0., -a.gap, -b.gap});
+      PairTolerances::narrower(of(a), of(b)).seam_height(std::min(a.gap, b.gap));
     return !is_same_body(*geometry, a.contact.edge_body, b.contact.edge_body) &&
            na.dot(nb) >= ContactTolerances::continuing_cosine && std::abs(a.gap - b.gap) <= height;
   }

@@ -39,7 +39,7 @@ namespace hybrid::dda
       conditions[s] = problem.springs.condition(s);
     StepResult own;
     own.residual    = problem.relative_residual();
-    local.tolerance = aim * left.allowed / problem.forces();
+    local.tolerance = aim * left.least_allowed / problem.forces();
     local.enough    = 0.2 * local.tolerance;
     if (iterate_conditions(own, patience) == Attempt::failed && !is_on_path)
       follow_path(own, Stride::own);

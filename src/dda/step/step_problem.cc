@@ -100,8 +100,8 @@ namespace hybrid::dda
     double most = 0.; // acceleration, squared
     for (int b = 0; b < model->n_blocks(); ++b)
       most = std::max(most, inertial_acceleration(b).head<2>().squaredNorm());
-    most          = std::sqrt(most);
-    found.allowed = std::numeric_limits<double>::infinity();
+    most                = std::sqrt(most);
+    found.least_allowed = std::numeric_limits<double>::infinity();
     for (int b = 0; b < model->n_blocks(); ++b)
       {
         const double left    = left_of(b);
@@ -109,8 +109,8 @@ namespace hybrid::dda
         if (!(left > allowed) || allowed == 0.)
           continue;
         blocks.push_back(b);
-        found.worst   = std::max(found.worst, left / allowed);
-        found.allowed = std::min(found.allowed, allowed);
+        found.worst         = std::max(found.worst, left / allowed);
+        found.least_allowed = std::min(found.least_allowed, allowed);
       }
     std::sort(blocks.begin(), blocks.end());
     blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());

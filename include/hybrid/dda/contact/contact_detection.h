@@ -34,10 +34,11 @@ namespace hybrid::dda
    *    max_depth behind it (a contact that persists is not lost for its depth
    *    while the vertex is in the block, or within held_depth below a
    *    surface), projects on it (a contact that persists may hang over by
-   *    reach / 100; at a valley more, see 4, within ContactTolerances::search_distance()), and both
-   * edges of the vertex lie on the outer side of its line up to 3 degrees (Shi 1988, entrance; 5
-   * degrees for a contact that persists). The angle test is what keeps neighbours in a stack, whose
-   *    corners coincide, from catching each other.
+   *    reach / 100; at a valley more, see 4, within
+   *    ContactTolerances::search_distance()), and both edges of the vertex lie
+   *    on the outer side of its line up to 3 degrees (Shi 1988, entrance; 5
+   *    degrees for a contact that persists). The angle test is what keeps
+   *    neighbours in a stack, whose corners coincide, from catching each other.
    * 3. *A new contact behind an edge* counts only if the vertex is really
    *    inside the block: targets need not be convex. Or if two tips have passed
    *    each other in the last step, so that the blocks overlap with no corner of one in the
@@ -161,9 +162,9 @@ namespace hybrid::dda
     }
 
   private:
-    /// Blocks that are in awake pairs or in contacts: only their outlines are looked at.
     void keep_deep_contacts(const Geometry &geometry, const std::vector<Contact> &contacts);
 
+    /// Blocks that are in awake pairs or in contacts: only their outlines are looked at.
     void find_near_blocks(const Geometry &geometry, const std::vector<Contact> &contacts);
 
     /// Near pairs of one vertex, [begin, end) of the awake candidates.

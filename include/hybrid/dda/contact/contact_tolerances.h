@@ -43,6 +43,13 @@ namespace hybrid::dda
       return 1e-3 * reach;
     }
 
+    /// Edges that pass a vertex at heights nearer than this go on along each other [m]: where it
+    /// presses by -@p gap, one that it does not press on yet may stand higher by half of that.
+    double seam_height(const double gap) const
+    {
+      return hysteresis() + (gap < 0. ? -0.5 * gap : 0.);
+    }
+
     double extension() const
     {
       return 1e-2 * reach;

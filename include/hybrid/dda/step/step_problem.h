@@ -123,8 +123,8 @@ namespace hybrid::dda
     /// what would accelerate the block as much as any; with a coarse tolerance a hundred times it.
     struct Imbalance
     {
-      double worst   = 0.; ///< largest force that is left, over what may be [-]
-      double allowed = 0.; ///< least force that may be left on one of them [N]
+      double worst         = 0.; ///< largest force that is left, over what may be [-]
+      double least_allowed = 0.; ///< least force that may be left on one of them [N]
 
       bool is_any() const
       {
