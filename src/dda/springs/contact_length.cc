@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 namespace hybrid::dda
@@ -291,11 +292,27 @@ namespace hybrid::dda
 
 
 
-    Part fraction_of_overlap(const Geometry             &geometry,
-                             const std::vector<Contact> &contacts,
-                             const Contact              &contact,
-                             const Walk                 &mine,
-                             const BondedArea           *area)
+    /// An edge of the contact's vertex that lies along the contact's edge, and both walked away
+    /// from the vertex.
+    struct Facing
+    {
+      Vec2   origin, along; ///< place of the vertex [m]; unit vector [-]
+      double closeness;     ///< [-]
+      Faces  faces;
+      bool   is_empty; ///< the vertex is a place of a surface beside the block's edge
+
+      /// How far the block's face goes from the vertex, at most as far as @p enough [m].
+      double block_reach(const Geometry             &geometry,
+                         const std::vector<Contact> &contacts,
+                         const double                enough) const
+      {
+        return reach(geometry, contacts, faces, false, origin, along, enough).length;
+      }
+    };
+
+
+
+    std::optional<Facing> facing(const Geometry &geometry, const Contact &contact, const Walk &mine)
     {
       if (mine.edge < 0)
         return {};
@@ -305,28 +322,87 @@ namespace hybrid::dda
       if (!lies_along(direction(geometry, other), along) ||
           outward(geometry, mine).dot(outward(geometry, other)) > 0.)
         return {};
-      // The surface may go on for long: a block does not.
-      const Vec2  &origin     = position(geometry, contact.vertex_body, contact.vertex);
-      const double unlimited  = std::numeric_limits<double>::infinity();
-      const bool   is_place   = is_surface(geometry, mine.body);
-      const bool   on_surface = is_place || is_surface(geometry, other.body);
+      const Vec2  &origin   = position(geometry, contact.vertex_body, contact.vertex);
+      const bool   is_place = is_surface(geometry, mine.body);
       const double same_place =
         same_place_fraction * std::min(length(geometry, mine), length(geometry, other));
-      const Faces  faces{is_place ? mine : other, is_place ? other : mine, on_surface, same_place};
-      Part         part{0., 0., closeness(along, direction(geometry, other))};
       const double begin =
         along.dot(position(geometry, other.body, other.begin(geometry)) - origin);
-      if (is_place && begin > same_place)
-        return part; // beside the block's edge
-      const double first = reach(geometry, contacts, faces, false, origin, along, unlimited).length;
-      const Reach  piece = reach(geometry, contacts, faces, true, origin, along, first);
-      double       share = share_of_piece(geometry, piece, origin, along, same_place);
-      if (shares_place(geometry, contacts, contact, along, same_place))
-        share *= 0.5;
+      return Facing{origin,
+                    along,
+                    closeness(along, direction(geometry, other)),
+                    {is_place ? mine : other,
+                     is_place ? other : mine,
+                     is_place || is_surface(geometry, other.body),
+                     same_place},
+                    is_place && begin > same_place};
+    }
+
+
+
+    /// What a contact bears of one side of the overlap: half of it, a quarter where vertices of
+    /// both bodies are at one place, each with a contact of its own.
+    double share_of_end(const Geometry             &geometry,
+                        const std::vector<Contact> &contacts,
+                        const Contact              &contact,
+                        const Facing               &facing)
+    {
+      return shares_place(geometry, contacts, contact, facing.along, facing.faces.same_place) ? 0.5
+                                                                                              : 1.;
+    }
+
+
+
+    Part fraction_of_overlap(const Geometry             &geometry,
+                             const std::vector<Contact> &contacts,
+                             const Contact              &contact,
+                             const Walk                 &mine,
+                             const BondedArea           *area)
+    {
+      const std::optional<Facing> found = facing(geometry, contact, mine);
+      if (!found)
+        return {};
+      Part part{0., 0., found->closeness};
+      if (found->is_empty)
+        return part;
+      // The surface may go on for long: a block does not.
+      const double first =
+        found->block_reach(geometry, contacts, std::numeric_limits<double>::infinity());
+      const Reach piece =
+        reach(geometry, contacts, found->faces, true, found->origin, found->along, first);
+      const double share =
+        share_of_end(geometry, contacts, contact, *found) *
+        share_of_piece(geometry, piece, found->origin, found->along, found->faces.same_place);
       part.length = share * piece.length;
-      if (area != nullptr && on_surface)
+      if (area != nullptr && found->faces.stops)
         part.bonded = bonded_fraction(geometry, *area, contact, mine, piece, share);
       return part;
+    }
+
+
+
+    /**
+     * What the springs at one end of an overlap with a surface, which is at the contact's vertex,
+     * lack of a corner's [m]: half of what the whole overlap lacks of @p corner, or of the block's
+     * face where that is shorter.
+     */
+    double lack_at_end(const Geometry             &geometry,
+                       const std::vector<Contact> &contacts,
+                       const Contact              &contact,
+                       const Walk                 &mine,
+                       const double                corner)
+    {
+      std::optional<Facing> end = facing(geometry, contact, mine);
+      end->faces.stops          = false;
+      const double ahead        = end->block_reach(geometry, contacts, corner);
+      const double whole =
+        reach(geometry, contacts, end->faces, true, end->origin, end->along, ahead).length;
+      const double share  = share_of_end(geometry, contacts, contact, *end);
+      end->along          = -end->along;
+      Walk &block         = end->faces.block;
+      block.forwards      = !block.forwards;
+      const double behind = end->block_reach(geometry, contacts, corner);
+      return 0.5 * share * std::max(0., std::min(corner, ahead + behind) - whole);
     }
 
 
@@ -371,6 +447,10 @@ namespace hybrid::dda
     result.spring  = corner;
     if (is_surface(geometry, contact.vertex_body) != is_surface(geometry, contact.edge_body))
       {
+        result.face = result.overlap;
+        if ((a.length > 0.) != (b.length > 0.))
+          result.face +=
+            lack_at_end(geometry, contacts, contact, a.length > 0. ? ahead : behind, corner);
         result.closeness = std::max(a.closeness, b.closeness);
         result.corner    = sharpness(geometry, body, vertex) * corner;
         result.spring    = result.at(result.closeness);

@@ -15,6 +15,7 @@ namespace hybrid::dda
     double overlap = 0.; ///< of edges that lie on each other
     double bonded  = 0.; ///< the part of it that a belt bonds still
     double spring  = 0.; ///< on it act the springs, whose stiffness is per area
+    double face    = 0.; ///< that of the springs where edges lie on each other
     double corner  = 0.; ///< that of the springs where edges do not lie on each other
     double closeness =
       0.; ///< 1 for edges that lie along each other, 0 from 3 degrees between them on [-]
@@ -22,7 +23,7 @@ namespace hybrid::dda
     /// That of the springs at any closeness [m]; of two blocks of the mass always the corner's.
     double at(const double close) const
     {
-      return close * overlap + (1. - close) * corner;
+      return close * face + (1. - close) * corner;
     }
   };
 
@@ -41,6 +42,12 @@ namespace hybrid::dda
    * reflex) and as long as it does not turn by more than those 3 degrees, so a place of a surface
    * without a contact of its own cuts nothing. A vertex both of whose edges lie on the other body
    * has both lengths.
+   *
+   * An overlap that is shorter than @p corner has springs for as much as that, and at most for the
+   * block's face; the contacts at its two ends have what it lacks. k_n belongs to layers as thick
+   * as a block, and what a block presses on a strip is not softer than what it presses with a
+   * corner (a punch on a half plane resists by the logarithm of its width alone; Johnson 1985,
+   * section 2.8). Its springs would get longer as it slides on, and give back more than they took.
    *
    * As the edges turn away from each other, up to 3 degrees, the springs of a contact with
    * a surface pass smoothly from their part of the overlap to @p corner (for a place

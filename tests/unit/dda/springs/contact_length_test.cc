@@ -173,6 +173,28 @@ TEST(ContactLength, what_hangs_over_the_end_of_an_edge_does_not_count)
 
 
 
+TEST(ContactLength, a_face_that_overlaps_by_little_stands_for_a_corner)
+{
+  // On a wall's top, in one piece and in many; never more than the whole face, for small blocks.
+  for (const int pieces : {1, 40})
+    for (const double overlap : {1e-3, 0.01, 0.3, 0.7})
+      {
+        const Lengths l(square_blocks(1, 1),
+                        straight_foundation(0., 5., overlap, pieces),
+                        foundation_body,
+                        0);
+        EXPECT_NEAR(l.total, overlap, 1e-12) << pieces;
+        EXPECT_NEAR(l.springs, std::max(overlap, corner_alone), 1e-9) << pieces << ' ' << overlap;
+      }
+  const Lengths small(square_blocks(1, 1, 0.2),
+                      straight_foundation(0., 5., 0.1),
+                      foundation_body,
+                      0);
+  EXPECT_NEAR(small.springs, 0.2, 1e-12);
+}
+
+
+
 TEST(ContactLength, passes_from_overlap_to_corner_as_the_edges_turn_apart)
 {
   double before = 1.; // all of the sole
