@@ -261,10 +261,28 @@ namespace hybrid::dda
         const Vec2  &normal = frames->edge(body, other).normal;
         const double gap    = normal.dot(point - position(*geometry, body, other));
         if (normal.dot(mine) < ContactTolerances::continuing_cosine &&
-            (support == Support::before ? old.find_continued(body, normal, gap) >= 0
-                                        : is_level_with_trial(body, normal, gap)))
+            (is_level_with_sole(body, normal, gap) ||
+             (support == Support::before ? old.find_continued(body, normal, gap) >= 0
+                                         : is_level_with_trial(body, normal, gap))))
           return true;
       }
+    return false;
+  }
+
+
+
+  /// An edge of the vertex goes on along another one of @p body, with this normal, whose line is at
+  /// this gap from the vertex: over a crack no edge of a row carries the vertex itself.
+  bool
+  ContactSelection::is_level_with_sole(const int body, const Vec2 &normal, const double gap) const
+  {
+    if (std::abs(gap) > with(body).hysteresis())
+      return false;
+    for (const int e :
+         {edge_before(*geometry, vertex_body, vertex), edge_after(*geometry, vertex_body, vertex)})
+      if (e >= 0 &&
+          -normal.dot(frames->edge(vertex_body, e).normal) >= ContactTolerances::continuing_cosine)
+        return true;
     return false;
   }
 

@@ -49,7 +49,8 @@ namespace hybrid::dda
    *    5 knows the way it went.
    *    The same for the side below a seam: a vertex that slides on a row is,
    *    by its penetration, in front of the side of the next block, and that
-   *    block's corner in front of the slider's side.
+   *    block's corner in front of the slider's side. So is one over a crack, whose sole alone is
+   *    carried, and which is level with the next block.
    *    At a valley an edge goes on below its neighbour: a vertex pressed into the foot of a wall is
    *    beside one edge or both.
    * 5. *One edge per vertex and body*: the edge it projects on, the edge in
@@ -211,6 +212,8 @@ namespace hybrid::dda
     }
 
     bool is_above_seam(const Geometry &geometry, std::size_t trial) const;
+
+    bool meets_level(const Geometry &geometry, const Contact &contact, int end) const;
 
     bool loses_corner(const Geometry &geometry, std::size_t trial) const;
 

@@ -86,6 +86,7 @@ namespace hybrid::dda
 
     bool is_below_seam(const ContactTrial &trial, Support support) const;
 
+    bool is_level_with_sole(int body, const Vec2 &normal, double gap) const;
     bool is_level_with_trial(int body, const Vec2 &normal, double gap) const;
 
     bool is_undecided(const ContactTrial &trial) const;

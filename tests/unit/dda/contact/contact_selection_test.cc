@@ -222,6 +222,26 @@ namespace
       }
   }
 
+  TEST(ContactSelection, ACornerOverACrackPassesTheNextBlock)
+  {
+    for (const double crack : {1e-3, 0.01, 0.05})
+      for (const double part : {0.1, 0.5, 0.9}) // of the crack, where the corner begins
+        {
+          Geometry g =
+            blocks({square(-1., -1.), square(crack, -1.), square(crack * part - 1., 0.)});
+          ContactDetection detection(parameters);
+          Contacts         contacts;
+          for (int step = 0; step < 30; ++step)
+            {
+              detection.update(g, contacts);
+              EXPECT_EQ(find(contacts, 9, 1, 7), nullptr) << "corner at the side, " << crack;
+              EXPECT_EQ(find(contacts, 7, 2, 9), nullptr) << "side at the corner, " << crack;
+              move_block(g, 2, {0.01, step == 0 ? -1e-5 : 0.});
+            }
+          EXPECT_NE(find(contacts, 9, 1, 6), nullptr) << "on top";
+        }
+  }
+
   TEST(ContactSelection, StepOfTheRowIsAnObstacle)
   {
     // the next square is 5 cm higher: its side stops the slider

@@ -65,7 +65,7 @@ namespace
 
   TEST(PairTolerances, APebbleElsewhereDoesNotMakeSeamsCatch)
   {
-    for (const double crack : {0., 1e-4, 1e-3})
+    for (const double crack : {0., 1e-4, 1e-3, 0.01, 0.1})
       {
         EXPECT_EQ(sides_met(crack, false), 0) << crack;
         EXPECT_EQ(sides_met(crack, true), 0) << crack << " with a pebble of 1 mm";
