@@ -6,27 +6,73 @@
 
 namespace hybrid::output
 {
+  namespace
+  {
+    /// The point of a sole that slides.
+    Vec2 point_of(const dda::Geometry &g, const dda::Sole &sole)
+    {
+      return (1. - sole.fraction) * g.vertices[sole.first] +
+             sole.fraction * g.vertices[sole.second];
+    }
+
+
+
+    /// Along a sole, from its first to its second vertex.
+    Vec2 direction_of(const dda::Geometry &g, const dda::Sole &sole)
+    {
+      return (g.vertices[sole.second] - g.vertices[sole.first]).normalized();
+    }
+  } // namespace
+
+
+
   SoleSlip::SoleSlip(const dda::Model *blocks)
     : model(blocks)
   {
-    if (blocks == nullptr)
+    if (blocks == nullptr || blocks->soles.empty())
       return;
+    lines = dda::ground_lines(*blocks);
+    std::vector<int> count(lines.size(), 0);
+    mean_length.assign(lines.size(), 0.);
     for (const dda::Sole &sole : blocks->soles)
-      soles.push_back({sole});
+      {
+        soles.push_back({sole});
+        const int line    = dda::line_below(lines, sole.ground);
+        soles.back().line = line;
+        ++count[line];
+        mean_length[line] += (sole.length - mean_length[line]) / count[line];
+      }
   }
 
 
 
-  Vec2 SoleSlip::place(const dda::DdaState &state, const Sole &sole)
+  Vec2 SoleSlip::ground_of(const dda::DdaState &state, const Sole &sole)
   {
-    const std::vector<Vec2> &v = state.geometry.vertices;
-    const dda::SoleGround   &g = sole.ground;
-    const Vec2 x = (1. - sole.fraction) * v[sole.first] + sole.fraction * v[sole.second];
+    const dda::SoleGround &g = sole.ground;
     if (!g.base)
-      return x - (1. - g.fraction) * v[g.first] - g.fraction * v[g.second];
+      return (1. - g.fraction) * state.geometry.vertices[g.first] +
+             g.fraction * state.geometry.vertices[g.second];
     const auto &u = state.foundation_displacement;
-    return x - (1. - g.fraction) * u.segment<2>(2 * g.first) -
-           g.fraction * u.segment<2>(2 * g.second);
+    return (1. - g.fraction) * u.segment<2>(2 * g.first) + g.fraction * u.segment<2>(2 * g.second);
+  }
+
+
+
+  double SoleSlip::way(const dda::DdaState &state, const Sole &sole) const
+  {
+    const Vec2 along = direction_of(state.geometry, sole), normal(-along.y(), along.x());
+    return surface[sole.line].way_to(point_of(state.geometry, sole) + sole.glued.x() * along +
+                                     sole.glued.y() * normal -
+                                     (ground_of(state, sole) - sole.rest));
+  }
+
+
+
+  void SoleSlip::make_surface()
+  {
+    surface.clear();
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      surface.emplace_back(at_rest[k], lines[k].closed);
   }
 
 
@@ -40,12 +86,23 @@ namespace hybrid::output
 
   void SoleSlip::set_reference(const dda::DdaState &state)
   {
+    std::vector<Vec2> nodes = model->initial.foundation_nodes;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      nodes[k] += state.foundation_displacement.segment<2>(2 * k);
+    at_rest.clear();
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      at_rest.push_back(
+        dda::without_dips(lines[k].places(state.geometry.vertices, nodes), mean_length[k]));
+    make_surface();
     for (Sole &sole : soles)
       {
-        const Vec2 edge =
-          state.geometry.vertices[sole.second] - state.geometry.vertices[sole.first];
-        sole.start = place(state, sole);
-        sole.along = (downhill(sole) < 0. ? -1. : 1.) / edge.norm() * edge;
+        const dda::SurfaceLine &below = surface[sole.line];
+        const Vec2 along = direction_of(state.geometry, sole), normal(-along.y(), along.x()),
+                   point = point_of(state.geometry, sole),
+                   down  = below.point_at(below.way_to(point)) - point;
+        sole.glued       = {down.dot(along), down.dot(normal)};
+        sole.rest        = ground_of(state, sole);
+        sole.first_way   = way(state, sole);
       }
   }
 
@@ -55,8 +112,9 @@ namespace hybrid::output
   {
     std::vector<double> slip;
     slip.reserve(soles.size());
-    for (const Sole &sole : soles)
-      slip.push_back((place(state, sole) - sole.start).dot(sole.along));
+    for (const Sole &sole : soles) // the block is on the other side of the line: it goes against it
+      slip.push_back((downhill(sole) < 0. ? 1. : -1.) *
+                     surface[sole.line].between(sole.first_way, way(state, sole)));
     return slip;
   }
 
@@ -101,17 +159,22 @@ namespace hybrid::output
 
   void SoleSlip::serialize(restart::Archive &archive)
   {
-    std::vector<Vec2> reference;
+    std::vector<double> reference;
     for (const Sole &sole : soles)
+      reference.insert(
+        reference.end(),
+        {sole.glued.x(), sole.glued.y(), sole.rest.x(), sole.rest.y(), sole.first_way});
+    archive(reference, at_rest);
+    if (!archive.is_reading())
+      return;
+    for (std::size_t k = 0; k < soles.size(); ++k)
       {
-        reference.push_back(sole.start);
-        reference.push_back(sole.along);
+        const auto of      = [&](const int i) { return reference.at(5 * k + i); };
+        soles[k].glued     = {of(0), of(1)};
+        soles[k].rest      = {of(2), of(3)};
+        soles[k].first_way = of(4);
       }
-    archive(reference);
-    for (std::size_t k = 0; archive.is_reading() && k < soles.size(); ++k)
-      {
-        soles[k].start = reference.at(2 * k);
-        soles[k].along = reference.at(2 * k + 1);
-      }
+    if (at_rest.size() == lines.size())
+      make_surface();
   }
 } // namespace hybrid::output

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/geometry/surface_line.h>
+#include <hybrid/dda/model/ground_lines.h>
 #include <hybrid/dda/model/model.h>
 #include <hybrid/dda/model/state.h>
 #include <hybrid/restart/archive_forward.h>
@@ -12,11 +14,18 @@ namespace hybrid::output
   /**
    * How far the mass has slid on what it stands on.
    *
-   * The slip of a sole (dda/model/soles.h) is the displacement of its point relative to the point
-   * of the ground that it lay on, since the state at rest, along the sole as it was then; positive
-   * downhill of its block (dda/model/downhill.h), along +x where that is level. Nothing is summed
-   * up over steps, so it is the same whatever holds the sole: joints, contacts or nothing, as of a
-   * block that flies.
+   * The slip of a sole (dda/model/soles.h) is a way along the surface, R angle on a circle of
+   * radius R: from the point of the ground that was nearest to the sole's point at rest to the one
+   * that is nearest now. It is positive downhill of its block (dda/model/downhill.h), along +x
+   * where that is level. What was at that first point goes with the block, as if it were glued to
+   * the sole. The surface is that at rest, and the displacement of the first point since then is
+   * taken off, so that ground that shakes makes no slip. Dips that soles of mean length do not lie
+   * in are crossed straight (dda::without_dips()).
+   *
+   * Nothing is summed up over steps, so it is the same whatever holds the sole: joints, contacts or
+   * nothing. Of a block that flies or rolls it is the way to the place of the surface that is
+   * nearest, whether it touches it again or not; it jumps where that is another one, as above a
+   * concave bend. Beyond the end of a surface that ends it goes on along the last piece.
    */
   class SoleSlip
   {
@@ -80,17 +89,29 @@ namespace hybrid::output
   private:
     struct Sole : dda::Sole
     {
-      Vec2 start = Vec2::Zero(); ///< the point relative to the ground at rest [m]
-      Vec2 along = Vec2::Zero(); ///< unit vector at rest, downhill
+      int    line      = 0;            ///< of the ground, that it lies on
+      Vec2   glued     = Vec2::Zero(); ///< from its point to the ground, along it and normal [m]
+      Vec2   rest      = Vec2::Zero(); ///< ground_of() at rest [m]
+      double first_way = 0.;           ///< along the line at rest [m]
     };
 
-    const dda::Model *model;
-    std::vector<Sole> soles;
+    const dda::Model              *model;
+    std::vector<Sole>              soles;
+    std::vector<dda::GroundLine>   lines;
+    std::vector<double>            mean_length; ///< of the soles on each line; 0: none [m]
+    std::vector<std::vector<Vec2>> at_rest;     ///< points of each line, without dips [m]
+    std::vector<dda::SurfaceLine>  surface;     ///< through these
 
     /// Sign of x; 0: level.
     double downhill(const dda::Sole &sole) const;
 
-    /// The point of a sole relative to the ground point it started on [m].
-    static Vec2 place(const dda::DdaState &state, const Sole &sole);
+    /// Where the ground is that a sole lay on, up to a constant [m].
+    static Vec2 ground_of(const dda::DdaState &state, const Sole &sole);
+
+    /// Way along its line to what is glued to a sole [m].
+    double way(const dda::DdaState &state, const Sole &sole) const;
+
+    /// From the points at rest.
+    void make_surface();
   };
 } // namespace hybrid::output

@@ -2,7 +2,9 @@
 #include "block_scenes.h"
 
 #include <hybrid/output/sole_slip.h>
+#include <hybrid/restart/archive.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,6 +36,27 @@ namespace
     dda::Model    model;
     dda::DdaState state;
   };
+
+
+  /// The block's vertices turned by an angle [rad] about a point.
+  void turn(dda::Geometry &g, const double angle, const Vec2 &about)
+  {
+    const Eigen::Rotation2Dd rotation(angle);
+    for (Vec2 &vertex : g.vertices)
+      vertex = about + rotation * (vertex - about);
+  }
+
+
+  /// Slip of the one block of a model that a motion has carried away from where it was drawn.
+  template <typename Motion>
+  double slip_after(const dda::Model &model, const Motion &motion)
+  {
+    dda::DdaState state = dda::initial_state(model);
+    SoleSlip      slip(&model);
+    slip.set_reference(state);
+    motion(state.geometry);
+    return slip.values(state).at(0);
+  }
 } // namespace
 
 
@@ -79,6 +102,69 @@ TEST(SoleSlip, of_a_sole_that_bridges_a_dip_is_that_of_a_point_beside_it)
   for (Vec2 &vertex : state.geometry.vertices)
     vertex.x() += 0.3;
   EXPECT_NEAR(slip.values(state)[0], 0.3, 1e-14);
+}
+
+
+
+/// A circular bowl: the tangent where the sole began would give R sin(angle), 8.4 m.
+TEST(SoleSlip, on_a_circle_is_its_radius_times_the_angle)
+{
+  constexpr double  radius = 10., side = 1., pi = 3.14159265358979323846;
+  const double      height = std::sqrt(radius * radius - 0.25 * side * side); // of the centre
+  const Vec2        centre(0.5 * side, height);
+  std::vector<Vec2> bowl;
+  for (int k = 0; k <= 1440; ++k)
+    bowl.push_back(centre + radius * Vec2(-std::cos(pi * k / 1440), -std::sin(pi * k / 1440)));
+  const dda::Model model =
+    dda::build_model(test::square_blocks(1, 1, side), test::block_parameters(30.), bowl);
+  ASSERT_EQ(model.soles.size(), 1U);
+  for (const double angle : {1e-4, 0.3, 1., -1.2})
+    {
+      const double slip = slip_after(model, [&](dda::Geometry &g) { turn(g, angle, centre); });
+      EXPECT_NEAR(slip, radius * angle, 1e-4 * std::abs(radius * angle) + 1e-12);
+    }
+}
+
+
+
+TEST(SoleSlip, goes_round_a_bend_and_straight_on_beyond_an_end)
+{
+  // Level, then 30 degrees down from x = 3 on for 2 m, where the surface ends.
+  const double      c = std::cos(0.5235987755982988), s = 0.5;
+  std::vector<Vec2> base{{-1., 0.}, {3., 0.}, {3. + 2. * c, -2. * s}};
+  dda::Model        model =
+    dda::build_model(test::square_blocks(1, 1, 2.), test::block_parameters(30.), base);
+  const auto moved = [&](const double way) { // with the middle of the sole on the surface
+    return slip_after(model, [&](dda::Geometry &g) {
+      if (way > 2.)
+        turn(g, -0.5235987755982988, Vec2(1., 0.));
+      for (Vec2 &vertex : g.vertices)
+        vertex += way > 2. ? Vec2(2. + (way - 2.) * c, -(way - 2.) * s) : Vec2(way, 0.);
+    });
+  };
+  for (const double sign : {1., -1.})
+    {
+      model.downhill.sign.assign(1, sign);
+      for (const double way : {-5., 1e-9, 1., 2., 2.5, 4., 7.})
+        EXPECT_NEAR(moved(way), sign * way, 1e-12) << way;
+    }
+}
+
+
+
+TEST(SoleSlip, goes_on_from_a_checkpoint)
+{
+  TwoBlocks scene;
+  SoleSlip  slip(&scene.model), copy(&scene.model);
+  scene.move(0, Vec2(0.01, -0.02));
+  slip.set_reference(scene.state);
+  auto writer = restart::Archive::writer();
+  slip.serialize(writer);
+  auto reader = restart::Archive::reader(writer.content());
+  copy.serialize(reader);
+  EXPECT_TRUE(reader.at_end());
+  scene.move(0, Vec2(0.3, 0.1));
+  EXPECT_EQ(copy.values(scene.state), slip.values(scene.state));
 }
 
 
