@@ -304,6 +304,20 @@ namespace hybrid
 
 
 
+  void RunReport::search_stopped(const double time, const double time_step) const
+  {
+    char text[240];
+    std::snprintf(text,
+                  sizeof(text),
+                  "Stopped at t = %.6g s while the stiffness of the surface was found for steps of "
+                  "%.4g s: all steps before are kept, and a run that goes on finds it anew",
+                  time,
+                  time_step);
+    log.info(text);
+  }
+
+
+
   void RunReport::end(const output::Summary &summary, const RunStatus status) const
   {
     const output::EndText text = output::end_text(summary, model.scene);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/continuum/stopped.h>
 #include <hybrid/dda/step/initial_state.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/resolution.h>
@@ -217,6 +218,30 @@ namespace hybrid
 
 
 
+  void Simulation::watch_search(const Interruption &interruption)
+  {
+    if (model.continuum != nullptr)
+      model.continuum->watch_search([this, &interruption]() {
+        return !agree({false, interruption.is_requested(), false}).interruption;
+      });
+  }
+
+
+
+  std::optional<dda::StepResult> Simulation::try_step(Run &run, const double dt)
+  {
+    try
+      {
+        return run.step.solve(state, dt);
+      }
+    catch (const continuum::Stopped &)
+      {
+        return {};
+      }
+  }
+
+
+
   RunStatus Simulation::advance(Run &run, const Interruption &interruption)
   {
     output::Summary &summary     = run.summary;
@@ -226,14 +251,19 @@ namespace hybrid
                               is_first() && output::standard_output_is_terminal(),
                               run.clock.time(),
                               model.scene.time.end_time);
-    const long       first_step = summary.steps, first_iteration = summary.iterations;
-    RunStatus        status = RunStatus::finished;
-    bool             rests  = false;
+    watch_search(interruption);
+    const long first_step = summary.steps, first_iteration = summary.iterations;
+    RunStatus  status = RunStatus::finished;
+    bool       rests = false, ends_search = false;
     while (!run.clock.at_end() && !rests && status == RunStatus::finished)
       {
-        const auto            begin  = SteadyClock::now();
-        const double          dt     = run.clock.next_step();
-        const dda::StepResult result = run.step.solve(state, dt);
+        const auto   begin = SteadyClock::now();
+        const double dt    = run.clock.next_step();
+        const auto   tried = try_step(run, dt);
+        ends_search        = !tried;
+        if (ends_search)
+          break;
+        const dda::StepResult &result = *tried;
         summary.iterations += result.iterations;
         summary.few_iterations += result.few_iterations;
         if (!result.converged)
@@ -278,6 +308,8 @@ namespace hybrid
         else if (call.checkpoint)
           save(run);
       }
+    if (ends_search)
+      status = RunStatus::interrupted;
     run.count_processor_time_of_steps();
     if (status != RunStatus::no_convergence)
       progress.finish();
@@ -286,6 +318,8 @@ namespace hybrid
     if (status == RunStatus::interrupted || status == RunStatus::energy_limit ||
         model.scene.checkpoint.is_on())
       save(run);
+    if (ends_search)
+      run_report.search_stopped(run.clock.time(), run.clock.next_step());
     return status;
   }
 

@@ -43,6 +43,9 @@ namespace hybrid
     /// Of a run that ends as nothing moves any more (RestWatch).
     void at_rest(double time) const;
 
+    /// The user has ended the search for the surface's stiffness for a step from @p time [s].
+    void search_stopped(double time, double time_step) const;
+
     /// Of a run that goes on: somebody has deleted pictures.
     void missing_pictures(const std::vector<std::string> &files) const;
 

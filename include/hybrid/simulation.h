@@ -14,6 +14,8 @@
 #include <hybrid/scene_model.h>
 #include <hybrid/step_choice.h>
 
+#include <optional>
+
 namespace hybrid
 {
   /**
@@ -168,6 +170,14 @@ namespace hybrid
 
     /// Stress of a bedrock of finite elements below the mass that has settled.
     void settle_bedrock();
+
+    /// The search for the surface's stiffness, long by conjugate gradients, ends when the user asks
+    /// for it; @p interruption lives as long as the steps.
+    void watch_search(const Interruption &interruption);
+
+    /// One step; nothing if the user has ended it while the surface's stiffness was found: the
+    /// state is that of before.
+    std::optional<dda::StepResult> try_step(Run &run, double dt);
 
     /// The time loop. @return how it ended, after a checkpoint if it was interrupted.
     RunStatus advance(Run &run, const Interruption &interruption);

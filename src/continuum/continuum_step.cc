@@ -4,6 +4,7 @@
 #include <hybrid/scene/stopwatch.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace hybrid::continuum
 {
@@ -395,6 +396,14 @@ namespace hybrid::continuum
     const Stopwatch watch(impl->factor_time);
     return impl->below_blocks->surface_stiffness(dt);
   }
+
+
+  void Continuum::watch_search(std::function<bool()> goes_on)
+  {
+    if (impl->below_blocks != nullptr)
+      impl->below_blocks->watch_search(std::move(goes_on));
+  }
+
 
 
   const Eigen::VectorXd &Continuum::predict(const ContinuumState &state, const double dt)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/continuum/implicit_waves.h>
+#include <hybrid/continuum/stopped.h>
 #include <hybrid/continuum/surface_band.h>
 #include <hybrid/continuum/system_pattern.h>
 
@@ -84,6 +85,8 @@ namespace hybrid::continuum
         f = 0.;
         if (!solve_interior(dt, fine_residual, f, a1))
           throw std::runtime_error(no_convergence);
+        if (search_goes_on && !search_goes_on())
+          throw Stopped();
         system.vmult(work, a1);
         surface.nodes.gather(work.begin(), surface.work);
         for (std::size_t k = 0; k < surface.work.size(); ++k)

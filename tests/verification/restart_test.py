@@ -26,6 +26,8 @@ TOPPLING = ["Mesh/Numbers=Angle = 20; Columns = 4; Rows = 4; Base above = 20", "
             "Output/Flush interval=0.02", "Monitors/Points=block: 0.299, 0.641"]
 # A static stage that takes most of the time, five steps after it.
 FINE = ["Mesh/Numbers=Resolution/h = 0.35", "Time/End time=0.01"]
+# A stiffness of the surface that conjugate gradients find for longer than five steps take.
+ITERATED = ["Continuum/Linear solver=conjugate gradients", "Bedding planes/Strength=elastic", "Mesh/Numbers=Resolution/h = 1", "Time/End time=0.01"]
 ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
 # Of summary.json, besides steps/wall_time of run.h5; a run that goes on makes its list of near blocks anew.
 WALL = {"wall_time_s", "processor_time_s", "processor_times_s", "peak_memory_mb", "timings_s", "contact_search"}
@@ -190,10 +192,10 @@ def check_dda():
     stop_and_resume(SQUARES, TOPPLING, [0.002, 0.08, 0.16, 0.24, 0.31, 0.35])
 
 
-def interrupt(number, wait):
+def interrupt(number, wait, name="signal", overrides=()):
     """Send a signal to a run so much processor time [s] after it has begun. @return its directory."""
-    directory = WORK / f"signal_{number}"
-    process = subprocess.Popen(words_of(COUPLED, directory), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    directory = WORK / f"{name}_{number}"
+    process = subprocess.Popen(words_of(COUPLED, directory, overrides), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                env=ENVIRONMENT, preexec_fn=lambda: signal.signal(number, signal.SIG_DFL))
     while process.poll() is None and not (directory / "checkpoint/state.bin").exists():
         time.sleep(0.005)
@@ -231,6 +233,20 @@ def check_signals():
             and "End time = 0.2" not in re.sub(" +", " ", (short / "params.used.prm").read_text()),
             f"an end before the present time is refused and changes nothing, not {refused.returncode}: {refused.stderr}")
     check_killed_extension()
+    check_search()
+
+
+def check_search():
+    """A signal while the stiffness of the surface is found ends the search with a sentence, and nothing is lost."""
+    whole = WORK / "whole_search"
+    run(words_of(COUPLED, whole, ITERATED))
+    for number in (signal.SIGINT, signal.SIGTERM):
+        directory = interrupt(number, 0.05, "search", ITERATED)
+        log = (directory / "log.txt").read_text(encoding="utf-8")
+        require("Stopped at t = 0 s while the stiffness of the surface was found" in log, f"{directory.name}: says so, not {log[-300:]}")
+        require(check_readable(directory) <= 0, f"{directory.name}: run.h5 has no step")
+        run([BINARY, "--resume", str(directory)])
+        compare(whole, directory, directory.name)
 
 
 def check_killed_extension():

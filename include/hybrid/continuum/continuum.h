@@ -85,6 +85,11 @@ namespace hybrid::continuum
     /// times as stiff.
     const SurfaceStiffness &surface_stiffness(double dt);
 
+    /// By conjugate gradients S takes as long as some hundred steps: @p goes_on is asked after each
+    /// solution, by all ranks together, and must answer all alike. Where it says no,
+    /// surface_stiffness() throws Stopped.
+    void watch_search(std::function<bool()> goes_on);
+
     /// Wall time that factors for the step sizes so far took [s].
     double factor_time() const;
 

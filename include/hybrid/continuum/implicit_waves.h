@@ -11,7 +11,9 @@
 #include <hybrid/continuum/surface_force.h>
 #include <hybrid/continuum/surface_stiffness.h>
 
+#include <functional>
 #include <list>
+#include <utility>
 #include <vector>
 
 namespace hybrid::continuum
@@ -63,8 +65,15 @@ namespace hybrid::continuum
     void   take_energy(ContinuumState &state) override;
     double memory() const override;
 
+    /// Asked after each solution while S is found, on all ranks alike; see Continuum.
+    void watch_search(std::function<bool()> goes_on)
+    {
+      search_goes_on = std::move(goes_on);
+    }
+
     /// S of the surface for steps of @p dt [N/m per m], a band; the last three sizes are kept. All
     /// ranks call this and what follows.
+    /// @throws Stopped if who watches ends the search
     const SurfaceStiffness &surface_stiffness(double dt);
 
     /// Begin a step below blocks. @param load receives g [N/m].
@@ -250,6 +259,7 @@ namespace hybrid::continuum
     Vector                                   inertia_diagonal;   ///< inverted; below blocks
     Vector                                   f, a1, work, work2, from_work, step_load;
     Surface                                  surface;
+    std::function<bool()>                    search_goes_on;        ///< empty: it does
     std::vector<double>                      c1;                    ///< by contacts [m/s2]
     bool                                     contacts_push = false; ///< in this step
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <hybrid/continuum/continuum.h>
+#include <hybrid/continuum/stopped.h>
 #include <hybrid/scene/boundary/fixed_base.h>
 #include <hybrid/scene/boundary/fixed_side.h>
 #include <hybrid/scene/boundary/free_field_side.h>
@@ -356,6 +357,24 @@ namespace
         EXPECT_LT((scale.asDiagonal() * (found - known) * scale.asDiagonal()).cwiseAbs().maxCoeff(),
                   1e-12);
       }
+  }
+
+
+  TEST(ImplicitWaves, SearchForTheStiffnessOfTheSurfaceCanBeStopped)
+  {
+    Scene scene;
+    scene.set_scheme("filtered");
+    scene.parameters.blocks.enabled = true;
+    test::add_block(scene.section);
+    const auto rock  = scene.make(scene::LinearSolver::conjugate_gradients);
+    int        asked = 0;
+    rock->watch_search([&asked]() { return ++asked < 3; });
+    EXPECT_THROW(rock->surface_stiffness(time_step), Stopped);
+    EXPECT_EQ(asked, 3);
+    rock->watch_search({}); // what was stopped leaves nothing behind
+    const auto fresh = scene.make(scene::LinearSolver::conjugate_gradients);
+    EXPECT_EQ(rock->surface_stiffness(time_step).entries,
+              fresh->surface_stiffness(time_step).entries);
   }
 
 
