@@ -84,6 +84,19 @@ def test_surfaces_and_slip_of_two_slides_are_not_joined_through_the_air(syntheti
     plt.close("all")
 
 
+def test_the_floor_of_a_valley_between_two_masses_is_in_view():
+    """Both masses lie above 4 m, the floor at 0; the base of the rock at -50 m is no ground."""
+    surface = [np.array([[-100.0, 20.0], [0.0, 0.0], [50.0, 20.0]])]
+    outline = np.array([[-100.0, -50, 100, -50], [100, -50, 100, 40], [100, 40, 50, 20], [50, 20, 0, 0], [0, 0, -100, 20], [-100, 20, -100, -50]])
+    for lines, rock in ((surface, None), (None, outline), (surface, outline)):
+        section = types.SimpleNamespace(low=np.array([-30.0, 4.0]), high=np.array([20.0, 12.0]), surface=lines, outline=rock)
+        section_view.Section.show_ground_between(section)
+        assert section.low.tolist() == [-30, 0] and section.high.tolist() == [20, 12]
+    section = types.SimpleNamespace(low=np.array([-30.0, 4.0]), high=np.array([-20.0, 12.0]), surface=surface, outline=outline)
+    section_view.Section.show_ground_between(section)
+    assert section.low.tolist() == [-30, 4]  # one mass alone
+
+
 def test_blocks_that_all_left_the_section_are_drawn_where_they_are(hybrid, synthetic_run):
     run = synthetic_run("away")
     assert tool.main("plot", [str(run)]) == 0

@@ -36,6 +36,7 @@ class Section:
         self.water = Water(run)
         self.read_materials(run)
         self.low, self.high = points.min(axis=0), points.max(axis=0)
+        self.show_ground_between()
         self.monitors = [(n, run.attribute("monitors/" + n, "position")) for n in run.names("monitors")]
         self.monitors = [(n, p) for n, p in self.monitors if p is not None]
         self.boreholes = [(n, run.attribute("profiles/" + n, "position")) for n in run.names("profiles")]
@@ -44,6 +45,19 @@ class Section:
         if run.has("joints/position") and run.file["joints/position"].shape[0] > 0:
             ends = run.get("joints/ends") if run.has("joints/ends") else None
             self.joints = run.get("joints/position"), run.get("joints/failure_time"), run.get("joints/failure_kind"), ends
+
+    def show_ground_between(self):
+        """The view reaches down to the ground between two masses, as the floor of a valley: to the rock that is uppermost there."""
+        edges = [np.hstack([line[:-1], line[1:]]) for line in self.surface or []]
+        if self.outline is not None:
+            edges.append(self.outline.reshape(-1, 4))
+        x, y, x_end, y_end = np.vstack(edges + [np.zeros((0, 4))]).T
+        for at in np.unique([x, x_end]):
+            if self.low[0] < at < self.high[0]:
+                passes = (x != x_end) & (np.minimum(x, x_end) <= at) & (at <= np.maximum(x, x_end))
+                part = (at - x[passes]) / (x_end - x)[passes]
+                if passes.any():
+                    self.low[1] = min(self.low[1], ((1 - part) * y[passes] + part * y_end[passes]).max())
 
     def names(self):
         """Where names of monitors stand."""
