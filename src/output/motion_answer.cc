@@ -37,73 +37,119 @@ namespace hybrid::output
 
 
 
-    /// Convolution with a source within a record, and its transpose.
-    class Source
+    /// The next number that 2, 3 and 5 divide to 1, and 2 at least once: transforms are quick.
+    std::size_t quick_length(const std::size_t least)
+    {
+      for (std::size_t length = least + least % 2;; length += 2)
+        {
+          std::size_t left = length;
+          for (const std::size_t factor : {2, 3, 5})
+            while (left % factor == 0)
+              left /= factor;
+          if (left == 1)
+            return length;
+        }
+    }
+
+
+
+    /// Transforms of one length, of real values that zeros follow.
+    class Transform
     {
     public:
-      Source(const MotionAnswer::Spectrum &given_spectrum,
-             const std::size_t             record_rows,
-             const std::size_t             transform_length)
-        : spectrum(given_spectrum)
-        , rows(record_rows)
-        , length(transform_length)
+      explicit Transform(const std::size_t least)
+        : length(quick_length(least))
       {
-        transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+        fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
       }
 
-      /// h * F, one per row.
-      Values answer(const Values &pulse)
-      {
-        return multiplied(pulse, rows, [](const auto &f) { return f; });
-      }
-
-      /// Of so many lags.
-      Values transposed(const Values &motion, const std::size_t lags)
-      {
-        return multiplied(motion, lags, [](const auto &f) { return std::conj(f); });
-      }
-
-    private:
-      const MotionAnswer::Spectrum &spectrum;
-      std::size_t                   rows, length;
-      Eigen::FFT<double>            transform; // keeps its plan
-      MotionAnswer::Spectrum        product;
-      Values                        padded;
-
-      template <typename Factor>
-      Values multiplied(const Values &x, const std::size_t size, const Factor &factor)
+      void forward(const Values &x, MotionAnswer::Spectrum &result)
       {
         padded = x;
         padded.resize(length, 0.);
-        transform.fwd(product, padded);
-        for (std::size_t k = 0; k < product.size(); ++k)
-          product[k] *= factor(spectrum[k]);
-        transform.inv(padded, product, length);
-        return Values(padded.begin(), padded.begin() + size);
+        fft.fwd(result, padded);
       }
+
+      /// The first values, so many.
+      void backward(const MotionAnswer::Spectrum &spectrum, const std::size_t size, Values &result)
+      {
+        fft.inv(padded, spectrum, length);
+        result.assign(padded.begin(), padded.begin() + size);
+      }
+
+    private:
+      std::size_t        length;
+      Eigen::FFT<double> fft; // keeps its plan
+      Values             padded;
     };
 
 
 
-    /// h of so many lags.
-    Values
-    best_pulse(Source &source, const Values &motion, const std::size_t lags, const double weight)
+    /**
+     * A^T A of the convolution A with a source within a record, for so many lags.
+     *
+     * Continued beyond the record, to where the source has ended, the convolution has a Toeplitz
+     * matrix, of the source's autocorrelation. What the continuation added is taken off again: B^T
+     * B, of the convolution with the source's last values. Both are as long as the lags, whatever
+     * the record.
+     */
+    class NormalMatrix
     {
-      Values       pulse(lags, 0.), gradient = source.transposed(motion, lags);
-      Values       direction = gradient;
-      double       size      = product(gradient, gradient);
-      const double enough    = settled * settled * size;
+    public:
+      /// @param autocorrelation of the source, by lags
+      NormalMatrix(const Values &source, const Values &autocorrelation, const std::size_t n_lags)
+        : lags(n_lags)
+        , transform(2 * n_lags)
+      {
+        Values even(autocorrelation.begin(), autocorrelation.begin() + lags), last(lags, 0.);
+        even[0] *= 0.5; // with its mirror image twice
+        transform.forward(even, toeplitz);
+        for (std::complex<double> &value : toeplitz)
+          value = 2. * value.real();
+        for (std::size_t k = 1; k < lags; ++k)
+          last[k] = source[source.size() - k];
+        transform.forward(last, beyond);
+      }
+
+      Values operator*(const Values &x)
+      {
+        transform.forward(x, of_x);
+        product.resize(of_x.size());
+        for (std::size_t k = 0; k < of_x.size(); ++k)
+          product[k] = std::conj(beyond[k]) * of_x[k];
+        transform.backward(product, lags, result);
+        transform.forward(result, product);
+        for (std::size_t k = 0; k < of_x.size(); ++k)
+          product[k] = toeplitz[k] * of_x[k] - beyond[k] * product[k];
+        transform.backward(product, lags, result);
+        return result;
+      }
+
+    private:
+      std::size_t            lags;
+      Transform              transform;
+      MotionAnswer::Spectrum toeplitz, beyond, of_x, product;
+      Values                 result;
+    };
+
+
+
+    /// h of so many lags. @param gradient A^T U, as many
+    Values best_pulse(NormalMatrix &matrix, Values gradient, const double weight)
+    {
+      Values       pulse(gradient.size(), 0.), direction = gradient;
+      double       size   = product(gradient, gradient);
+      const double enough = settled * settled * size;
       for (int i = 0; i < most_iterations && size > enough; ++i)
         {
-          const Values answer = source.answer(direction);
-          Values       normal = source.transposed(answer, lags);
+          Values normal = matrix * direction;
           add(normal, weight, direction);
           const double step = size / product(direction, normal);
           add(pulse, step, direction);
           add(gradient, -step, normal);
           const double last = size;
           size              = product(gradient, gradient);
-          for (std::size_t k = 0; k < lags; ++k)
+          for (std::size_t k = 0; k < direction.size(); ++k)
             direction[k] = gradient[k] + size / last * direction[k];
         }
       return pulse;
@@ -112,35 +158,49 @@ namespace hybrid::output
 
 
 
-  MotionAnswer::MotionAnswer(const std::vector<double> &source, const std::size_t transform_length)
-    : rows(source.size())
-    , length(transform_length)
+  MotionAnswer::MotionAnswer(const std::vector<double> &given_source)
+    : source(given_source)
   {
-    assert(length >= 2 * rows);
-    Values padded = source;
-    padded.resize(length, 0.);
-    Eigen::FFT<double> transform;
-    transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-    transform.fwd(source_spectrum, padded);
-    for (const std::complex<double> &f : source_spectrum)
-      weight = std::max(weight, water_level * std::norm(f));
+    Transform transform(2 * source.size());
+    transform.forward(source, spectrum);
+    Spectrum power;
+    for (const std::complex<double> &f : spectrum)
+      {
+        power.push_back(std::norm(f));
+        weight = std::max(weight, water_level * std::norm(f));
+      }
+    transform.backward(power, source.size(), autocorrelation);
   }
 
 
 
   MotionAnswer::Answer MotionAnswer::find(const std::vector<double> &velocity) const
   {
-    assert(velocity.size() == rows);
-    Source       source(source_spectrum, rows, length);
-    const double whole = product(velocity, velocity);
-    Answer       result{Values(rows, 0.), velocity};
+    assert(velocity.size() == source.size());
+    const std::size_t rows  = source.size();
+    const double      whole = product(velocity, velocity);
+    Answer            result{Values(rows, 0.), velocity};
     if (!(whole > 0.) || !(weight > 0.))
       return result;
+    Transform transform(2 * rows);
+    Spectrum  spectrum_of;
+    Values    gradient, answer;
+    transform.forward(velocity, spectrum_of);
+    for (std::size_t k = 0; k < spectrum.size(); ++k)
+      spectrum_of[k] *= std::conj(spectrum[k]);
+    transform.backward(spectrum_of, rows, gradient);
     for (const std::size_t part : parts_of_record)
       {
-        result.pulse = best_pulse(source, velocity, std::max<std::size_t>(1, rows / part), weight);
-        result.rest  = velocity;
-        add(result.rest, -1., source.answer(result.pulse));
+        const std::size_t lags = std::max<std::size_t>(1, rows / part);
+        NormalMatrix      matrix(source, autocorrelation, lags);
+        result.pulse =
+          best_pulse(matrix, Values(gradient.begin(), gradient.begin() + lags), weight);
+        transform.forward(result.pulse, spectrum_of);
+        for (std::size_t k = 0; k < spectrum.size(); ++k)
+          spectrum_of[k] *= spectrum[k];
+        transform.backward(spectrum_of, rows, answer);
+        result.rest = velocity;
+        add(result.rest, -1., answer);
         if (product(result.rest, result.rest) < most_left * most_left * whole)
           break;
       }

@@ -58,7 +58,7 @@ namespace hybrid::output
     , length(transform_length(rows))
     , is_set_off(
         std::all_of(source.begin(), source.begin() + rows, [](double f) { return f == 0.; }))
-    , answer(within_record(source), length)
+    , answer(within_record(source))
   {
     assert(source.size() == 2 * rows);
     for (std::size_t k = 0; k <= length / 2; ++k)

@@ -28,9 +28,8 @@ namespace hybrid::output
   public:
     using Spectrum = std::vector<std::complex<double>>;
 
-    /// @param source F, one per row. @param transform_length at least twice as many, a power of
-    /// two.
-    MotionAnswer(const std::vector<double> &source, std::size_t transform_length);
+    /// @param source F, one per row.
+    explicit MotionAnswer(const std::vector<double> &source);
 
     struct Answer
     {
@@ -42,8 +41,9 @@ namespace hybrid::output
     Answer find(const std::vector<double> &velocity) const;
 
   private:
-    std::size_t rows, length; ///< of a record; of its transform
-    double      weight = 0.;  ///< w
-    Spectrum    source_spectrum;
+    std::vector<double> source;
+    std::vector<double> autocorrelation; ///< of the source, by lags
+    double              weight = 0.;     ///< w
+    Spectrum            spectrum;        ///< of the source with as many zeros
   };
 } // namespace hybrid::output

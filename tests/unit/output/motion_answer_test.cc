@@ -9,7 +9,7 @@ namespace hybrid::output
 {
   namespace
   {
-    constexpr std::size_t rows = 400, transform_length = 1024;
+    constexpr std::size_t rows = 400;
 
 
     /// A sine that grows and goes on beyond the end of the record.
@@ -73,7 +73,7 @@ namespace hybrid::output
     TEST(MotionAnswer, AnswersWithinARecordThatEndsWithinTheMotion)
     {
       const std::vector<double>  echoes = sum(sampled(30.), -0.5, sampled(250.));
-      const MotionAnswer::Answer found  = MotionAnswer(sampled(0.), transform_length).find(echoes);
+      const MotionAnswer::Answer found  = MotionAnswer(sampled(0.)).find(echoes);
       ASSERT_EQ(found.pulse.size(), rows);
       EXPECT_LT(size(found.rest), 0.05 * size(echoes));
       EXPECT_LT(size(sum(sum(echoes, -1., answered(found.pulse)), -1., found.rest)),
@@ -83,7 +83,7 @@ namespace hybrid::output
 
     TEST(MotionAnswer, LagsAreNoLongerThanNeedBe)
     {
-      const MotionAnswer answer(sampled(0.), transform_length);
+      const MotionAnswer answer(sampled(0.));
       EXPECT_LT(last_lag(answer.find(sampled(3.)).pulse), rows / 64);
       EXPECT_GE(last_lag(answer.find(sampled(50.)).pulse), 50u);
       EXPECT_LT(last_lag(answer.find(sampled(50.)).pulse), rows / 4);
@@ -94,8 +94,8 @@ namespace hybrid::output
     TEST(MotionAnswer, NothingAnswersIfNothingShakesOrMoves)
     {
       const std::vector<double> none(rows, 0.);
-      EXPECT_EQ(size(MotionAnswer(sampled(0.), transform_length).find(none).pulse), 0.);
-      const MotionAnswer::Answer found = MotionAnswer(none, transform_length).find(sampled(0.));
+      EXPECT_EQ(size(MotionAnswer(sampled(0.)).find(none).pulse), 0.);
+      const MotionAnswer::Answer found = MotionAnswer(none).find(sampled(0.));
       EXPECT_EQ(size(found.pulse), 0.);
       EXPECT_EQ(found.rest, sampled(0.));
     }
