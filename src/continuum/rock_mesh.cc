@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
+#include <string>
 
 namespace hybrid::continuum
 {
@@ -212,6 +214,34 @@ namespace hybrid::continuum
   }
 
 
+  namespace
+  {
+    /// Names a place of the smaller part: of the path, or of what it does not reach.
+    std::string not_one_path(const RockMesh              &rock,
+                             const std::vector<RockFace> &faces,
+                             const std::vector<RockFace> &path)
+    {
+      std::set<int> reached;
+      for (const RockFace &face : path)
+        reached.insert(rock.origin[face.b]);
+      const bool         is_path_smaller = !path.empty() && 2 * path.size() < faces.size();
+      const auto         part = std::find_if(faces.begin(), faces.end(), [&](const RockFace &face) {
+        return (reached.count(rock.origin[face.b]) > 0) == is_path_smaller;
+      });
+      const Vec2         x    = rock.nodes[part->b];
+      const auto         count = is_path_smaller ? path.size() : faces.size() - path.size();
+      std::ostringstream text;
+      text << "Mesh: the surface of finite elements below blocks, lines 'ground' and "
+              "'sliding_surface', must be one path from side to side; "
+           << count << " of its " << faces.size() << " edges are apart from the others, one at ("
+           << x.x() << ", " << x.y()
+           << ") m. Fill an opening at a side of the section (a gallery) with a region of bedrock "
+              "of its own (with a soft material), or set Model/Blocks = none.";
+      return text.str();
+    }
+  } // namespace
+
+
   std::vector<RockFace> surface_chain(const RockMesh &rock, const std::vector<RockFace> &faces)
   {
     // Counter-clockwise order runs from right to left on top: a face starts at its b.
@@ -232,10 +262,7 @@ namespace hybrid::continuum
             at = rock.origin[chain.back().a];
           }
     if (chain.size() != faces.size())
-      throw InputError(
-        "Mesh: the rock faces of lines 'sliding_surface' and 'ground' are not one chain (" +
-        std::to_string(chain.size()) + " of " + std::to_string(faces.size()) +
-        " faces connected).");
+      throw InputError(not_one_path(rock, faces, chain));
     return chain;
   }
 } // namespace hybrid::continuum
