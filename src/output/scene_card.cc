@@ -387,6 +387,23 @@ namespace hybrid::output
 
 
 
+    void describe_velocities(const scene::SceneParameters &scene,
+                             const dda::Model             &blocks,
+                             std::string                  &text)
+    {
+      auto given = scene.blocks.initial_velocities.begin();
+      for (const dda::MovingBlocks &moving : blocks.moving_blocks)
+        text += line("Velocity   %s: %zu of %d blocks with %g, %g m/s, %g rad/s",
+                     (given++)->name.c_str(),
+                     moving.blocks.size(),
+                     blocks.n_mass(),
+                     moving.velocity.x(),
+                     moving.velocity.y(),
+                     moving.spin);
+    }
+
+
+
     /// Bedrock of blocks too large for waves to run in them.
     void describe_layers(const scene::SceneParameters &scene,
                          const dda::Model             *blocks,
@@ -434,6 +451,8 @@ namespace hybrid::output
         describe(part, scene, blocks, continuum, card.text);
         warn(mesh_warning(part, resolutions.wanted), card);
       }
+    if (blocks != nullptr)
+      describe_velocities(scene, *blocks, card.text);
     if (scene.continuum.is_explicit && continuum != nullptr)
       card.text += describe_explicit_time(scene, *continuum);
     else

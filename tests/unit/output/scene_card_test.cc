@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "block_scenes.h"
+
 #include <hybrid/output/scene_card.h>
 #include <hybrid/scene/bedrock/layers_bedrock.h>
 #include <hybrid/scene/bedrock/rigid_bedrock.h>
@@ -42,6 +44,24 @@ namespace hybrid::output
       EXPECT_NE(card().find("layers, base rigid"), std::string::npos) << card();
       scene.continuum.base = scene::fixed_base();
       EXPECT_NE(card().find("layers, base fixed"), std::string::npos) << card();
+    }
+
+
+    TEST(SceneCard, SaysHowManyBlocksAnInitialVelocityMoves)
+    {
+      scene::SceneParameters scene    = test::block_parameters(30.);
+      scene.bedrock                   = scene::rigid_bedrock();
+      scene.blocks.initial_velocities = {{"upper", {0., 1.}, {9., 9.}, {2., -1.}, 0.5},
+                                         {"one", {0., 0.}, {1., 1.}, {0., 0.}, 1.}};
+      const dda::Model model =
+        dda::build_model(test::square_blocks(2, 2), scene, test::straight_foundation(0., 1., 6.));
+      const std::string card = make_scene_card(scene, {}, &model, nullptr).text;
+      EXPECT_NE(card.find("Velocity   upper: 2 of 4 blocks with 2, -1 m/s, 0.5 rad/s\n"),
+                std::string::npos)
+        << card;
+      EXPECT_NE(card.find("Velocity   one: 1 of 4 blocks with 0, 0 m/s, 1 rad/s\n"),
+                std::string::npos)
+        << card;
     }
 
 
