@@ -224,12 +224,15 @@ namespace
     const bool force    = command.force || command.action == Action::resume;
     const bool is_check = command.action == Action::check;
     prepare_process();
+    ScenePrepared preparation;
     processes.on_first([&] {
       if (command.action == Action::run && !force)
         refuse_earlier_run(scene.output.directory);
       check_directory(scene.output.directory);
       if (!is_check && std::filesystem::is_directory(scene.output.directory))
         lock.take(scene.output.directory); // before it is meshed in vain
+      if (command.action == Action::run)
+        preparation.begin(scene, lock);
     });
     Voice voice(processes);
     if (command.action == Action::resume)
@@ -246,6 +249,7 @@ namespace
     processes.on_first([&] {
       if (!is_check)
         prepare_directory(scene, force, voice.log, lock);
+      preparation.done();
       if (command.action == Action::run)
         forget_step_record(scene.output.directory);
     });

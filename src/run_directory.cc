@@ -4,12 +4,15 @@
 #include <hybrid/output/history_file.h>
 #include <hybrid/restart/durable_file.h>
 #include <hybrid/run_directory.h>
+#include <hybrid/scene/crash_guard.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/parameters/scene_reader.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <unistd.h>
 
 namespace hybrid
@@ -40,12 +43,12 @@ namespace hybrid
 
 
 
+    /// params.used.prm alone is left by what was killed while its scene was prepared.
     bool holds_run(const std::string &directory)
     {
-      for (const char *file : files)
-        if (exists(directory + "/" + file))
-          return true;
-      return false;
+      return std::any_of(std::begin(files), std::end(files), [&](const std::string &file) {
+        return file != "params.used.prm" && exists(directory + "/" + file);
+      });
     }
 
 
@@ -211,7 +214,44 @@ namespace hybrid
     lock.take(directory);
     remove_run(directory);
     make_directory(directory + "/checkpoint");
+    write_parameters(scene);
     log.open_file(directory + "/log.txt");
+  }
+
+
+
+  ScenePrepared::~ScenePrepared()
+  {
+    std::error_code error;
+    for (const std::string &path : made) // a directory with other files stays
+      fs::remove(path, error);
+    done();
+  }
+
+
+
+  void ScenePrepared::done()
+  {
+    made.clear();
+    scene::CrashGuard::delete_at_crash({});
+  }
+
+
+
+  void ScenePrepared::begin(const scene::SceneParameters &scene, DirectoryLock &lock)
+  {
+    const std::string &directory = scene.output.directory;
+    if (holds_run(directory))
+      return;
+    std::vector<std::string> above;
+    for (fs::path place = directory; !place.empty() && !exists(place.string());
+         place          = place == place.parent_path() ? fs::path() : place.parent_path())
+      above.push_back(place.string());
+    make_directory(directory);
+    lock.take(directory);
+    made.push_back(parameters_file(directory));
+    made.insert(made.end(), above.begin(), above.end());
+    scene::CrashGuard::delete_at_crash(made);
     write_parameters(scene);
   }
 

@@ -31,14 +31,15 @@ namespace hybrid
   /// What to type to go on with the run in @p directory.
   std::string resume_command(const std::string &directory);
 
-  /// @throws InputError if an earlier run is there; says what can be done.
+  /// @throws InputError if an earlier run is there; says what can be done. One that was killed
+  /// while its scene was prepared is none.
   void refuse_earlier_run(const std::string &directory);
 
   /// @throws InputError if no run could write into @p directory, or make it. Writes nothing.
   void check_directory(const std::string &directory);
 
   /**
-   * Make the output directory of a new run, with log.txt and params.used.prm.
+   * Make the output directory of a new run, with params.used.prm and log.txt.
    *
    * @param force what an earlier run has left there is deleted.
    * @param lock is taken before anything is deleted.
@@ -48,6 +49,31 @@ namespace hybrid
                          bool                          force,
                          output::Log                  &log,
                          DirectoryLock                &lock);
+
+  /**
+   * params.used.prm of a new run while its scene is prepared, which takes minutes for a large one:
+   * what is killed then can be resumed, and begins anew. A scene that is refused leaves nothing.
+   */
+  class ScenePrepared
+  {
+  public:
+    ScenePrepared() = default;
+
+    /// Deletes the file and the directories that begin() has made, unless done().
+    ~ScenePrepared();
+    ScenePrepared(const ScenePrepared &)            = delete;
+    ScenePrepared &operator=(const ScenePrepared &) = delete;
+
+    /// Nothing where an earlier run is, which --force is going to replace.
+    /// @param lock of the directory, is taken
+    void begin(const scene::SceneParameters &scene, DirectoryLock &lock);
+
+    void done();
+
+  private:
+    std::vector<std::string> made; ///< the file, its directory, those above
+  };
+
 
   /// The scene of the run in @p directory, for which the results go there again.
   /// @throws InputError if there is no run, or a file that its scene needs is gone.

@@ -6,6 +6,7 @@
 #include <exception>
 #include <new>
 #include <unistd.h>
+#include <utility>
 
 namespace hybrid::scene
 {
@@ -17,12 +18,17 @@ namespace hybrid::scene
     std::string sentence;
     std::string memory_sentence; ///< where memory was the reason
 
+    std::vector<std::string> to_delete;
+
     struct sigaction earlier[4]; ///< handlers to be put back
 
     std::terminate_handler earlier_end = nullptr;
 
     void say_and_end(const std::string &text)
     {
+      for (const std::string &path : to_delete)
+        if (unlink(path.c_str()) != 0)
+          rmdir(path.c_str());
       const auto written = write(STDERR_FILENO, text.data(), text.size());
       _exit(written < 0 ? 3 : 2);
     }
@@ -65,6 +71,13 @@ namespace hybrid::scene
     for (int i = 0; i < 4; ++i)
       sigaction(crashes[i], &action, &earlier[i]);
     earlier_end = std::set_terminate(end_exception);
+  }
+
+
+
+  void CrashGuard::delete_at_crash(std::vector<std::string> paths)
+  {
+    to_delete = std::move(paths);
   }
 
 

@@ -317,7 +317,25 @@ def check_static_stage():
             check_interrupted_stage(whole, number, wait)
 
 
+def check_killed_preparation():
+    """Killed while the scene is prepared, before anything is computed: begun anew; run again, it is no earlier run."""
+    directory = WORK / "killed_preparation"
+    for again in ([BINARY, "--resume", str(directory)], words_of(COUPLED, directory, FINE)):
+        shutil.rmtree(directory, ignore_errors=True)
+        process = subprocess.Popen(words_of(COUPLED, directory, FINE), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=ENVIRONMENT)
+        while process.poll() is None and not (directory / "params.used.prm").exists():
+            time.sleep(0.001)
+        process.kill()
+        process.wait()
+        left = [file.name for file in directory.iterdir()]
+        require(left == ["params.used.prm"], f"killed while the scene was prepared: leaves {left}")
+        run(again)
+        log = (directory / "log.txt").read_text(encoding="utf-8")
+        require(("the run begins anew" in log) == ("--resume" in again), f"says that it begins anew: {log[:300]}")
+
+
 def check_static():
+    check_killed_preparation()
     check_static_stage()
 
 

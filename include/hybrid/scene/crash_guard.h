@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace hybrid::scene
 {
@@ -21,6 +22,10 @@ namespace hybrid::scene
     explicit CrashGuard(const std::string &file);
 
     ~CrashGuard();
+
+    /// Files, and then directories if they are empty, that a crash within any guard deletes,
+    /// instead of those given before.
+    static void delete_at_crash(std::vector<std::string> paths);
 
     /// Name what the crash will be due to, in place of a list of what it may be due to.
     /// @param what "bedding_1 lies within surface 1: divide the surface along it".

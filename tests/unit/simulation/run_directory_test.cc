@@ -104,6 +104,41 @@ TEST(ResumeCommand, quotes_what_a_shell_would_split)
 
 
 
+TEST_F(RunDirectory, a_run_killed_while_its_scene_was_prepared_can_be_resumed_or_repeated)
+{
+  scene.output.directory += "/in/another";
+  {
+    ScenePrepared preparation;
+    preparation.begin(scene, lock);
+    EXPECT_TRUE(fs::exists(scene.output.directory + "/params.used.prm"));
+    EXPECT_TRUE(has_not_begun(scene.output.directory));
+    EXPECT_NO_THROW(refuse_earlier_run(scene.output.directory));
+    prepare_directory(scene, false, log, lock);
+    preparation.done();
+  }
+  EXPECT_TRUE(fs::exists(scene.output.directory + "/params.used.prm"));
+  touch("in/another/run.h5");
+  fs::remove(scene.output.directory + "/params.used.prm");
+  ScenePrepared().begin(scene, lock);
+  EXPECT_FALSE(fs::exists(scene.output.directory + "/params.used.prm")) << "of an earlier run";
+}
+
+
+
+TEST_F(RunDirectory, a_scene_that_is_refused_leaves_nothing)
+{
+  scene.output.directory += "/in/another";
+  ScenePrepared().begin(scene, lock);
+  EXPECT_FALSE(fs::exists(directory));
+  DirectoryLock of_next;
+  touch("in/mine.txt");
+  ScenePrepared().begin(scene, of_next);
+  EXPECT_FALSE(fs::exists(scene.output.directory));
+  EXPECT_TRUE(fs::exists(directory + "/in/mine.txt"));
+}
+
+
+
 TEST_F(RunDirectory, a_directory_with_other_files_can_be_used)
 {
   touch("notes.txt");
