@@ -73,6 +73,18 @@ def test_a_line_at_rest_and_one_of_two_points_are_told_and_drawn_without_a_warni
     assert len(points) >= 100 and values == pytest.approx(1 + np.hypot(*points.T) / 50)
 
 
+def test_ratios_to_next_to_nothing_are_left_out_and_the_table_says_where(hybrid, level_ground):
+    """A Ricker wavelet of f_0 has over 5 % of its largest amplitude where x^2 exp(1 - x^2) > 0.05, x = f / f_0: from 0.137 to 2.4 f_0."""
+    text, table = amplification(hybrid, level_ground, "--no-figures")
+    assert table["least_outcrop_amplitude"] == 0.05
+    assert table["ratios_from_hz"] == pytest.approx(2 * 0.137, rel=0.15) and table["ratios_to_hz"] == pytest.approx(2 * 2.4, rel=0.06)
+    assert "spectral ratios are told where the outcrop has over 5 % of its largest amplitude: within " in text
+    with open(level_ground / "amplification/spectral_ratios.csv", encoding="utf-8", newline="") as file:
+        head, first, *_ = csv.reader(file)
+    cells = {float(name.split()[0]): cell for name, cell in zip(head[3:], first[3:])}
+    assert all((cell == "") == (not table["ratios_from_hz"] * 0.999 <= f <= table["ratios_to_hz"] * 1.001) for f, cell in cells.items())
+
+
 def test_what_differs_across_a_plane_at_rest_is_nothing():
     assert quantities.largest_difference(np.zeros(3), np.zeros(3)) == 0
     assert quantities.largest_difference(np.array([1.1, 0.0]), np.array([1.0, 0.0])) == pytest.approx(0.1)

@@ -85,6 +85,7 @@ def test_there_is_no_ratio_to_a_motion_without_energy():
     at = np.array([0.1, 1.0, 2.0, 4.0, 12.0])
     expected = at**2 * np.exp(-(at**2) / 4) > hybrid_run.spectra.FAINT * 4 / np.e
     assert (hybrid_run.has_energy(pulse, dt, at, 80) == expected).all() and expected.tolist() == [False, True, True, True, False]
+    assert not hybrid_run.has_energy(pulse, dt, np.array([10.0, 12.0]), 80).any()  # the peak is not among what is asked for
 
 
 def test_a_directory_without_a_run_is_told(tmp_path):

@@ -5,7 +5,7 @@ import numpy as np
 
 from .errors import MissingData
 from .low_pass import low_pass
-from .spectra import spectral_ratio
+from .spectra import has_energy, spectral_ratio
 
 SHORT = 16384  # rows
 
@@ -83,7 +83,7 @@ class Line:
         return np.abs(self.low_passed(self.acceleration(side)[:, :, component])).max(axis=0) / outcrop
 
     def spectral_ratio(self, side, component, frequency, bandwidth=40.0):
-        """To the outcrop motion, smoothed (Konno and Ohmachi 1998) [-]: len(frequency) x k."""
+        """To the outcrop motion, smoothed (Konno and Ohmachi 1998) [-]: len(frequency) x k; NaN where that has next to no energy."""
         spacing, values = self.equal_steps(self.acceleration(side)[:, :, component])
         _, outcrop = self.equal_steps(self.outcrop()[:, component])
         fade = np.ones(len(outcrop))  # what does not end at rest would leak over all frequencies
@@ -91,7 +91,8 @@ class Line:
         fade[-n:] = np.cos(0.5 * np.pi * np.arange(1, n + 1) / n) ** 2
         rest = 3 * len(fade) if len(fade) < SHORT else 0  # zeros: frequencies close enough for the window
         values, outcrop = (np.pad(part, [(0, rest)] + [(0, 0)] * (part.ndim - 1)) for part in (values * fade[:, None], outcrop * fade))
-        return spectral_ratio(values, outcrop, spacing, frequency, bandwidth)
+        ratio = spectral_ratio(values, outcrop, spacing, frequency, bandwidth)
+        return np.where(has_energy(outcrop, spacing, frequency, bandwidth)[:, None], ratio, np.nan)
 
     def jump(self):
         """Displacement of the upper side against the lower [m], r x k x 2: along the tangent, normal to it (opening positive)."""

@@ -3,7 +3,7 @@
 
 import numpy as np
 
-from .spectra import spectral_ratio
+from .spectra import has_energy, spectral_ratio
 
 
 class Monitor:
@@ -50,11 +50,14 @@ class Monitor:
         return np.abs(values).max(axis=0)
 
     def spectral_ratio(self, component=0, bandwidth=40.0, points=200):
-        """(frequency [Hz], ratio [-]) of its acceleration to that of the outcrop motion, smoothed (Konno and Ohmachi 1998)."""
+        """(frequency [Hz], ratio [-]) of its acceleration to that of the outcrop motion, smoothed (Konno and Ohmachi 1998); NaN where that has
+        next to no energy (spectra.has_energy())."""
         time, acceleration = self.run.equal_steps(self.acceleration)
         _, outcrop = self.run.equal_steps(self.run.history("input/acceleration"))
         frequency = self.run.frequencies(points)
-        return frequency, spectral_ratio(acceleration[:, component], outcrop[:, component], time[1] - time[0], frequency, bandwidth)
+        motion, dt = outcrop[:, component], time[1] - time[0]
+        ratio = spectral_ratio(acceleration[:, component], motion, dt, frequency, bandwidth)
+        return frequency, np.where(has_energy(motion, dt, frequency, bandwidth), ratio, np.nan)
 
     def _raw(self, quantity):
         return self.run.history("monitors/%s/%s" % (self.name, quantity))

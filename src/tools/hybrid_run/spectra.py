@@ -4,7 +4,10 @@
 import numpy as np
 from scipy import fft
 
-FAINT = 0.05  # of the largest amplitude
+# Of the largest amplitude. A ratio to less is not that of its frequency: the spectrum of a wavelet falls so steeply there that the window
+# takes what is beside it. On a layered column (b = 40) ratios to more than this are within 8 % of the closed form, those to 0.3 % are 17 % off,
+# to 1e-5 twice as large; what round-off leaves of a wavelet is 4e-10.
+FAINT = 0.05
 WIDEST = 10  # the window of Konno and Ohmachi is below 1e-6 of its peak beyond f_c 10^(WIDEST / b)
 
 
@@ -41,8 +44,10 @@ def konno_ohmachi(frequency, amplitude, at, bandwidth=40.0):
 
 def has_energy(reference, dt, at, bandwidth=40.0):
     """Whether the smoothed amplitude of a history is more than FAINT of its largest, at each of the frequencies `at` [Hz]: elsewhere a ratio to it is noise."""
-    smooth = konno_ohmachi(*fourier_amplitude(reference, dt), at, bandwidth)
-    return smooth > FAINT * smooth.max()
+    frequency, amplitude = fourier_amplitude(reference, dt)
+    peak = frequency[1 + amplitude[1:].argmax()]  # which need not be among `at`
+    smooth = konno_ohmachi(frequency, amplitude, np.append(at, peak), bandwidth)
+    return smooth[:-1] > FAINT * smooth.max()
 
 
 def spectral_ratio(values, reference, dt, at, bandwidth=40.0):

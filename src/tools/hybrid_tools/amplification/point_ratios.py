@@ -7,6 +7,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import NullFormatter, ScalarFormatter
 
 from hybrid_run import MissingData, konno_ohmachi, motion_in_column
+from hybrid_run.spectra import FAINT
 from hybrid_tools import style
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73")
@@ -31,6 +32,8 @@ def draw(study, directory):
     sides = [side for side in study.sides if side.name != "below" and side.line.name not in at_rest]
     if not sides:
         raise MissingData("nothing moves along the lines")
+    if not study.is_clear.any():
+        raise MissingData("the outcrop motion has next to no energy at the frequencies of the ratios")
     columns = min(len(sides), 3)
     rows = -(-len(sides) // columns)
     figure, grid = plt.subplots(rows, columns, figsize=(3.6 * columns + 0.8, 3.1 * rows + 0.4), squeeze=False, constrained_layout=True)
@@ -62,7 +65,7 @@ def draw(study, directory):
     for axis in grid[:, 0]:
         axis.set_ylabel("spectral ratio to outcrop [-]")
     for axis in grid.flat[max(0, len(sides) - columns) : len(sides)]:
-        axis.set_xlabel("frequency [Hz]")
+        axis.set_xlabel("frequency [Hz]\n(outcrop over %g %% of its largest amplitude)" % (100 * FAINT))
     handles = [Line2D([], [], color=style.TEXT, label="run")]
     if has_column:
         handles.append(Line2D([], [], color=style.TEXT, ls="--", lw=0.9, label="1D column under the point (planes taken as level)"))

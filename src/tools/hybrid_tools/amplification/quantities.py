@@ -26,7 +26,7 @@ class Side:
         self.position, self.distance = line.position, line.distance
         self.ratio = line.peak_ratio(side, study.component)
         self.spectral = line.spectral_ratio(side, study.component, study.frequency, study.bandwidth)
-        self.spectral[~study.is_clear] = np.nan
+        self.spectral[~study.is_clear] = np.nan  # also where zeros at its end refine it
 
     @property
     def label(self):

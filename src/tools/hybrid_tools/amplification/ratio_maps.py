@@ -5,6 +5,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import NullFormatter, ScalarFormatter
 
+from hybrid_run.spectra import FAINT
 from hybrid_tools import style
 from hybrid_tools.amplification.quantities import GAP
 
@@ -46,7 +47,7 @@ def draw_line(study, line, directory):
                           ha="right", va="top", color="white", fontsize=8)
     ticks = style.frequency_ticks(study.frequency[shown][0], study.frequency[shown][-1])
     axes[0, 0].set_yticks(ticks)
-    axes[0, 0].set_ylabel("frequency [Hz]")
+    axes[0, 0].set_ylabel("frequency [Hz]\n(outcrop over %g %% of its largest amplitude)" % (100 * FAINT))
     figure.colorbar(image, ax=axes[0, -1], pad=0.02).set_label("spectral ratio to outcrop [-]")
     style.title(figure, "Spectral ratios along %s: %s" % (line.name, study.run.title()))
     name = "ratios_" + line.name

@@ -6,6 +6,8 @@ import json
 
 import numpy as np
 
+from hybrid_run.spectra import FAINT
+
 
 def summary(study):
     """Numbers of table.json, which the text shows too."""
@@ -18,9 +20,11 @@ def summary(study):
             extreme = side.spectral_extreme(pick)
             row[name] = None if extreme is None else {**point(side, extreme[2], extreme[0]), "frequency_hz": extreme[1]}
         rows.append(row)
+    clear = study.frequency[study.is_clear]
     return {"run": study.run.directory, "component": study.letter, "outcrop_peak_m_s2": study.outcrop_peak,
             "resolved_frequency_hz": study.resolved if np.isfinite(study.resolved) else None, "bandwidth": study.bandwidth,
-            "sides": rows, "jumps": study.jumps()}
+            "least_outcrop_amplitude": FAINT, "ratios_from_hz": float(clear[0]) if len(clear) else None,
+            "ratios_to_hz": float(clear[-1]) if len(clear) else None, "sides": rows, "jumps": study.jumps()}
 
 
 def point(side, k, ratio):
@@ -65,7 +69,11 @@ def jump_text(jump):
 
 
 def spectra_text(numbers):
-    lines = []
+    if numbers["ratios_from_hz"] is None:
+        return ["spectral ratios are not told: the outcrop has less than %g %% of its largest amplitude at all their frequencies" % (
+            100 * numbers["least_outcrop_amplitude"])]
+    lines = ["spectral ratios are told where the outcrop has over %g %% of its largest amplitude: within %.3g to %.3g Hz" % (
+        100 * numbers["least_outcrop_amplitude"], numbers["ratios_from_hz"], numbers["ratios_to_hz"])]
     for row in numbers["sides"]:
         high, low = row["largest_spectral_ratio"], row["smallest_spectral_ratio"]
         if high is None or row["side"] == "below":
@@ -91,4 +99,4 @@ def write(study, numbers, directory):
         rows.writerow(["line", "side", "s [m]"] + ["%.6g Hz" % f for f in study.frequency])
         for side in study.sides:
             for k, column in enumerate(side.spectral.T):
-                rows.writerow([side.line.name, side.name, "%.9g" % side.distance[k]] + ["%.6g" % v for v in column])
+                rows.writerow([side.line.name, side.name, "%.9g" % side.distance[k]] + ["%.6g" % v if np.isfinite(v) else "" for v in column])

@@ -6,7 +6,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FormatStrFormatter, NullFormatter
 
 from hybrid_run import MissingData
-from hybrid_run.spectra import has_energy, spectral_ratio
+from hybrid_run.spectra import FAINT, has_energy, spectral_ratio
 
 from hybrid_tools import style
 
@@ -58,6 +58,7 @@ def draw(comparison, directory):
         axis.axhline(1, color="#8a8a8a", lw=0.7)
         mark_limits(comparison, axis, at)
         frequency_axis(axis, at)
+        axis.set_xlabel("frequency [Hz]\n(outcrop over %g %% of its largest amplitude)" % (100 * FAINT))
         axis.set_ylim(bottom=0)
         axis.set_title(name)
     for row in axes:

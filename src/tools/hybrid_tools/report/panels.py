@@ -7,7 +7,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter
 
-from hybrid_run import MissingData, NotInScene, has_energy
+from hybrid_run import MissingData, NotInScene
+from hybrid_run.spectra import FAINT
 from hybrid_tools import style
 from hybrid_tools.plot import boreholes, energy_balance, input_motion, monitor_histories, section_view, slip
 
@@ -133,12 +134,6 @@ def displacements(run):
         (" relative to " + run.base if run.base else "", most) + facts.length(peaks[most]))
 
 
-def excited(run, frequency, component):
-    """Where the outcrop motion has energy."""
-    time, acceleration = run.equal_steps(run.history("input/acceleration"))
-    return has_energy(acceleration[:, component], time[1] - time[0], frequency)
-
-
 def ratios(run):
     """Spectral ratios of the monitors to the outcrop."""
     component = max(input_motion.moving_components(run.history("input/acceleration")),
@@ -151,7 +146,6 @@ def ratios(run):
     resolved, most = facts.resolved_frequency(run), (0.0, 0.0, "")
     for name, colour in zip(names, plt.get_cmap("viridis")(np.linspace(0.0, 0.92, len(names)))):
         frequency, ratio = run.monitors[name].spectral_ratio(component)
-        ratio = np.where(excited(run, frequency, component), ratio, np.nan)
         axes[0, 0].loglog(frequency, ratio, color=colour, lw=1.0, label=name)
         counted = np.nan_to_num(np.where(frequency <= (resolved or np.inf), ratio, 0.0))
         most = max(most, (counted.max(), frequency[counted.argmax()], name))
@@ -162,9 +156,9 @@ def ratios(run):
     plain_numbers(axes[0, 0].xaxis, frequency[0], frequency[-1])
     plain_numbers(axes[0, 0].yaxis, *axes[0, 0].get_ylim())
     legend_below(axes[0, 0], 4)
-    caption = ("Spectral ratio of %s acceleration to the outcrop motion where that has energy, smoothed after Konno and Ohmachi (1998): "
+    caption = ("Spectral ratio of %s acceleration to the outcrop motion where that has over %g %% of its largest amplitude, smoothed after Konno and Ohmachi (1998): "
                "largest %.3g%s, at %s, %.2g Hz.")
-    return figure, caption % (("horizontal", "vertical")[component], most[0], " of what the mesh resolves" if resolved else "", most[2], most[1])
+    return figure, caption % (("horizontal", "vertical")[component], 100 * FAINT, most[0], " of what the mesh resolves" if resolved else "", most[2], most[1])
 
 
 def slip_history(run):
