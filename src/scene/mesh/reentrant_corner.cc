@@ -39,10 +39,10 @@ namespace hybrid::scene
 
 
 
-  bool has_reentrant_corner(const SectionMesh &mesh)
+  std::vector<ReentrantCorner> reentrant_corners(const SectionMesh &mesh, const double least_turn)
   {
-    constexpr double least_turn = M_PI / 180.;
-    const Edges      edges      = outline(mesh);
+    std::vector<ReentrantCorner> result;
+    const Edges                  edges = outline(mesh);
     for (const auto &[from, corner] : edges)
       for (auto next = edges.lower_bound({corner, 0}); next != edges.end() && next->first == corner;
            ++next)
@@ -50,9 +50,17 @@ namespace hybrid::scene
           const Vec2   in    = mesh.nodes[corner] - mesh.nodes[from];
           const Vec2   out   = mesh.nodes[next->second] - mesh.nodes[corner];
           const double cross = in.x() * out.y() - in.y() * out.x();
-          if (std::atan2(-cross, in.dot(out)) > least_turn) // to the right: inwards
-            return true;
+          const double turn  = std::atan2(-cross, in.dot(out));
+          if (turn > least_turn)
+            result.push_back({corner, mesh.nodes[corner], turn, {in.norm(), out.norm()}});
         }
-    return false;
+    return result;
+  }
+
+
+
+  bool has_reentrant_corner(const SectionMesh &mesh)
+  {
+    return !reentrant_corners(mesh, M_PI / 180.).empty();
   }
 } // namespace hybrid::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/crash_guard.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/mesh/corner_cells.h>
 #include <hybrid/scene/mesh/curve_check.h>
 #include <hybrid/scene/mesh/edge_chain.h>
 #include <hybrid/scene/mesh/mesh_number.h>
@@ -487,6 +488,7 @@ namespace hybrid::scene
       read_polygons(parameters.polygons_file, mesh);
     if (!parameters.surface_file.empty())
       read_surface(parameters.surface_file, mesh);
+    halve_corner_cells(mesh, parameters.corner_levels);
     return mesh;
   }
 } // namespace hybrid::scene

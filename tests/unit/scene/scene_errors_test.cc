@@ -182,6 +182,9 @@ TEST_F(SceneErrors, BedrockOfBlocksSaysWhatItCannotDo)
   expect_error(write_scene(),
                {"Mesh/File", "a bedrock of blocks needs a mesh"},
                {"Model/Bedrock=triangles", "Mesh/File="});
+  expect_error(write_scene(),
+               {"Mesh/Corner levels", "must be 0", "Model/Bedrock = continuum"},
+               {"Model/Bedrock=triangles", "Mesh/Corner levels=1"});
 }
 
 TEST_F(SceneErrors, MaterialsMustBeInTheTable)

@@ -66,7 +66,8 @@ namespace hybrid::scene
       polygons_file; ///< CSV block,x,y: blocks as polygons instead of the mesh's; resolved path
     std::string
          surface_file; ///< CSV x,y: polyline of a rigid base instead of the mesh's; resolved path
-    bool coarser_runs = true; ///< for the error of a mesh of blocks
+    bool coarser_runs  = true; ///< for the error of the mesh
+    int  corner_levels = 0;    ///< halvings of the cells at inward corners of the bedrock
   };
 
   /// How the bedrock is integrated in time.
