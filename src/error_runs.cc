@@ -6,6 +6,8 @@
 #include <hybrid/output/told_errors.h>
 #include <hybrid/run_directory.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/mesh/corner_cells.h>
+#include <hybrid/scene/parameters/corner_levels.h>
 #include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/scene/parameters/scene_reader.h>
 #include <hybrid/voice.h>
@@ -13,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <limits>
 
 namespace hybrid
 {
@@ -96,6 +99,18 @@ namespace hybrid
         return time;
       }
 
+      /// Unknowns or blocks of the last run.
+      double count() const
+      {
+        return count_of_last;
+      }
+
+      /// Of the mesh of the last run.
+      const std::vector<scene::ReentrantCorner> &corners() const
+      {
+        return corners_of_last;
+      }
+
       void leave_nothing() const
       {
         processes.on_first([&] { forget_further_runs(directory); });
@@ -108,8 +123,10 @@ namespace hybrid
       const Processes               &processes;
       const Interruption            &interruption;
       std::string                    reason;
-      double                         time        = 0.;
+      double                         time = 0., count_of_last = 0.;
       bool                           none_failed = true;
+
+      std::vector<scene::ReentrantCorner> corners_of_last;
 
       std::optional<output::StepRecord> fail(const std::string &why)
       {
@@ -151,7 +168,9 @@ namespace hybrid
           {
             return fail(std::string("the further run failed: ") + error.what());
           }
+        corners_of_last   = simulation->corners_of_bedrock();
         const double left = simulation->mesh_count();
+        count_of_last     = left;
         if (left > most_left * many)
           {
             reason = "the next mesh is hardly coarser, it keeps " +
@@ -180,6 +199,7 @@ namespace hybrid
     {
       std::string        directory;
       output::MeshOrders mesh_orders;
+      double             count; ///< of the mesh's blocks or unknowns
       output::StepRecord record;
       output::Summary    summary;
 
@@ -216,22 +236,102 @@ namespace hybrid
 
 
 
-    void tell_mesh_error(std::vector<output::StepRecord> coarser,
-                         const FurtherRuns              &runs,
-                         const double                    time_of_coarser,
-                         FinishedRun                    &run,
-                         output::Log                    &log)
+    /// What other meshes are compared with, and made from.
+    struct OwnMesh
     {
-      for (output::StepRecord &record : coarser) // watched points are monitors there
+      double                              count;     ///< of blocks, or without any of the unknowns
+      double                              most_left; ///< of them in a mesh twice as coarse
+      std::string                         coarser[2];
+      std::vector<scene::ReentrantCorner> corners;
+      /// Cells at corners smaller, steps as they are; empty: the run's integrator would cut these,
+      /// or there are blocks, whose constant strain leaves more.
+      std::vector<std::string> smaller_at_corners;
+
+      explicit OwnMesh(const Simulation &run)
+        : count(run.mesh_count())
+        , most_left(run.n_blocks() > 0 ? most_blocks_left : most_unknowns_left)
+        , coarser{run.coarser_mesh(2.), run.coarser_mesh(4.)}
+        , corners(run.corners_of_bedrock())
+      {
+        const int levels = run.corner_levels() + output::corner_halvings;
+        if (!run.takes_explicit_steps() && run.n_blocks() == 0 &&
+            levels <= scene::most_corner_levels)
+          smaller_at_corners = {"Mesh/Corner levels=" + std::to_string(levels),
+                                "Continuum/Time integrator=implicit"};
+      }
+    };
+
+
+
+    struct MeshRuns
+    {
+      std::vector<output::StepRecord>   coarser;               ///< twice and four times
+      double                            time          = 0.;    ///< of the first of them [s]
+      double                            count         = 0.;    ///< of its unknowns or blocks
+      bool                              keeps_corners = false; ///< their cells are as large in all
+      std::optional<output::StepRecord> smaller_at_corners;
+    };
+
+
+
+    MeshRuns compute_meshes(const OwnMesh   &mesh,
+                            const double     end,
+                            FurtherRuns     &runs,
+                            const Processes &processes)
+    {
+      MeshRuns   found;
+      auto       corners  = mesh.corners;
+      double     many     = mesh.count;
+      const auto from_all = [&](const bool of_first) {
+        return processes.from_first(of_first ? 1. : 0.) != 0.;
+      };
+      for (const std::string &numbers : mesh.coarser)
+        {
+          const auto record = runs.run({"Mesh/Numbers=" + numbers}, end, many, mesh.most_left);
+          many *= mesh.most_left;
+          if (!from_all(record.has_value()))
+            break;
+          if (found.coarser.empty())
+            {
+              found.time  = runs.processor_time();
+              found.count = runs.count();
+            }
+          found.coarser.push_back(record.value_or(output::StepRecord()));
+          found.keeps_corners =
+            found.keeps_corners || scene::keeps_corner_cells(corners, runs.corners());
+          corners = runs.corners();
+        }
+      found.keeps_corners = from_all(found.keeps_corners);
+      if (found.keeps_corners && !mesh.smaller_at_corners.empty())
+        found.smaller_at_corners =
+          runs.run(mesh.smaller_at_corners, end, mesh.count, std::numeric_limits<double>::max());
+      return found;
+    }
+
+
+
+    void
+    tell_mesh_error(MeshRuns found, const FurtherRuns &runs, FinishedRun &run, output::Log &log)
+    {
+      for (output::StepRecord &record : found.coarser) // watched points are monitors there
         record.least_motion = run.record.least_motion;
       output::Summary::MeshError &error = run.summary.mesh_error;
-      if (coarser.empty())
+      if (found.coarser.empty())
         error.reason = runs.why_not();
       else
-        output::measure_mesh_error(run.record, coarser, run.mesh_orders, error);
+        {
+          error.coarsened = output::coarsened_part(found.count / run.count, run.mesh_orders);
+          output::measure_mesh_error(run.record, found.coarser, run.mesh_orders, error);
+        }
+      error.keeps_corners = found.keeps_corners;
+      if (found.smaller_at_corners && error.reason.empty())
+        {
+          found.smaller_at_corners->least_motion = run.record.least_motion;
+          output::add_corner_error(run.record, *found.smaller_at_corners, error);
+        }
       const double own = run.summary.stages["steps"];
-      if (time_of_coarser > least_time && std::isnan(run.record.until)) // both are whole
-        error.cost = own * std::max(1., own / time_of_coarser);
+      if (found.time > least_time && std::isnan(run.record.until)) // both are whole
+        error.cost = own * std::max(1., own / found.time);
       say(output::mesh_error_text(error), run, log);
     }
 
@@ -317,13 +417,11 @@ namespace hybrid
     if (end_of_second <= 0. && end_of_coarser <= 0.)
       return;
     const std::string second_step = scene::number_text(simulation->second_time_step());
-    const std::string meshes[]    = {simulation->coarser_mesh(2.), simulation->coarser_mesh(4.)};
-    const double      count       = simulation->mesh_count();
-    const auto        watched     = simulation->watched_points();
-    const bool        has_blocks  = simulation->n_blocks() > 0;
-    const double      most_left   = has_blocks ? most_blocks_left : most_unknowns_left;
+    const OwnMesh     own_mesh(*simulation);
+    const auto        watched = simulation->watched_points();
     FinishedRun       run{simulation->directory(),
                     simulation->mesh_orders(),
+                    simulation->mesh_count(),
                     simulation->step_record().value_or(output::StepRecord()),
                     simulation->summary(),
                     {}};
@@ -339,25 +437,14 @@ namespace hybrid
     FurtherRuns runs(run.directory, watched, make, processes, interruption);
     if (end_of_second > 0.)
       {
-        const auto other = runs.run({"Time/Time step=" + second_step}, end_of_second, count, 1.);
+        const auto other =
+          runs.run({"Time/Time step=" + second_step}, end_of_second, own_mesh.count, 1.);
         processes.on_first([&] { tell_step_error(other, runs, run, log); });
       }
     if (end_of_coarser > 0.)
       {
-        std::vector<output::StepRecord> coarser;
-        double                          many = count, time = 0.;
-        for (const std::string &numbers : meshes)
-          {
-            const auto record =
-              runs.run({"Mesh/Numbers=" + numbers}, end_of_coarser, many, most_left);
-            many *= most_left;
-            if (processes.from_first(record ? 1. : 0.) == 0.)
-              break;
-            if (coarser.empty())
-              time = runs.processor_time();
-            coarser.push_back(record.value_or(output::StepRecord()));
-          }
-        processes.on_first([&] { tell_mesh_error(coarser, runs, time, run, log); });
+        const MeshRuns found = compute_meshes(own_mesh, end_of_coarser, runs, processes);
+        processes.on_first([&] { tell_mesh_error(found, runs, run, log); });
       }
     runs.leave_nothing();
     processes.on_first([&] {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/mesh_orders.h>
 #include <hybrid/output/watched_points.h>
+#include <hybrid/scene/mesh/corner_cells.h>
 #include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/simulation.h>
 
@@ -51,6 +52,14 @@ namespace hybrid
     if (watched.base > 0)
       result.push_back("Monitors/Base=" + watched.points.back().name);
     return result;
+  }
+
+
+
+  std::vector<scene::ReentrantCorner> Simulation::corners_of_bedrock() const
+  {
+    return model.continuum != nullptr ? scene::corners_of_bedrock(model.mesh)
+                                      : std::vector<scene::ReentrantCorner>();
   }
 
 

@@ -42,7 +42,8 @@ namespace hybrid
    * - Where slip, flight, cracks or the first of a wave decide, the error of the step: the scene
    *   once more with half or twice the step (Time/Error estimate).
    * - Where the mesh can be made coarser, that of the mesh: with it twice and four times as coarse
-   *   (Mesh/Error estimate).
+   *   (Mesh/Error estimate). Where these keep the cells at inward corners of the bedrock, once more
+   *   with smaller ones there.
    *
    * Each goes up to the first failed joint. One that is interrupted or fails is told, and does no
    * harm.

@@ -11,6 +11,7 @@
 #include <hybrid/restart/checkpoint_file.h>
 #include <hybrid/run_report.h>
 #include <hybrid/run_status.h>
+#include <hybrid/scene/mesh/reentrant_corner.h>
 #include <hybrid/scene_model.h>
 #include <hybrid/step_choice.h>
 
@@ -81,6 +82,20 @@ namespace hybrid
 
     /// Parameters by which another run looks at the points that this one watches without monitors.
     std::vector<std::string> watched_points() const;
+
+    /// Inward corners of a bedrock of finite elements, whose cells another run can halve.
+    std::vector<scene::ReentrantCorner> corners_of_bedrock() const;
+
+    /// Mesh/Corner levels
+    int corner_levels() const
+    {
+      return model.scene.mesh.corner_levels;
+    }
+
+    bool takes_explicit_steps() const
+    {
+      return model.scene.continuum.is_explicit;
+    }
 
     int n_blocks() const;
 

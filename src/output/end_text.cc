@@ -387,11 +387,15 @@ namespace hybrid::output
     const std::string until = until_text(error.until, error.failed_in_other);
     const std::string text =
       begin + ", by " +
-      (error.meshes > 1 ? "those twice and four times as large" : "one twice as large") + until +
-      ": " + peaks_text(error.size) +
+      (error.meshes > 1 ? "those twice and four times as large" : "one twice as large") +
+      (error.of_corners ? " and smaller cells at inward corners" : "") + until + ": " +
+      peaks_text(error.size) +
       half_text(error.size, error.half_size, "size", "half the size leaves as much");
     const std::string note =
-      error.order_is_seen ? "" : ", roughly: no order is seen in these meshes";
+      std::string(error.order_is_seen ? "" : ", roughly: no order is seen in these meshes") +
+      (error.keeps_corners && !error.of_corners
+         ? "; at least, as cells at inward corners are as large in all of them (Mesh/Corner levels)"
+         : "");
     const std::string cost = std::isfinite(error.cost) && error.size.part != error.half_size.part
                                ? " in at least " +
                                    format(error.cost < 100. ? "%.2g s" : "%.0f s", error.cost) +

@@ -53,8 +53,35 @@ namespace hybrid::output
     for (std::size_t q = 0; q < size.size(); ++q)
       if (!std::isnan(*size[q])) // slip is left, and no joint failed
         {
-          *size[q] = std::fmax(*size[q] / (gain - 1.), *other[q] / (fastest * (fastest - 1.)));
+          *size[q] = std::fmax(*size[q] / (error.coarsened * (gain - 1.)),
+                               *other[q] / (fastest * (fastest - 1.)));
           *half[q] = *size[q] / gain;
         }
+  }
+
+
+
+  double coarsened_part(const double left, const MeshOrders orders)
+  {
+    return std::min((1. - left) / (1. - orders.left), 1.);
+  }
+
+
+
+  void add_corner_error(const StepRecord &run, const StepRecord &halved, Summary::MeshError &error)
+  {
+    const double       least_order = 0.5;
+    Summary::ErrorPart difference  = step_difference(run, halved);
+    const auto         corner = numbers(difference), size = numbers(error.size),
+               half  = numbers(error.half_size);
+    error.of_corners = true;
+    for (std::size_t q = 0; q < size.size(); ++q)
+      {
+        const double left = *corner[q] / (1. - std::exp2(-least_order * corner_halvings));
+        if (left > *size[q] && q < difference.where.size())
+          error.size.where[q] = difference.where[q];
+        *size[q] = std::fmax(*size[q], left);
+        *half[q] = std::fmax(*half[q], left * std::exp2(-least_order));
+      }
   }
 } // namespace hybrid::output

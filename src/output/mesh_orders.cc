@@ -13,7 +13,7 @@ namespace hybrid::output
                          const bool                    has_blocks)
   {
     if (has_blocks)
-      return {1., 2., 1.};
+      return {1., 2., 1., 0.5};
     constexpr double of_elements   = 2.;
     constexpr double most_assumed  = 4.;
     const double     of_dispersion = 2. * scene.continuum.degree;
@@ -21,6 +21,7 @@ namespace hybrid::output
                            scene::has_level_layers(mesh) && !scene::has_reentrant_corner(mesh);
     return {of_elements,
             of_dispersion,
-            is_smooth ? std::min(of_dispersion, most_assumed) : of_elements};
+            is_smooth ? std::min(of_dispersion, most_assumed) : of_elements,
+            scene.bedding.names.empty() ? 0.5 : 0.25};
   }
 } // namespace hybrid::output

@@ -115,6 +115,8 @@ namespace hybrid::output
       return {{"estimated", true},
               {"coarser_meshes", error.meshes},
               {"order_is_seen", error.order_is_seen},
+              {"coarsened_part", error.coarsened},
+              {"smaller_cells_at_corners", error.of_corners},
               {"until_s", error.until},
               {"mesh", error_part(error.size)},
               {"half_the_size", error_part(error.half_size)}};

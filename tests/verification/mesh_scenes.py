@@ -2,9 +2,12 @@
 """Small scenes for the errors that runs say of their meshes: ridges, valleys, steps, canyons, layers, pits of blocks, bonded masses and slopes.
 Each is a scene of the repository with numbers of its mesh and settings that differ."""
 
+import math
+import re
 import subprocess
 
 TERRAIN = "Mesh/File={source}/tests/verification/terrain.geo"
+STEP = "behind: -150, {0}; crest: {1}, {0}; toe: 0, 0; before: 150, 0; under: 0, -100"
 AROUND = "left: -150, 0; rim: -95, 0; mid: 0, 0; quarter: 50, 0; far: 200, 0"
 OF_PIT = "below: {0}, -{1}; surface: {2}, -0.5; side: {3}, -0.5; ground: {4}, 0"
 STRONG = ["Materials/soil/Friction angle=35", "Materials/soil/Cohesion=1e9", "Materials/soil/Tensile strength=1e9", "Blocks/Material=soil",
@@ -55,6 +58,30 @@ def mass(mesh, numbers, points, *settings):
     return "bonded_mass", numbers, ["Mesh/File={source}/meshes/%s.geo" % mesh, "Monitors/Points=" + points, *settings]
 
 
+def one_cell_step(height, angle, cells, degree, times):
+    """A slope of one cell in all meshes."""
+    crest = -height / math.tan(math.radians(angle)) if angle < 90 else 0
+    return "step", "Height = %g; Angle = %g; Half width = 400; Depth = 300; Resolution/h = %g; Resolution/step = %g" % (
+        height, angle, cells, height), ["Continuum/Degree=%d" % degree, *run(*times), "Monitors/Points=" + STEP.format(height, "%.9g" % crest)]
+
+
+# What the reference has besides: where a slope is one cell long a third of the size is not enough.
+REFERENCE = {name: ["Mesh/Corner levels=4"] for name in (
+    "step of one cell", "vertical step of one cell", "low step of one cell, degree 2", "step of one cell, degree 1", "ridge of one cell",
+    "step of 60 degrees, degree 4", "ridge, degree 4")}
+
+# A slope without a mass, by hybrid new: ground and bedding planes of some dip, one above the other [m].
+PLANES = {"four close planes slip": ([(0, 0), (100, 0), (150, 60), (300, 60)], 22, [(80, 220, y) for y in (-5, -20, -35, -50)]),
+          "two planes slip": ([(0, 10), (60, 12), (100, 20), (180, 58), (230, 70), (330, 72)], 14, [(60, 300, y) for y in (-8, -23)]),
+          "a plane below flat ground slips": ([(0, 50), (300, 50)], 14, [(60, 240, -8)])}
+
+
+def slipping(cells, *settings):
+    return "new planes", "Resolution/h = %g; Resolution/planes = %g" % cells, [
+        "Bedding planes/Strength=Mohr-Coulomb", "Bedding planes/Friction angle=12", "Bedding planes/Cohesion=20e3", "Bedding planes/Tensile strength=0",
+        "Bedding planes/Initial normal stress=2e5", "Monitors/Lines=", "Motion/Frequency=4", "Motion/Peak=0.3 g", *settings]
+
+
 # name: scene that it varies, numbers of the mesh, settings
 SCENES = {
     "ridge, degree 2": terrain((50, 100, 20), (400, 200), (30, 15), 500, 1, 2, (3, 1.6, 0.004), "left: -150, 0; foot: 100, 0; top: 0, 50; far: 200, 0"),
@@ -95,17 +122,39 @@ SCENES = {
                   "crest: 16, 9.8; toe: -0.5, -0.5; back: 25, 9.8; face: 7.5, 4.5", *run(5, 0.6)),
     "slab that slides": mass("bonded_blocks", "Width = 20; Height = 4; Base beyond = 5; Resolution/h = 1", "mid: 10.1, 2.1; top: 10.1, 3.8", *SLIDES),
     "landslide": ("new", "Resolution/h = 6.3; Resolution/far = 50; Resolution/ground = 12", [*BONDED, *run(1.5, 2.2)]),
-    "landslide, shorter waves": ("new", "Resolution/h = 6.3; Resolution/far = 50; Resolution/ground = 12", [*BONDED, *run(3, 2)])}
+    "landslide, shorter waves": ("new", "Resolution/h = 6.3; Resolution/far = 50; Resolution/ground = 12", [*BONDED, *run(3, 2)]),
+    "step of one cell": one_cell_step(40, 40, 50, 4, (2, 2.6)),
+    "vertical step of one cell": one_cell_step(40, 90, 50, 4, (1.5, 3)),
+    "low step of one cell, degree 2": one_cell_step(20, 60, 25, 2, (1.5, 3)),
+    "step of one cell, degree 1": one_cell_step(20, 90, 12.5, 1, (1, 3.5)),
+    "ridge of one cell": terrain((30, 80, 40), (400, 200), (40, 30), 500, 1, 3, (1.5, 2.5, 0.004), "left: -150, 0; foot: 80, 0; top: 0, 30; far: 200, 0"),
+    "four close planes slip": slipping((12, 11)),
+    "two planes slip": slipping((12, 14.5)),
+    "a plane below flat ground slips": slipping((12, 14.5))}
 
 
 def scene_file(binary, source, work, name):
     """That it varies; "new": the slope of the third example, made by hybrid new."""
     base = SCENES[name][0]
+    if base == "new planes":
+        return scene_of_planes(binary, work, name)
     if base != "new":
         return source / "parameters/verification" / (base + ".prm")
     made, tables = work / "landslide_scene", source / "parameters/examples/03_own_slope"
     if not (made / "scene.prm").exists():
         subprocess.run([binary, "new", "--profile", tables / "ground.csv", "--slip", tables / "slip.csv", made], check=True, stdout=subprocess.DEVNULL)
+    return made / "scene.prm"
+
+
+def scene_of_planes(binary, work, name):
+    ground, dip, planes = PLANES[name]
+    made, tables = work / re.sub(r"\W+", "_", name + " scene"), [work / ("%s.csv" % table) for table in ("ground", "planes")]
+    if not (made / "scene.prm").exists():
+        tables[0].write_text("".join("%g,%g\n" % point for point in ground))
+        slope = math.tan(math.radians(dip))
+        tables[1].write_text("plane,x,z\n" + "".join("plane %d,%g,%.6g\n" % (number, x, y + slope * (x - left))
+                                                    for number, (left, right, y) in enumerate(planes) for x in (left, right)))
+        subprocess.run([binary, "new", "--profile", tables[0], "--planes", tables[1], "--frequency", "4", made], check=True, stdout=subprocess.DEVNULL)
     return made / "scene.prm"
 
 

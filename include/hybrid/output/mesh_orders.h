@@ -15,6 +15,7 @@ namespace hybrid::output
     double lowest;  ///< of waves that the mesh resolves
     double highest; ///< of smooth waves, not below the lowest
     double assumed; ///< where three meshes show none; between these
+    double left;    ///< part of the unknowns or blocks that cells twice as large have, at most
   };
 
 
@@ -25,6 +26,10 @@ namespace hybrid::output
    * is the only error of waves in level layers; where corners, planes or point loads are, the
    * lowest is assumed. More than 4 is assumed nowhere: meshes that show no order do not resolve the
    * waves, and high orders need that most.
+   *
+   * A quarter of the unknowns is left if all cells are twice as large, up to half where bars and
+   * slopes have one column or row of them. Lines of bedding planes keep more: there the quarter
+   * counts.
    */
   MeshOrders
   mesh_orders(const scene::SceneParameters &scene, const scene::SectionMesh &mesh, bool has_blocks);

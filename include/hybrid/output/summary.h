@@ -151,6 +151,9 @@ namespace hybrid::output
       double      until           = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all
       bool        failed_in_other = false; ///< the joint that failed then did so in a coarser one
       bool        order_is_seen = false; ///< in three meshes; if not, half the size is told roughly
+      double      coarsened = 1.; ///< part of the cells that are larger in the first of them [-]
+      bool        keeps_corners = false; ///< cells at inward corners are as large in all of them
+      bool        of_corners    = false; ///< a run with smaller cells at corners tells it, too
       ErrorPart   size;
       ErrorPart   half_size;                 ///< what would be left with half the size
       double cost = MonitorSummary::unknown; ///< processor time with half the size, at least [s]

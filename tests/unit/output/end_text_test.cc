@@ -268,6 +268,17 @@ namespace hybrid::output
       EXPECT_EQ(mesh_error_text(error).on_screen,
                 line + "; with half the size 10, 15, 20 % in at least 200 s of processor time, "
                        "roughly: no order is seen in these meshes");
+      error.order_is_seen = error.keeps_corners = true;
+      EXPECT_EQ(mesh_error_text(error).in_file,
+                line +
+                  "; with half the size 10, 15, 20 %; at least, as cells at inward corners are "
+                  "as large in all of them (Mesh/Corner levels)");
+      error.of_corners = true;
+      EXPECT_EQ(
+        mesh_error_text(error).in_file,
+        "Error     of the mesh, by those twice and four times as large and smaller cells at "
+        "inward corners: displacement 20 % of the peak (crest), velocity 30 % (toe), "
+        "acceleration 40 % (toe); with half the size 10, 15, 20 %");
       error.reason = "the next mesh is hardly coarser";
       EXPECT_EQ(mesh_error_text(error).on_screen,
                 "Error     of the mesh: not known, the next mesh is hardly coarser");

@@ -12,7 +12,8 @@ namespace hybrid::output
   namespace
   {
     constexpr double     step   = 2e-3;
-    constexpr MeshOrders blocks = {1., 2., 1.}, waves = {2., 8., 2.}, smooth_waves = {2., 4., 4.};
+    constexpr MeshOrders blocks = {1., 2., 1., 0.5}, waves = {2., 8., 2., 0.25},
+                         smooth_waves = {2., 4., 4., 0.5};
 
 
 
@@ -46,7 +47,7 @@ namespace hybrid::output
         {
           const double             coarser = std::exp2(p);
           const Summary::MeshError error =
-            error_of({0.01, 0.01 * coarser, 0.01 * coarser * coarser}, {0.5, 2., 1.});
+            error_of({0.01, 0.01 * coarser, 0.01 * coarser * coarser}, {0.5, 2., 1., 0.5});
           EXPECT_EQ(error.reason, "");
           EXPECT_EQ(error.meshes, 2);
           EXPECT_TRUE(error.order_is_seen);
@@ -161,6 +162,44 @@ namespace hybrid::output
       coarsest.until = 1.; // a joint fails there: no slip of its own to compare
       measure_mesh_error(run, {coarse, coarsest}, blocks, error);
       EXPECT_NEAR(error.size.slip_left, 0.02, 1e-3);
+    }
+
+
+
+    TEST(MeshDifference, tells_nothing_of_what_cells_leave_that_stay_as_they_are)
+    {
+      EXPECT_DOUBLE_EQ(coarsened_part(0.25, waves), 1.);
+      EXPECT_DOUBLE_EQ(coarsened_part(0.2, waves), 1.); // chance
+      EXPECT_DOUBLE_EQ(coarsened_part(0.625, waves), 0.5);
+      EXPECT_DOUBLE_EQ(coarsened_part(0.5, smooth_waves), 1.); // one column of cells
+      EXPECT_DOUBLE_EQ(coarsened_part(0.5, blocks), 1.);
+      // half of the cells stay, with half of the error of 2 % each: 1 % + 4 * 1 % in the coarser
+      // one
+      Summary::MeshError error;
+      error.coarsened = coarsened_part(0.625, waves);
+      measure_mesh_error(run_with(step, 0.02), {run_with(step, 0.05)}, waves, error);
+      EXPECT_NEAR(error.size.part[0], 0.02, 5e-4);
+      EXPECT_NEAR(error.half_size.part[0], 0.005, 2e-4);
+    }
+
+
+
+    TEST(MeshDifference, of_corners_is_that_to_a_run_with_smaller_cells_there)
+    {
+      const double       run = 0.02, crack = run / std::sqrt(8.); // of the same corner, eight times
+      Summary::MeshError error = error_of({run, run * 1.1, 1.5}, waves);
+      EXPECT_LT(error.size.part[0], run / 3.);
+      add_corner_error(run_with(step, run), run_with(step, crack), error);
+      EXPECT_TRUE(error.of_corners);
+      for (int q = 0; q < 3; ++q)
+        {
+          EXPECT_NEAR(error.size.part[q], run, 1e-3);
+          EXPECT_NEAR(error.half_size.part[q], run / std::sqrt(2.), 1e-3);
+        }
+      Summary::MeshError of_waves = error_of({run, 4. * run, 16. * run}, waves);
+      add_corner_error(run_with(step, run), run_with(step, 0.99 * run), of_waves);
+      EXPECT_NEAR(of_waves.size.part[0], run, 1e-3); // the larger of the two
+      EXPECT_NEAR(of_waves.half_size.part[0], run / 4., 1e-3);
     }
   } // namespace
 } // namespace hybrid::output

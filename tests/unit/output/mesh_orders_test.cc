@@ -36,6 +36,7 @@ namespace hybrid::output
       EXPECT_EQ(orders.lowest, 2.);
       EXPECT_EQ(orders.highest, 6.);
       EXPECT_EQ(orders.assumed, 4.); // no more, where meshes do not resolve the waves
+      EXPECT_EQ(orders.left, 0.5);
       EXPECT_EQ(mesh_orders(of_degree(1), two_cells({0, 0}), false).assumed, 2.);
     }
 
@@ -50,6 +51,8 @@ namespace hybrid::output
       has_load.point_loads.loads.resize(1);
       EXPECT_EQ(mesh_orders(has_plane, two_cells({0, 0}), false).assumed, 2.);
       EXPECT_EQ(mesh_orders(has_load, two_cells({0, 0}), false).assumed, 2.);
+      EXPECT_EQ(mesh_orders(has_plane, two_cells({0, 0}), false).left, 0.25);
+      EXPECT_EQ(mesh_orders(has_load, two_cells({0, 0}), false).left, 0.5);
     }
 
 
@@ -60,6 +63,7 @@ namespace hybrid::output
       EXPECT_EQ(orders.lowest, 1.);
       EXPECT_EQ(orders.highest, 2.);
       EXPECT_EQ(orders.assumed, 1.);
+      EXPECT_EQ(orders.left, 0.5);
     }
   } // namespace
 } // namespace hybrid::output

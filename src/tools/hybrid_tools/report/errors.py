@@ -68,6 +68,7 @@ def rows_of(run):
                 found.append(row("of the bedrock's mesh", step, "bedrock_mesh", "the run itself"))
     if mesh and (mesh.get("estimated") or run.summary.get("blocks")):
         by = "meshes twice and four times as coarse" if mesh.get("coarser_meshes", 1) > 1 else "a mesh twice as coarse"
+        by += ", smaller cells at inward corners" if mesh.get("smaller_cells_at_corners") else ""
         found.append(row("of the mesh", mesh, "mesh", by))
         if mesh.get("estimated"):
             found.append(halved(mesh, "mesh", "half_the_size"))
