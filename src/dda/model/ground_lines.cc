@@ -60,16 +60,57 @@ namespace hybrid::dda
 
 
 
+    /// Box round points of a line, along one of its pieces.
+    class BoxAlong
+    {
+    public:
+      /// @param along unit vector
+      BoxAlong(const Vec2 &first, const Vec2 &along)
+        : origin(first)
+        , axes((Eigen::Matrix2d() << along, Vec2(-along.y(), along.x())).finished())
+      {}
+
+      void add(const Vec2 &point)
+      {
+        const Vec2 r = axes.transpose() * (point - origin);
+        lower        = lower.cwiseMin(r);
+        upper        = upper.cwiseMax(r);
+      }
+
+      /// At most so deep do points in it lie below a straight line from the first one [m].
+      double most_below(const Vec2 &chord) const
+      {
+        const Vec2 down = axes.transpose() * Vec2(-chord.y(), chord.x()).normalized();
+        return (down.cwiseProduct(lower)).cwiseMax(down.cwiseProduct(upper)).sum();
+      }
+
+    private:
+      Vec2            origin;
+      Eigen::Matrix2d axes;
+      Vec2            lower = Vec2::Zero(), upper = Vec2::Zero();
+    };
+
+
+
     /// All dips no wider than @p width [m], the deepest first; they may overlap.
     std::vector<Dip> find_dips(const std::vector<Vec2> &line, const double width)
     {
       std::vector<Dip> dips;
-      for (std::size_t i = 0; i < line.size(); ++i)
-        for (std::size_t j = i + 2; j < line.size() && std::abs(line[j].x() - line[i].x()) <= width;
-             ++j)
-          if ((line[j] - line[i]).norm() <= width)
-            if (const double depth = depth_of_dip(line, i, j); depth > 0.)
-              dips.push_back({i, j, depth});
+      for (std::size_t i = 0; i + 2 < line.size(); ++i)
+        {
+          BoxAlong between(line[i], (line[i + 1] - line[i]).normalized());
+          for (std::size_t j = i + 2;
+               j < line.size() && std::abs(line[j].x() - line[i].x()) <= width;
+               ++j)
+            {
+              between.add(line[j - 1]);
+              const Vec2 chord = line[j] - line[i];
+              if (chord.norm() > width || between.most_below(chord) <= shallow * chord.norm())
+                continue;
+              if (const double depth = depth_of_dip(line, i, j); depth > 0.)
+                dips.push_back({i, j, depth});
+            }
+        }
       std::stable_sort(dips.begin(), dips.end(), [](const Dip &a, const Dip &b) {
         return a.depth > b.depth;
       });
