@@ -1,4 +1,4 @@
-// Two layers of bedrock (structured quadrilaterals), the bedding plane bedding_1 between them, and a layer of blocks
+// Two layers of bedrock (structured quadrilaterals), the bedding plane bedding_1 between them (bedding_2 upright in the lower one), and a layer of blocks
 // (structured triangles with alternating diagonals) on top; base at y = 0, left side at x = 0 [m].
 
 DefineConstant[
@@ -49,6 +49,7 @@ Physical Surface("bedrock")       = {rock[]};
 Physical Surface("sliding_mass")  = {mass[]};
 Physical Curve("base")            = {a[0], a[1], a[2]};
 Physical Curve("bedding_1")       = {a[3], a[4], a[5]};
+Physical Curve("bedding_2")       = {u[1]}; // upright, in the lower layer
 Physical Curve("sliding_surface") = {a[7]};
 Physical Curve("ground")          = {a[6], a[8]};
 Physical Curve("mass_surface")    = {u[9], a[10], u[10]};

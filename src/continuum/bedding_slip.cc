@@ -57,10 +57,13 @@ namespace hybrid::continuum
   }
 
 
-  void BeddingSlip::add_pore_pressure(const std::function<double(const Vec2 &)> &pressure)
+  void BeddingSlip::add_pore_forces(const std::function<double(const Vec2 &)> &pressure,
+                                    std::vector<double>                       &load) const
   {
+    std::vector<double> traction(rest.size(), 0.);
     for (std::size_t i = 0; i < bedding.points().size(); ++i)
-      rest[2 * i] += pressure(bedding.points()[i].position);
+      traction[2 * i] = pressure(bedding.points()[i].position);
+    bedding.add_forces(traction, 1., load);
   }
 
 

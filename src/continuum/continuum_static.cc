@@ -2,6 +2,7 @@
 #include <hybrid/continuum/condensed_factor.h>
 #include <hybrid/continuum/continuum_implementation.h>
 #include <hybrid/continuum/restrained_rock.h>
+#include <hybrid/continuum/stress_load.h>
 
 #include <Eigen/LU>
 
@@ -102,6 +103,18 @@ namespace hybrid::continuum
       m.initial_stress->subtract_from(load);
     if (m.waves != nullptr)
       return m.solve_static_waves(load);
+    if (m.slip != nullptr && pore_pressure)
+      {
+        add_stress_load(
+          *m.nodes,
+          [&](const int cell, const Vec2 &local) {
+            const double p = pore_pressure(m.nodes->map(cell, local));
+            return Eigen::Vector3d(p, p, 0.);
+          },
+          1.,
+          load);
+        m.slip->add_pore_forces(pore_pressure, load);
+      }
 
     const std::vector<char> supported = m.static_supports();
     std::vector<int>        number(m.n_dofs(), -1), dofs;
@@ -134,8 +147,6 @@ namespace hybrid::continuum
     const Eigen::MatrixXd relaxation = m.slip_relaxation(number, system, *factor);
     if (m.initial_stress != nullptr)
       m.slip->add_rest(m.initial_stress->plane_tractions());
-    if (pore_pressure)
-      m.slip->add_pore_pressure(pore_pressure);
     m.slip->begin_rest();
     SlipStatus status = SlipStatus::changed;
     for (int k = 0; k < max_static_corrections; ++k)

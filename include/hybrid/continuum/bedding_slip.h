@@ -37,9 +37,9 @@ namespace hybrid::continuum
     /// Besides, these on the points [Pa].
     void add_rest(const std::vector<double> &tractions_at_rest);
 
-    /// Their strength is that of effective stress: tractions at rest are less compressive by the
-    /// pore pressure [Pa].
-    void add_pore_pressure(const std::function<double(const Vec2 &)> &pressure);
+    /// Pore pressure [Pa] in the planes pushes their sides apart: add that to the load [N/m].
+    void add_pore_forces(const std::function<double(const Vec2 &)> &pressure,
+                         std::vector<double>                       &load) const;
 
     /// Static stage: begin_rest(), solve_rest() with add_load_change() until settled, keep_rest():
     /// the tractions at rest are then those of the static model after its slip.

@@ -229,9 +229,12 @@ namespace hybrid::continuum
     /// @p surface_force [N/m]; they change no displacement (the section is the deformed state in
     /// place).
     /// Bedding planes slip if gravity alone asks for it; what they carry then is their traction at
-    /// rest, less the pore pressure.
+    /// rest.
     /// @param horizontal lasting acceleration of the rock's mass along +x [m/s2].
-    /// @param pore_pressure at a place [Pa]; none: planes are dry. It stays as it is.
+    /// @param pore_pressure at a place of rock or plane [Pa]; it stays as it is. Stresses at rest
+    /// are effective then (Terzaghi 1943): int B^T (p, p, 0) dA and the pressure in the planes act
+    /// beside @p surface_force, which has the water above the rock. Only planes that slip feel it.
+    /// None: all is dry.
     StaticSlip solve_static_state(const Eigen::VectorXd                     &surface_force,
                                   double                                     gravity,
                                   double                                     horizontal    = 0.,

@@ -92,12 +92,9 @@ namespace hybrid::dda
           }
       }
 
-      /// Pressure of the water on the surface.
+      /// Pore pressure in rock and planes, and the water above the rock: together they are buoyancy
+      /// and seepage force of the rock, whose joints bear effective stress (see water_load()).
       void load_water(const Water &water);
-
-      /// Pore pressure of the water in the planes of a bedrock at rest: it takes over a part of
-      /// what they carry.
-      void wet_planes(const Water &water);
 
       /// Stress that the bedrock has from the start, of the section with its mass.
       void prescribe_stress(const scene::InitialStress &initial);
@@ -188,39 +185,16 @@ namespace hybrid::dda
 
     void RestModel::load_water(const Water &water)
     {
-      for (const SurfaceEdge &edge : surface_edges())
+      Water buoyant  = water;
+      buoyant.action = Water::Action::buoyancy;
+      for (int b = 0; b < model.n_blocks(); ++b)
         {
-          const Eigen::VectorXd force = water_on_surface(water, {edge.to, edge.from});
-          load(edge.block, edge.to, force.head<2>());
-          load(edge.block, edge.from, force.tail<2>());
-        }
-    }
-
-
-
-    void RestModel::wet_planes(const Water &water)
-    {
-      const Geometry &g = model.initial;
-      for (std::size_t j = 0; j < model.joints.size(); ++j)
-        {
-          const Joint &joint = model.joints[j];
-          if (joint.kind != JointKind::bedding)
-            continue;
-          const Vec2 ends[2] = {g.vertices[joint.edge], g.vertices[g.next(joint.edge)]};
-          const Vec2 half    = 0.5 * (ends[1] - ends[0]);
-          for (int end = 0; end < 2; ++end)
-            {
-              const double pressure = pore_pressure(water, ends[end]);
-              const Vec2   force    = pressure * Vec2(half.y(), -half.x()); // on the other side
-              SpringState &point    = state.joints[j].points[end];
-              load(joint.block, ends[end], -force);
-              load(joint.other, ends[end], force);
-              if (point.history.damage < 1.)
-                stretch(model,
-                        joint,
-                        {point.elastic_normal - load_fraction * pressure, point.elastic_shear},
-                        point);
-            }
+          const Geometry    &g = model.initial;
+          const int          n = g.offset[b + 1] - g.offset[b];
+          const MovedOutline outline{&g.vertices[g.offset[b]], nullptr, n};
+          const BlockMotion  at_rest(state.blocks[b].centroid, Vec6::Zero());
+          state.bedrock_static_force.segment<6>(6 * b) -=
+            load_fraction * water_load(buoyant, model.blocks[b].area, at_rest, outline).force;
         }
     }
 
@@ -314,15 +288,10 @@ namespace hybrid::dda
         if (scene.environment.has_initial_stress())
           rest.prescribe_stress(scene::InitialStress(mesh, scene));
         rest.load_weight();
-        const Water water = model.water.as_pressures();
-        rest.load_water(water);
+        if (model.water.action != Water::Action::none)
+          rest.load_water(model.water);
         rest.load_mass(held ? with_unlimited_strengths(model) : model, state);
         result.equilibrium = rest.settle();
-        if (water.action != Water::Action::none && result.equilibrium)
-          {
-            rest.wet_planes(water);
-            result.equilibrium = rest.settle();
-          }
       }
     const std::map<EndKey, JointTraction> tractions = rest.tractions(result);
     for (std::size_t j = 0; j < model.joints.size(); ++j)

@@ -93,9 +93,7 @@ namespace hybrid::scene
     {
       const EnvironmentParameters &around = scene.environment;
       const bool slips = scene.bedding.slips && !scene.bedding.names.empty() && around.has_water();
-      if (slips && (around.water_method == WaterMethod::paper ||
-                    (!scene.blocks.enabled && scene.has_continuum()) ||
-                    around.static_stage == StaticStage::none))
+      if (slips && !scene.has_wet_planes())
         warnings.push_back(
           "bedding planes are dry, though there is water: their pore pressure is that "
           "of a static stage with blocks and Water/Method = pressures or submerged");

@@ -53,7 +53,7 @@ namespace hybrid::scene
     if (around.water_method != WaterMethod::paper)
       {
         water_weight    = around.water_density * g;
-        presses_on_rock = around.water_method == WaterMethod::pressures;
+        presses_on_rock = around.water_method == WaterMethod::pressures && !scene.has_wet_planes();
       }
     const BlockParameters &blocks = scene.blocks;
     for (std::size_t b = 0; b < mesh.blocks.size() && blocks.enabled; ++b)
@@ -73,7 +73,10 @@ namespace hybrid::scene
         if (!scene.has_continuum() && !scene.has_bedrock_blocks())
           break;
         const double weight = g * scene.bedrock_material(region).weighing_density();
-        add(rock, polygon_of(mesh, mesh.bedrock_cells[c].data(), 4), weight, weight);
+        add(rock,
+            polygon_of(mesh, mesh.bedrock_cells[c].data(), 4),
+            weight,
+            weight - (scene.has_wet_planes() ? water_weight : 0.));
       }
     double right = -std::numeric_limits<double>::infinity();
     left         = std::numeric_limits<double>::infinity();

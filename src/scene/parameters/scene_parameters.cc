@@ -25,6 +25,16 @@ namespace hybrid::scene
 
 
 
+  bool SceneParameters::has_wet_planes() const
+  {
+    return bedding.slips && !bedding.names.empty() && environment.has_water() &&
+           environment.water_method != WaterMethod::paper &&
+           environment.static_stage != StaticStage::none &&
+           (blocks.enabled || has_bedrock_blocks());
+  }
+
+
+
   const Material &SceneParameters::bedrock_material(const std::string &region) const
   {
     auto found = continuum.region_material.find(region);

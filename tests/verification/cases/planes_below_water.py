@@ -4,21 +4,26 @@
     sigma_n' = g (rho_soil d + rho_rock t) + rho_w g (depth of the water on the ground) - rho_w g (h - y)
 
 d, t: thickness of the blocks and of the rock above the plane, h: level. In the middle of a wide section, however the water acts on blocks.
+
+An upright plane in the lower layer bears K0 times that stress at each height: K0 is of effective stress, nu/(1 - nu) of gravity switched on.
 """
 
 import numpy as np
 
 PLANE, ROCK, GROUND = 20.0, 30.0, 35.0  # elevations [m]
 LEVELS = {"dry": None, "in the rock": 27.0, "in the blocks": 33.0, "above ground": 45.0}
+LATERAL = {"elastic": 0.25 / 0.75, "0.6": 0.6}  # Gravity/Initial stress: horizontal over vertical effective stress
+UPRIGHT = ["Bedding planes/Names=bedding_2", "Bedding planes/Normal stiffness=1e12", "Monitors/Points=ground: 60, 30.5", "Mesh/Numbers=Width = 120; Lower height = 20; Upper height = 10; Block height = 0.5; Inset = 1; "
+           "Resolution/h = 2.5"]
 shown = []
 
 
-def expected(level):
-    """Effective stress of the plane [Pa]."""
-    weight = 9.81 * (2500 * (ROCK - PLANE) + 2000 * (GROUND - ROCK))
+def expected(level, height=PLANE, ground=GROUND):
+    """Vertical effective stress [Pa]."""
+    weight = 9.81 * (2500 * (ROCK - height) + 2000 * (ground - ROCK))
     if level is None:
         return weight
-    return weight + 9810 * max(0.0, level - GROUND) - 9810 * max(0.0, level - PLANE)
+    return weight + 9810 * np.maximum(0.0, level - ground) - 9810 * np.maximum(0.0, level - height)
 
 
 def normal_stress(run):
@@ -27,7 +32,20 @@ def normal_stress(run):
     return stress[(x > 40) & (x < 80)].mean()
 
 
+def check_upright(case):
+    for bedrock in ("continuum", "triangles"):
+        for lateral, ratio in LATERAL.items():
+            for name, level in LEVELS.items():
+                run = case.run("upright_%s_%s_%s" % (bedrock, lateral, name.replace(" ", "_")), "Model/Bedrock=" + bedrock,
+                               "Water/Level=%s" % ("none" if level is None else "%g" % level), "Gravity/Initial stress=" + lateral, *UPRIGHT)
+                y, stress = run.get("bedding/bedding_2/position")[:, 1], run.get("bedding/bedding_2/normal_stress")[0]
+                inside = (y > 3) & (y < 17)
+                case.near("%s, K0 %s, water %s: normal stress of the upright plane" % (bedrock, lateral, name), stress[inside].mean(),
+                          ratio * expected(level, y[inside], ROCK + 0.5).mean(), 1e-2, "Pa")
+
+
 def check(case):
+    check_upright(case)
     for bedrock in ("continuum", "triangles"):
         for name, level in LEVELS.items():
             found = []

@@ -15,8 +15,10 @@ namespace hybrid::scene
    *   sigma_v(x, y) = g int_y^top rho_w(x, y') dy'
    *
    * rho_w is the density that gravity acts on; below the water of `submerged` and `pressures` the
-   * mass weighs its density less the water's, so that its stress is effective. On the bedrock lie
-   * the mass and, with `pressures`, the water above the rock. Gaps between blocks weigh nothing.
+   * mass weighs its density less the water's, so that its stress is effective. So does the bedrock
+   * where its planes have pore pressure (SceneParameters::has_wet_planes()); else its stress is
+   * total, and on it lie the mass and, with `pressures`, the water above the rock. Gaps between
+   * blocks weigh nothing.
    */
   class Overburden
   {
@@ -27,7 +29,7 @@ namespace hybrid::scene
     /// @param inside a point of the same body: @p place may be on its outline, where another begins
     double in_mass(const Vec2 &place, const Vec2 &inside) const;
 
-    /// The same in the bedrock.
+    /// The same in the bedrock, see above.
     double in_bedrock(const Vec2 &place, const Vec2 &inside) const;
 
   private:

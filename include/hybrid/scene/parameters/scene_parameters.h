@@ -286,6 +286,10 @@ namespace hybrid::scene
       return blocks.enabled || has_bedrock_blocks();
     }
 
+    /// Bedding planes that slip have pore pressure at rest, and so has the rock between them: its
+    /// stress at rest is effective.
+    bool has_wet_planes() const;
+
     /// Material of the bedrock's region @p name. @throws InputError if it has none.
     const Material &bedrock_material(const std::string &region) const;
 
