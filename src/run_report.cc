@@ -215,17 +215,22 @@ namespace hybrid
     char text[200];
     std::snprintf(text,
                   sizeof(text),
-                  "Bedding planes at rest: %d points slip, %d are open, largest slip %.3g m",
+                  "Bedding planes at rest: %d points slip, %d are open",
                   planes.slipping,
-                  planes.open,
-                  planes.largest);
-    log.info(text);
+                  planes.open);
+    std::string found = text;
+    if (planes.equilibrium)
+      {
+        std::snprintf(text, sizeof(text), ", largest slip %.3g m", planes.largest);
+        found += text;
+      }
+    log.info(found);
     if (planes.equilibrium)
       return;
     std::snprintf(
       text,
       sizeof(text),
-      "the bedding planes cannot carry their load at rest, most of all near (%.2f, %.2f)",
+      "the bedding planes cannot carry their load at rest, most of all near (%.2f, %.2f): what lies on them slides from the start",
       planes.where.x(),
       planes.where.y());
     log.warning(text);

@@ -81,11 +81,16 @@ namespace hybrid::continuum
   }
 
 
-  StaticSlip BeddingSlip::keep_rest(const std::vector<double> &u)
+  void BeddingSlip::keep_rest(const std::vector<double> &u)
   {
     tractions(u, now, t);
     rest        = t;
     rest_failed = failed;
+  }
+
+
+  StaticSlip BeddingSlip::slip_at_rest() const
+  {
     StaticSlip result;
     for (std::size_t i = 0; i < failed.size(); ++i)
       {

@@ -12,6 +12,21 @@ namespace hybrid::continuum
   {
     constexpr int max_static_corrections = 20;
 
+
+
+    /// Diagonal of the box round all planes [m]: what slips by more is held by nothing but
+    /// round-off.
+    double extent(const BeddingPlanes &planes)
+    {
+      Vec2 lower = planes.points().front().position, upper = lower;
+      for (const BeddingPlanes::Point &point : planes.points())
+        {
+          lower = lower.cwiseMin(point.position);
+          upper = upper.cwiseMax(point.position);
+        }
+      return (upper - lower).norm();
+    }
+
     /// Weight of all cells, and what pushes them along +x, on their nodes [N/m].
     std::vector<double> weight_load(const ElementNodes  &nodes,
                                     const CellMaterials &material,
@@ -148,7 +163,8 @@ namespace hybrid::continuum
     if (m.initial_stress != nullptr)
       m.slip->add_rest(m.initial_stress->plane_tractions());
     m.slip->begin_rest();
-    SlipStatus status = SlipStatus::changed;
+    const std::vector<double> elastic = m.static_displacement;
+    SlipStatus                status  = SlipStatus::changed;
     for (int k = 0; k < max_static_corrections; ++k)
       {
         status = m.slip->solve_rest(relaxation, m.static_displacement);
@@ -162,8 +178,14 @@ namespace hybrid::continuum
         system.backward(*factor, x);
         take();
       }
-    StaticSlip result  = m.slip->keep_rest(m.static_displacement);
-    result.equilibrium = status == SlipStatus::settled;
+    StaticSlip result  = m.slip->slip_at_rest();
+    result.equilibrium = status == SlipStatus::settled && result.largest < extent(m.slip->planes());
+    if (!result.equilibrium)
+      {
+        m.static_displacement = elastic;
+        m.slip->begin_rest();
+      }
+    m.slip->keep_rest(m.static_displacement);
     return result;
   }
 } // namespace hybrid::continuum

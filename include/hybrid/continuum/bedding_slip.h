@@ -42,10 +42,12 @@ namespace hybrid::continuum
                          std::vector<double>                       &load) const;
 
     /// Static stage: begin_rest(), solve_rest() with add_load_change() until settled, keep_rest():
-    /// the tractions at rest are then those of the static model after its slip.
+    /// the tractions at rest are then those of the static model after its slip; without
+    /// solve_rest() those of the elastic one.
     void       begin_rest();
     SlipStatus solve_rest(const Eigen::MatrixXd &relaxation, const std::vector<double> &u);
-    StaticSlip keep_rest(const std::vector<double> &u);
+    StaticSlip slip_at_rest() const;
+    void       keep_rest(const std::vector<double> &u);
 
     /// Tractions at rest on the points [Pa].
     const std::vector<double> &rest_tractions() const

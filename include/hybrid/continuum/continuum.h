@@ -229,7 +229,8 @@ namespace hybrid::continuum
     /// @p surface_force [N/m]; they change no displacement (the section is the deformed state in
     /// place).
     /// Bedding planes slip if gravity alone asks for it; what they carry then is their traction at
-    /// rest.
+    /// rest. Where no slip is enough they keep the tractions of elastic joints, beyond their
+    /// strength: what they hold slides from the first step on.
     /// @param horizontal lasting acceleration of the rock's mass along +x [m/s2].
     /// @param pore_pressure at a place of rock or plane [Pa]; it stays as it is. Stresses at rest
     /// are effective then (Terzaghi 1943): int B^T (p, p, 0) dA and the pressure in the planes act

@@ -80,7 +80,7 @@ namespace hybrid::dda
           if (model.joints[j].kind == JointKind::bedding)
             for (SpringState &point : state.joints[j].points)
               stretch(model, model.joints[j], {scene.bedding.initial_normal_stress}, point);
-        store_static_reactions(model, state, false);
+        store_static_reactions(model, state, {});
       }
 
       void load_weight()
@@ -283,17 +283,27 @@ namespace hybrid::dda
     BeddingRest result;
     RestModel   rest(mesh, scene);
     const bool  held = under_gravity && scene.environment.static_stage == scene::StaticStage::held;
+    const auto  settle = [&](RestModel &loaded) {
+      if (scene.environment.has_initial_stress())
+        loaded.prescribe_stress(scene::InitialStress(mesh, scene));
+      loaded.load_weight();
+      if (model.water.action != Water::Action::none)
+        loaded.load_water(model.water);
+      loaded.load_mass(held ? with_unlimited_strengths(model) : model, state);
+      return loaded.settle();
+    };
     if (under_gravity)
+      result.equilibrium = settle(rest);
+    std::map<EndKey, JointTraction> tractions = rest.tractions(result);
+    if (!result.equilibrium) // what they hold slides from the first step on
       {
-        if (scene.environment.has_initial_stress())
-          rest.prescribe_stress(scene::InitialStress(mesh, scene));
-        rest.load_weight();
-        if (model.water.action != Water::Action::none)
-          rest.load_water(model.water);
-        rest.load_mass(held ? with_unlimited_strengths(model) : model, state);
-        result.equilibrium = rest.settle();
+        SceneParameters elastic = scene;
+        elastic.bedding.slips   = false;
+        RestModel intact(mesh, elastic);
+        settle(intact);
+        BeddingRest none;
+        tractions = intact.tractions(none);
       }
-    const std::map<EndKey, JointTraction> tractions = rest.tractions(result);
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       for (int end = 0; end < 2 && model.joints[j].kind == JointKind::bedding; ++end)
         {
@@ -303,7 +313,7 @@ namespace hybrid::dda
                   tractions.at(key_of(model, joint, end)),
                   state.joints[j].points[end]);
         }
-    store_static_reactions(model, state, held);
+    store_static_reactions(model, state, {held, !result.equilibrium});
     state.energy = stored_energy(model, state);
     return result;
   }

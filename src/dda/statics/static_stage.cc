@@ -97,7 +97,7 @@ namespace hybrid::dda
     if (resets_softening)
       reset_softening(state);
 
-    begin_motion(model, state, held);
+    begin_motion(model, state, {held, false});
     find_fallen(model, start, state, result);
     state.time                 = start_time;
     state.static_force         = state.foundation_force;

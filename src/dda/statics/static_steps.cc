@@ -157,6 +157,16 @@ namespace hybrid::dda
 
 
 
+  Model with_unlimited_planes(Model model)
+  {
+    for (Joint &joint : model.joints)
+      if (joint.kind == JointKind::bedding)
+        joint.law = joint.law.with(JointStrength::unlimited_bond());
+    return model;
+  }
+
+
+
   Model with_unlimited_strengths(const Model &model)
   {
     return with_unlimited_friction(with_unlimited_bonds(model));

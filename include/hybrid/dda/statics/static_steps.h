@@ -69,6 +69,9 @@ namespace hybrid::dda
   /// Neither friction nor bonds of the mass give way.
   Model with_unlimited_strengths(const Model &model);
 
+  /// The same model whose bedding planes bear anything, if it has a bedrock of blocks.
+  Model with_unlimited_planes(Model model);
+
 
   /**
    * Bring the blocks to rest on the foundation where it is.
