@@ -48,6 +48,12 @@ def test_pictures_are_written_and_nothing_else(hybrid, tmp_path, path, ending):
         assert "monitor" in picture.read_text() or path == PIT
 
 
+@pytest.mark.parametrize("name", ["initial_stress", "staged_columns"])
+def test_scenes_that_begin_with_stress_are_drawn(hybrid, tmp_path, name):
+    result = hybrid("section", ROOT / "parameters/verification" / (name + ".prm"), "--output", tmp_path / "a.png", cwd=tmp_path)
+    assert result.returncode == 0 and not result.stderr, result.stderr
+
+
 @pytest.mark.parametrize("words, part", [
     ([], "SCENE.prm"), (["nothing.prm"], "'nothing.prm' cannot be read"), ([COLUMN, "--output", "a.bmp"], "must end in .png"),
     ([COLUMN, "--output", "nowhere/a.png"], "'nowhere' is not a directory"), ([COLUMN, "-s", "Time/End tim=1", "--output", "a.png"], "End tim")])

@@ -28,7 +28,8 @@ def arguments():
 def read_scene(path, overrides, directory):
     """What the program makes of the scene, by a run without a step. @raises UserError with the program's own words if it refuses it."""
     words = [os.environ["HYBRID_PROGRAM"], path]
-    for override in overrides + ["Time/End time=0", "Gravity/Static stage=none", "Checkpoint/Wall interval=0", "Output/Directory=" + directory]:
+    still = ["Time/End time=0", "Gravity/Static stage=none", "Gravity/Initial stress=elastic", "Checkpoint/Wall interval=0"]
+    for override in overrides + still + ["Output/Directory=" + directory]:
         words += ["-s", override]
     result = subprocess.run(words, capture_output=True, text=True)
     if result.returncode != 0:
