@@ -12,8 +12,6 @@ namespace hybrid::continuum
   {
     constexpr int max_static_corrections = 20;
 
-
-
     /// Diagonal of the box round all planes [m]: what slips by more is held by nothing but
     /// round-off.
     double extent(const BeddingPlanes &planes)

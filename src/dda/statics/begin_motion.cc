@@ -23,16 +23,21 @@ namespace hybrid::dda
 
   void begin_motion(const Model &model, DdaState &state, const HeldParts &held)
   {
-    if (model.n_bedrock > 0)
-      {
-        const RestForces springs(holding(model, held), state);
-        const int        first = 6 * model.n_mass(), n = 6 * model.n_bedrock;
-        state.bedrock_static_force =
-          springs.bonds.segment(first, n) + springs.contacts.segment(first, n);
-      }
-    state.surface_force = surface_force(model, springs_at_rest(holding(model, held), state));
-    Model bonds         = held.mass ? with_unlimited_bonds(model) : model;
-    start_accelerations(held.planes ? with_unlimited_planes(std::move(bonds)) : bonds, state);
+    {
+      const Model holder = holding(model, held);
+      if (model.n_bedrock > 0)
+        {
+          const RestForces springs(holder, state);
+          const int        first = 6 * model.n_mass(), n = 6 * model.n_bedrock;
+          state.bedrock_static_force =
+            springs.bonds.segment(first, n) + springs.contacts.segment(first, n);
+        }
+      state.surface_force = surface_force(model, springs_at_rest(holder, state));
+    }
+    Model bonds = held.mass ? with_unlimited_bonds(model) : model;
+    if (held.planes)
+      bonds = with_unlimited_planes(std::move(bonds));
+    start_accelerations(bonds, state);
   }
 
 

@@ -29,8 +29,7 @@ namespace hybrid::scene
   {
     return bedding.slips && !bedding.names.empty() && environment.has_water() &&
            environment.water_method != WaterMethod::paper &&
-           environment.static_stage != StaticStage::none &&
-           (blocks.enabled || has_bedrock_blocks());
+           (blocks.enabled ? environment.static_stage != StaticStage::none : has_bedrock_blocks());
   }
 
 
