@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/geometry/polygon.h>
 #include <hybrid/dda/statics/great_static_steps.h>
+#include <hybrid/dda/statics/lost_hold.h>
 #include <hybrid/dda/statics/static_step_methods.h>
 #include <hybrid/dda/statics/static_step_parts.h>
 #include <hybrid/dda/statics/static_steps.h>
@@ -189,6 +190,7 @@ namespace hybrid::dda
       watch ? watch_of_step(watch, result) : OpenCloseIteration::Watch();
     StaticStepMethods methods(problem, watch_step);
     YieldPace         yielding;
+    LostHold          hold;
     for (double dt = StaticStepMethods::first_step;
          result.steps < pace.maximum_steps && dt >= smallest_step;)
       {
@@ -216,6 +218,11 @@ namespace hybrid::dda
           {
             result.equilibrium  = true;
             result.moving_block = -1;
+            break;
+          }
+        if (hold.falls(problem, state))
+          {
+            state = hold.loss();
             break;
           }
         if (slides_or_shears(problem, state) || methods.leads_nowhere(step.unbalanced))

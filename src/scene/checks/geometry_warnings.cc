@@ -168,7 +168,8 @@ namespace hybrid::scene
       text << (count == 1 ? "a block" : std::to_string(count) + " blocks")
            << " with nothing below: the lowest begins at " << at(lowest);
       if (!has_base)
-        text << ", and there is no base";
+        text
+          << ", and there is no base: the mesh has neither of the lines sliding_surface and ground";
       else if (nearest < no_distance)
         text << ", and " << nearest << " m are between it and what is next";
       text << "; it falls, as the static stage looks for an equilibrium (to drop blocks, set "

@@ -4,6 +4,7 @@
 #include <hybrid/scene/mesh/corner_cells.h>
 #include <hybrid/scene/mesh/curve_check.h>
 #include <hybrid/scene/mesh/edge_chain.h>
+#include <hybrid/scene/mesh/mesh_file_check.h>
 #include <hybrid/scene/mesh/mesh_number.h>
 #include <hybrid/scene/mesh/mesh_size_limit.h>
 #include <hybrid/scene/mesh/polygon_reader.h>
@@ -433,12 +434,8 @@ namespace hybrid::scene
                                const Numbers                     &numbers,
                                const std::function<void(double)> &before_meshing)
     {
-      std::error_code unknown; // a name that is too long, for instance: there is none, either
-      if (!std::filesystem::is_regular_file(file, unknown))
-        throw InputError(file, 0, "there is no such mesh file.");
+      check_mesh_file(file);
       const std::string extension = std::filesystem::path(file).extension().string();
-      if (extension != ".geo" && extension != ".msh")
-        throw InputError(file, 0, "a mesh file must end in .geo or .msh.");
       if (extension == ".msh" && !numbers.empty())
         throw InputError(file,
                          0,
