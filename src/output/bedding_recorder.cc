@@ -2,6 +2,7 @@
 #include <hybrid/output/bedding_recorder.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hybrid::output
 {
@@ -92,6 +93,25 @@ namespace hybrid::output
                                                            : Condition::elastic));
         }
     return values;
+  }
+
+
+
+  void BeddingRecorder::summarize(const coupling::CoupledState &state, Summary &summary) const
+  {
+    for (std::size_t k = 0; k < planes.size(); ++k)
+      {
+        const continuum::BeddingValues now  = values(state, k);
+        Summary::PlaneSlip            &slip = summary.planes[planes[k].name];
+        for (std::size_t i = 0; i < now.slip.size(); ++i)
+          {
+            slip.opening_left = std::max(slip.opening_left, now.opening[i]);
+            if (i > 0 && !(std::abs(now.slip[i]) > std::abs(slip.largest_left)))
+              continue;
+            slip.largest_left = now.slip[i];
+            slip.where        = {{planes[k].points[i].x(), planes[k].points[i].y()}};
+          }
+      }
   }
 
 

@@ -160,6 +160,29 @@ namespace hybrid::output
 
 
 
+    /// Bedding planes that have slipped or opened by what can be seen.
+    std::string planes_text(const Summary &summary)
+    {
+      constexpr double seen = 1e-6; // m
+      std::string      text;
+      for (const auto &[name, slip] : summary.planes)
+        {
+          const bool slips = std::abs(slip.largest_left) > seen, opens = slip.opening_left > seen;
+          if (!slips && !opens)
+            continue;
+          text += indent + name + "  ";
+          if (slips)
+            text += "has slipped by " + length_text(std::abs(slip.largest_left)) + " at most, at " +
+                    format("(%.4g, %.4g) m", slip.where[0], slip.where[1]);
+          if (opens)
+            text += (slips ? "; it is open by " : "is open by ") + length_text(slip.opening_left) +
+                    " at most";
+        }
+      return text;
+    }
+
+
+
     std::string off_base_text(const int blocks)
     {
       return blocks == 0
@@ -418,7 +441,7 @@ namespace hybrid::output
                                summary.energy_residual);
     if (summary.steps > 0)
       {
-        found += monitors_text(summary, scene.monitors.base_monitor);
+        found += monitors_text(summary, scene.monitors.base_monitor) + planes_text(summary);
         if (summary.blocks > 0)
           found += indent + slip_text(summary) + shear_text(summary.base_shear) +
                    off_base_text(summary.blocks_off_base);

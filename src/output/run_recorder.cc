@@ -452,6 +452,7 @@ namespace hybrid::output
         summary.blocks_off_base = blocks_off_base(*parts.blocks, state.blocks);
         count_failed_joints(*parts.blocks, state.blocks, summary);
       }
+    bedding.summarize(state, summary);
     if (!times.empty())
       summarize_monitors(summary);
     file.flush();

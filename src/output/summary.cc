@@ -37,6 +37,17 @@ namespace hybrid::output
     }
 
 
+    Json planes(const Summary &summary)
+    {
+      Json object = Json::object();
+      for (const auto &[name, slip] : summary.planes)
+        object[name] = {{"largest_left", slip.largest_left},
+                        {"largest_at", slip.where},
+                        {"opening_left", slip.opening_left}};
+      return object;
+    }
+
+
     Json base_shear(const Summary::BaseShear &base)
     {
       return {{"shear_N_per_m", base.shear},
@@ -162,6 +173,7 @@ namespace hybrid::output
                          {"blocks_off_base", summary.blocks_off_base},
                          {"joints", joints(summary)},
                          {"slip_m", slip(summary.slip)},
+                         {"bedding_slip_m", planes(summary)},
                          {"base_shear", base_shear(summary.base_shear)},
                          {"filter_frequency_hz", summary.filter_frequency},
                          {"outcrop_peak_acceleration_m_s2", summary.outcrop_peak_acceleration},

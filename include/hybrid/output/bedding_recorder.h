@@ -5,6 +5,7 @@
 #include <hybrid/coupling/coupled_state.h>
 #include <hybrid/dda/model/model.h>
 #include <hybrid/output/history_file.h>
+#include <hybrid/output/summary.h>
 
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ namespace hybrid::output
     void add_series(HistoryFile &file);
 
     void record(const coupling::CoupledState &state, HistoryFile &file) const;
+
+    /// What the planes have slipped at the end of the run.
+    void summarize(const coupling::CoupledState &state, Summary &summary) const;
 
   private:
     struct Plane

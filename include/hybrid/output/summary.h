@@ -55,6 +55,15 @@ namespace hybrid::output
       int         off_surface = 0; ///< blocks that lay on it and touch it no more; their ways count
     };
 
+    /// What a bedding plane has slipped for good since the state at rest, of the upper side along
+    /// +x, at the end [m]: where its size is largest.
+    struct PlaneSlip
+    {
+      double               largest_left = 0.;
+      MonitorSummary::Pair where        = {{MonitorSummary::unknown, MonitorSummary::unknown}};
+      double               opening_left = 0.; ///< largest [m]
+    };
+
     /// Force of the mass on what it stands on; NaN: nothing stands on it. Mobilised is the shear
     /// over the shear strength, downhill positive; on level ground its size [-].
     struct BaseShear
@@ -174,13 +183,14 @@ namespace hybrid::output
     std::map<std::string, double> resolved_by_part;      ///< by name of the part [Hz]
     double                        motion_frequency = 0.; ///< 95 % of the energy of what shakes lie
                                                          ///< below [Hz]; 0: nothing shakes
-    double        energy_residual = 0.; ///< |sum of all terms| / largest exchanged energy [-]
-    FailedJoints  joints;               ///< in the dynamic stage: earthquake damage
-    int           blocks_off_base = 0;  ///< beyond the end of the base, nothing is below them
-    FailedJoints  static_joints;        ///< while the body settled under gravity
-    StaticStage   static_stage;
-    Slip          slip;
-    BaseShear     base_shear;
+    double       energy_residual = 0.; ///< |sum of all terms| / largest exchanged energy [-]
+    FailedJoints joints;               ///< in the dynamic stage: earthquake damage
+    int          blocks_off_base = 0;  ///< beyond the end of the base, nothing is below them
+    FailedJoints static_joints;        ///< while the body settled under gravity
+    StaticStage  static_stage;
+    Slip         slip;
+    BaseShear    base_shear;
+    std::map<std::string, PlaneSlip> planes; ///< bedding planes that may slip, by name
     double        first_failure_time = MonitorSummary::unknown; ///< of the dynamic stage [s]
     double        first_loss_time    = MonitorSummary::unknown; ///< of a joint that loses strength
     Wasted        wasted;

@@ -52,6 +52,26 @@ namespace hybrid::output
 
 
 
+    TEST(EndText, SaysWhichPlanesHaveSlippedAndOpened)
+    {
+      Summary run = a_run();
+      run.blocks  = 0;
+      run.planes  = {{"bedding_1", {-0.2814, {{12.5, 7.}}, 0.}},
+                     {"bedding_2", {2e-7, {{1., 2.}}, 3e-7}},
+                     {"bedding_3", {0.0021, {{3., 4.}}, 0.004}},
+                     {"bedding_4", {0., {{5., 6.}}, 0.0123}}};
+      EXPECT_NE(
+        end_text(run, {}).in_file.find(
+          "\n          bedding_1  has slipped by 281 mm at most, at (12.5, 7) m"
+          "\n          bedding_3  has slipped by 2.1 mm at most, at (3, 4) m; it is open by "
+          "4 mm at most"
+          "\n          bedding_4  is open by 12.3 mm at most\n"),
+        std::string::npos)
+        << end_text(run, {}).in_file;
+    }
+
+
+
     TEST(EndText, SaysWhichBlocksHaveNothingBelowThem)
     {
       Summary run = a_run();

@@ -17,8 +17,8 @@ from hybrid_tools.arguments import Arguments
 from . import catalogue, monitor_choice
 
 # Modules of this folder with draw(run, directory), in the order of drawing.
-FIGURES = ("input_motion", "monitor_histories", "velocities", "boreholes", "section_view", "failure_process", "slip", "heterogeneity",
-           "energy_balance", "step_costs", "overview")
+FIGURES = ("input_motion", "monitor_histories", "velocities", "boreholes", "section_view", "failure_process", "slip", "planes",
+           "heterogeneity", "energy_balance", "step_costs", "overview")
 
 
 EXAMPLES = """  hybrid plot output/badong

@@ -15,6 +15,8 @@ from hybrid_tools import style
 from . import colour_bar
 from .water import Water, draw_water
 
+ROOM_FOR_BAR = 0.6  # [in], with its numbers and its name
+
 OUTLINE = [effects.withStroke(linewidth=2.6, foreground="#ffffffb0")]
 
 
@@ -289,7 +291,7 @@ def draw(run, directory):
     grid = figure.add_gridspec(len(rows), 1)
     heights = []
     for row, functions in enumerate(rows):
-        part = grid[row].subgridspec(1, len(functions))
+        part = grid[row].subgridspec(1, len(functions), wspace=ROOM_FOR_BAR * len(functions) / width)
         axes = [figure.add_subplot(part[k]) for k in range(len(functions))]
         for axis, function in zip(axes, functions):
             function(section, axis)
@@ -297,6 +299,7 @@ def draw(run, directory):
     for axis in axes:
         axis.set_xlabel("x [m]")
     grid.set_height_ratios(heights)
-    figure.set_size_inches(width, sum(heights) + 0.6 * len(rows) + 0.5)
+    lines = 2 if line_end(section) == "\n" else 1
+    figure.set_size_inches(width, sum(heights) + (0.4 + 0.2 * lines) * len(rows) + 0.5)
     style.title(figure, "Section: " + run.title())
     style.save(figure, directory, "section")
