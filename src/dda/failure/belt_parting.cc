@@ -9,7 +9,7 @@ namespace hybrid::dda
     /// How far a point stands off the ground's edge of a belt joint [m]: 0 where it overlaps.
     double opening(const Joint &belt, const Geometry &g, const Vec2 &point)
     {
-      const int   e             = belt.ground_edge();
+      const int   e             = belt.other_edge();
       const bool  on_foundation = belt.other == foundation_body;
       const Vec2 &a             = on_foundation ? g.foundation_nodes[e] : g.vertices[e],
                  &b             = on_foundation ? g.foundation_nodes[e + 1] : g.vertices[g.next(e)];

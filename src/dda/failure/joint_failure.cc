@@ -25,6 +25,20 @@ namespace hybrid::dda
 
 
 
+    /// How deep the joint has slid into an edge that rises beyond its end [m].
+    double sunk(const Joint &joint, const JointState &state)
+    {
+      double deepest = 0.;
+      for (const SpringState &point : state.points)
+        {
+          const double slip = point.history.plastic_slip;
+          deepest           = std::max(deepest, std::abs(slip) * joint.valley[slip > 0. ? 0 : 1]);
+        }
+      return deepest;
+    }
+
+
+
     /// True if an end is torn and so wide open that the two edges have turned apart: between the
     /// ends the bond is open everywhere but at the tip.
     bool gapes(const Joint &joint, const JointState &state)
@@ -56,7 +70,17 @@ namespace hybrid::dda
         state.failure_time = time;
       }
     const double has_yielded = std::max(yielding(state.points[0]), yielding(state.points[1]));
-    if (state.failure != FailureKind::none ||
+    const bool   has_sunk    = sunk(joint, state) > yield_fraction * joint.length;
+    if (has_sunk && joint.kind == JointKind::body)
+      {
+        if (state.failure == FailureKind::none)
+          {
+            state.failure      = FailureKind::shear;
+            state.failure_time = time;
+          }
+        state.released = true;
+      }
+    if (state.failure != FailureKind::none || has_sunk ||
         (joint.kind == JointKind::body &&
          has_yielded > (blocks_yield ? release_fraction : yield_fraction) * joint.length))
       state.has_yielded = true;

@@ -6,6 +6,7 @@
 #include <hybrid/dda/model/block_damping.h>
 #include <hybrid/dda/model/contact_laws.h>
 #include <hybrid/dda/model/joint_builder.h>
+#include <hybrid/dda/model/joint_valleys.h>
 #include <hybrid/dda/model/model_builder.h>
 
 #include <algorithm>
@@ -44,6 +45,7 @@ namespace hybrid::dda
         join_bedrock_surface();
         add_blocks();
         add_joints();
+        set_joint_valleys(model);
         correct_stiffness();
         set_loose_damping();
         set_maxwell_damping();

@@ -18,7 +18,7 @@ namespace hybrid::dda
 
 
     /// An edge whose block is on its left side.
-    struct Edge
+    struct SoleEdge
     {
       int  first, second;
       Vec2 a, b;
@@ -28,18 +28,18 @@ namespace hybrid::dda
 
 
     /// Edges of the blocks from @p begin to @p end that they do not share with each other.
-    std::vector<Edge> outer_edges(const Geometry &g, const int begin, const int end)
+    std::vector<SoleEdge> outer_edges(const Geometry &g, const int begin, const int end)
     {
       std::set<std::array<double, 4>> drawn;
-      std::vector<Edge>               edges;
+      std::vector<SoleEdge>           edges;
       for (int v = g.offset[begin]; v < g.offset[end]; ++v)
         {
           const Vec2 &a = g.vertices[v], &b = g.vertices[g.next(v)];
           drawn.insert({a.x(), a.y(), b.x(), b.y()});
           edges.push_back({v, g.next(v), a, b});
         }
-      std::vector<Edge> outer;
-      for (const Edge &edge : edges)
+      std::vector<SoleEdge> outer;
+      for (const SoleEdge &edge : edges)
         if (drawn.count({edge.b.x(), edge.b.y(), edge.a.x(), edge.a.y()}) == 0)
           outer.push_back(edge);
       return outer;
@@ -48,15 +48,16 @@ namespace hybrid::dda
 
 
     /// The ground that a point of a sole lies on; Ground::first is negative where there is none.
-    SoleGround
-    ground_below(const std::vector<Edge> &ground, const Edge &sole, const double fraction_of_sole)
+    SoleGround ground_below(const std::vector<SoleEdge> &ground,
+                            const SoleEdge              &sole,
+                            const double                 fraction_of_sole)
     {
       const Vec2 point     = (1. - fraction_of_sole) * sole.a + fraction_of_sole * sole.b,
                  along     = sole.b - sole.a;
       const double length  = along.norm();
       double       nearest = near_ground * length;
       SoleGround   below;
-      for (const Edge &other : ground)
+      for (const SoleEdge &other : ground)
         {
           const Vec2   edge  = other.b - other.a;
           const double width = edge.norm();
@@ -77,11 +78,11 @@ namespace hybrid::dda
 
 
     /// The point of the ground that is nearest.
-    Vec2 nearest_of(const std::vector<Edge> &ground, const Vec2 &point)
+    Vec2 nearest_of(const std::vector<SoleEdge> &ground, const Vec2 &point)
     {
       Vec2   nearest  = point;
       double distance = std::numeric_limits<double>::infinity();
-      for (const Edge &edge : ground)
+      for (const SoleEdge &edge : ground)
         {
           const Vec2   along   = edge.b - edge.a;
           const double squared = along.squaredNorm();
@@ -101,9 +102,9 @@ namespace hybrid::dda
 
 
     /// Everything that the mass can lie on.
-    std::vector<Edge> ground_of(const Model &model)
+    std::vector<SoleEdge> ground_of(const Model &model)
     {
-      std::vector<Edge> ground;
+      std::vector<SoleEdge> ground;
       if (model.n_bedrock > 0)
         ground = outer_edges(model.initial, model.n_mass(), model.n_blocks());
       for (int k = 0; k + 1 < model.n_foundation_nodes(); ++k) // left to right: the ground is below
@@ -120,9 +121,9 @@ namespace hybrid::dda
 
   std::vector<Sole> find_soles(const Model &model)
   {
-    std::vector<Sole>       soles;
-    const std::vector<Edge> ground = ground_of(model);
-    for (const Edge &edge : outer_edges(model.initial, 0, model.n_mass()))
+    std::vector<Sole>           soles;
+    const std::vector<SoleEdge> ground = ground_of(model);
+    for (const SoleEdge &edge : outer_edges(model.initial, 0, model.n_mass()))
       for (const double fraction : {0.5, 0.25, 0.75, 0.02, 0.98})
         if (const SoleGround below = ground_below(ground, edge, fraction); below.first >= 0)
           {

@@ -19,7 +19,7 @@ namespace hybrid::dda
         const Joint &joint = model.joints[j];
         if (!joint.bears_residual_cohesion())
           continue;
-        (joint.other == foundation_body ? segments : edges)[joint.ground_edge()] = both;
+        (joint.other == foundation_body ? segments : edges)[joint.other_edge()] = both;
         for (const int end : {0, 1})
           if (!state.joints[j].parted[end])
             edges[joint.edge] |= joint.points[end].position < at_corner        ? first

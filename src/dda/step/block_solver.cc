@@ -150,7 +150,8 @@ namespace hybrid::dda
         for (const int body : {model.joints[j].block, model.joints[j].other})
           if (body != foundation_body && !model.is_bedrock(body))
             {
-              const bool to_all = joint.failure != FailureKind::none || !is_on_belt[body];
+              const bool to_all = joint.failure != FailureKind::none || !is_on_belt[body] ||
+                                  model.joints[j].kind == JointKind::belt;
               now[body] =
                 std::max(now[body], to_all ? ContactScope::to_all : ContactScope::to_blocks);
             }

@@ -80,10 +80,10 @@ namespace hybrid::dda
    *   - edges (and their ends) of a surface to which a block is bonded;
    *   - a block that is held off (bonded to the surface, or touching it with corners
    *     only while its neighbours hold it) with the whole surface, until it is awake to all.
-   *     A belt slides for centimetres over the bends of a foundation of straight segments,
-   *     where corners would catch: a joint that has yielded does not wake a block
-   *     on the belt to the surface. A block that touches it with a corner only is
-   *     woken: it may be squeezed into it.
+   *     A belt slides over the bends of a foundation of straight segments, where corners would
+   *     catch: it wakes a block to the surface once that has slid 1/400 of the belt joint's length
+   *     deep into a segment that rises (joint_failure.h). A block that touches it with a corner
+   *     only is woken: it may be squeezed into it.
    * Surfaces are the foundation and the outline of bedrock made of blocks (BedrockSurface); they
    * never meet each other. Every place of a surface is a vertex, as it may bend.
    *

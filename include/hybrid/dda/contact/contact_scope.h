@@ -8,7 +8,8 @@ namespace hybrid::dda
   {
     no,        ///< nothing: all its joints hold
     to_blocks, ///< neighbours of the mesh: a joint of its has yielded
-    to_all ///< the foundation too: a joint of its has failed, or it was never bonded, or it only
-           ///< touches the foundation with a corner and a joint of its has yielded
+    to_all ///< the ground too: a joint of its has failed, or it was never bonded, or it has slid on
+           ///< its belt into an edge of the ground that rises there, or it only touches the ground
+           ///< with a corner and a joint of its has yielded
   };
 } // namespace hybrid::dda

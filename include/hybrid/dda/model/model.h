@@ -60,14 +60,18 @@ namespace hybrid::dda
 
     int plane = -1; ///< bedding plane: number among the scene's names
 
+    /// Sine of the angle by which another edge rises where the joint slides to, with positive and
+    /// with negative slip [-]: see joint_valleys.h
+    std::array<double, 2> valley{{0., 0.}};
+
     /// Both sides are bedrock: the joint carries the load however far they slide.
     bool within_bedrock() const
     {
       return kind == JointKind::weld || kind == JointKind::bedding;
     }
 
-    /// The ground's edge that a belt joint bonds: its first end, seen from the ground's body.
-    int ground_edge() const
+    /// The other body's edge (of a belt: the ground's): its first end, seen from that body.
+    int other_edge() const
     {
       return points[other == foundation_body ? 0 : 1].other_vertex;
     }
