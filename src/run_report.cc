@@ -18,6 +18,38 @@
 
 namespace hybrid
 {
+  namespace
+  {
+    std::string residual_text(const dda::StaticResult &settled)
+    {
+      if (settled.steps == 0)
+        return "not settled";
+      char text[60];
+      std::snprintf(text, sizeof(text), "relative residual %.1e", settled.residual);
+      return text;
+    }
+
+
+
+    /// Where and how the dynamic stage starts without an equilibrium.
+    std::string starts_there(const dda::StaticResult &settled)
+    {
+      constexpr double  told = 0.01; // m
+      const std::string text = "; the dynamic stage starts from rest there";
+      if (settled.largest_displacement < told)
+        return text;
+      char moved[200];
+      std::snprintf(moved,
+                    sizeof(moved),
+                    ", up to %.3g m from where the blocks were drawn: displacements count from "
+                    "there, and the speed that this way would have given them is not in them",
+                    settled.largest_displacement);
+      return text + moved;
+    }
+  } // namespace
+
+
+
   RunReport::RunReport(const SceneModel &scene_model, output::Log &run_log)
     : model(scene_model)
     , log(run_log)
@@ -110,18 +142,17 @@ namespace hybrid
         shear += joint.failure == dda::FailureKind::shear ? 1 : 0;
       }
     char text[300];
-    std::snprintf(
-      text,
-      sizeof(text),
-      "Static stage: relative residual %.1e after %d steps (%d iterations), largest displacement %.3g m; "
-      "joints failed: %d tensile, %d shear; largest slip of a joint %.3g m",
-      settled.residual,
-      settled.steps,
-      settled.iterations,
-      settled.largest_displacement,
-      tensile,
-      shear,
-      slip);
+    std::snprintf(text,
+                  sizeof(text),
+                  "Static stage: %s after %d steps (%d iterations), largest displacement %.3g m; "
+                  "joints failed: %d tensile, %d shear; largest slip of a joint %.3g m",
+                  residual_text(settled).c_str(),
+                  settled.steps,
+                  settled.iterations,
+                  settled.largest_displacement,
+                  tensile,
+                  shear,
+                  slip);
     log.info(text);
     if (settled.equilibrium)
       {
@@ -153,7 +184,7 @@ namespace hybrid
          ? "; the run ends here: give it more strength (Blocks/Material, Blocks/Belt material), or "
            "set Gravity/Static stage to held (settles with unlimited strengths), none (starts "
            "unloaded) or equilibrium or move (starts from where it has got to)"
-         : "; the dynamic stage starts from rest there"));
+         : starts_there(settled)));
   }
 
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <string>
 
 namespace hybrid::dda
@@ -95,6 +96,11 @@ namespace hybrid::dda
       void add_blocks();
       void add_joints();
       void correct_stiffness();
+
+      /// Of a block among joints of this compliance [Pa].
+      /// @throws InputError that names the block if the joints alone are softer than its material
+      Eigen::Matrix3d elasticity_between(int block, const JointCompliance &joints);
+
       void set_loose_damping();
       void set_maxwell_damping();
       void add_slices();
@@ -316,7 +322,30 @@ namespace hybrid::dda
             add(joint.other, 1. - share);
         }
       for (std::size_t b = 0; b < model.blocks.size(); ++b)
-        model.blocks[b].elasticity = block_elasticity(materials[b], around[b]);
+        model.blocks[b].elasticity = elasticity_between(static_cast<int>(b), around[b]);
+    }
+
+
+
+    Eigen::Matrix3d Builder::elasticity_between(const int block, const JointCompliance &joints)
+    {
+      try
+        {
+          return block_elasticity(materials[block], joints);
+        }
+      catch (const InputError &reason)
+        {
+          const BlockProperties &p = model.blocks[block];
+          const Vec2            &x = model.initial.vertices[model.initial.offset[block]];
+          std::ostringstream     text;
+          text.precision(3);
+          text << reason.what() << ". This is block "
+               << (block < n_mass ? mesh.block_name(block) : std::to_string(block)) << " at ("
+               << x.x() << ", " << x.y() << ") m, of " << p.area
+               << " m2; joints of a block that is small beside its neighbours are soft for it: "
+                  "give it another shape, or set Blocks/Stiffness correction = false";
+          throw InputError(text.str());
+        }
     }
 
 

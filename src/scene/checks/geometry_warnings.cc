@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/checks/geometry_warnings.h>
+#include <hybrid/scene/checks/shared_edge_check.h>
 
 #include <algorithm>
 #include <cmath>
@@ -334,7 +335,11 @@ namespace hybrid::scene
       look_at_support(mesh, warnings);
     look_at_slivers(mesh, warnings);
     if (scene.blocks.bonded)
-      look_at_near_corners(mesh, warnings);
+      {
+        look_at_near_corners(mesh, warnings);
+        if (const std::string text = partly_shared_edges(mesh); !text.empty())
+          warnings.push_back(text);
+      }
     look_at_water(mesh, scene, warnings);
     look_at_origin(mesh, warnings);
     return warnings;
