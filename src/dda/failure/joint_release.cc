@@ -19,11 +19,12 @@ namespace hybrid::dda
     }
 
 
-    /// Bodies of a released joint, and how far its springs overlapped [m].
+    /// Bodies of a released joint, how far its springs overlapped [m], and with which force one of
+    /// them pressed [N/m].
     struct Overlap
     {
       BodyPair bodies;
-      double   depth;
+      double   depth, force;
     };
 
     bool operator<(const Overlap &a, const Overlap &b)
@@ -40,10 +41,13 @@ namespace hybrid::dda
           JointState &joint = state.joints[j];
           if (!joint.released || joint.handed_over)
             continue;
-          joint.handed_over   = true;
-          const double closed = -std::min(joint.points[0].gap, joint.points[1].gap);
-          overlaps.push_back(
-            {in_order(model, model.joints[j].block, model.joints[j].other), std::max(closed, 0.)});
+          joint.handed_over     = true;
+          const auto  &points   = joint.points;
+          const double closed   = -std::min(points[0].gap, points[1].gap);
+          const double traction = std::max(points[0].normal, points[1].normal);
+          overlaps.push_back({in_order(model, model.joints[j].block, model.joints[j].other),
+                              std::max(closed, 0.),
+                              0.5 * model.joints[j].length * std::max(traction, 0.)});
         }
       std::sort(overlaps.begin(), overlaps.end());
       return overlaps;
@@ -65,12 +69,16 @@ namespace hybrid::dda
       return;
     for (Contact &contact : state.contacts)
       {
-        const Overlap of_pair{in_order(model, contact.vertex_body, contact.edge_body), 0.};
+        const Overlap of_pair{in_order(model, contact.vertex_body, contact.edge_body), 0., 0.};
         const auto    found = std::equal_range(overlaps.begin(), overlaps.end(), of_pair);
         for (auto joint = found.first; joint != found.second; ++joint)
-          contact.stress_free_gap =
-            std::max(contact.stress_free_gap,
-                     std::min(0., gap(contact, state.geometry) + joint->depth));
+          {
+            const ContactLaw &law   = model.contacts.law(model.initial, contact, model.n_mass());
+            const double      depth = joint->force / (law.length * law.law.normal_stiffness());
+            contact.stress_free_gap =
+              std::max(contact.stress_free_gap,
+                       std::min(0., gap(contact, state.geometry) + std::min(joint->depth, depth)));
+          }
       }
   }
 } // namespace hybrid::dda

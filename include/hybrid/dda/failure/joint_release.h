@@ -9,7 +9,9 @@ namespace hybrid::dda
   /**
    * Contacts between the bodies of joints that have been released since the last call take their
    * load over: they press from the overlap they have, but at most from that of the joint's springs
-   * (stress_free_gap), so what they store is what the joint stored. From zero, blocks would first
+   * and with no more than the force of one of these (stress_free_gap), so they store no more than
+   * the joint did: a short edge of large blocks is soft, and overlaps far under little load. From
+   * zero, blocks would first
    * have to sink onto each other, without friction on the way. Contacts that already press stay as
    * they are.
    *

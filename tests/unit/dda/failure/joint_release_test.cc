@@ -4,12 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 using namespace hybrid;
 using namespace hybrid::dda;
 
 namespace
 {
-  constexpr double overlap = 1e-3; ///< of the blocks of the joint, and of its springs [m]
+  constexpr double overlap   = 1e-3; ///< of the blocks of the joint, and of its springs [m]
+  constexpr double stiffness = 1e9;  ///< of the joint and of contacts [Pa/m]
 
   /// Two unit squares, one on the other, that overlap; their joint has been released under
   /// pressure.
@@ -21,7 +25,7 @@ namespace
     Pair()
     {
       const JointStrength strength = bond_strength(Material(), 0., 0.1);
-      model.joints.push_back({1, 4, 0, 1., {}, JointLaw(strength, 1e9, 1e9)});
+      model.joints.push_back({1, 4, 0, 1., {}, JointLaw(strength, stiffness, stiffness)});
       state.geometry.vertices = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}};
       state.geometry.offset   = {0, 4, 8};
       state.geometry.block_of = {0, 0, 0, 0, 1, 1, 1, 1};
@@ -33,6 +37,18 @@ namespace
       now.points[0].gap = -overlap;
       now.points[1].gap = -0.5 * overlap;
       state.joints.push_back(now);
+      model.blocks.resize(2);
+      model.contacts.block = {0, 0};
+      model.contacts.of    = {
+           std::vector<ContactLaw>(2, {JointLaw(strength, stiffness, stiffness), 0.5})};
+      press();
+    }
+
+    /// The joint's springs have the forces of their overlaps.
+    void press()
+    {
+      for (SpringState &point : state.joints[0].points)
+        point.normal = std::max(0., -stiffness * point.gap);
     }
 
     /// stress_free_gap of a contact of the upper block's first vertex on the lower block's top that
@@ -61,12 +77,23 @@ TEST(JointRelease, contacts_bear_no_more_than_the_joint_did)
   Pair sheared; // its blocks overlap more than its springs
   for (SpringState &point : sheared.state.joints[0].points)
     point.gap = -0.2 * overlap;
+  sheared.press();
   EXPECT_NEAR(sheared.after(-2. * overlap), -0.8 * overlap, 1e-15);
 
   Pair torn;
   for (SpringState &point : torn.state.joints[0].points)
     point.gap = 3. * overlap;
+  torn.press();
   EXPECT_NEAR(torn.after(-2. * overlap), -overlap, 1e-15);
+
+  // A short edge of large blocks is soft: it has overlapped by as much, and bears little.
+  Pair narrow;
+  narrow.model.joints[0].length = 0.02;
+  EXPECT_NEAR(narrow.after(-2. * overlap), -overlap + 0.02 * overlap, 1e-15);
+  Pair soft;
+  for (SpringState &point : soft.state.joints[0].points)
+    point.normal *= 1e-2;
+  EXPECT_NEAR(soft.after(-2. * overlap), -overlap + 0.01 * overlap, 1e-15);
 }
 
 
