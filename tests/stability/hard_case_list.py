@@ -7,6 +7,7 @@ import re
 import typing
 
 import numpy as np
+from overlaps import area
 from vtu_file import pictures
 
 HARD = pathlib.Path(__file__).resolve().parents[2] / "parameters/hard"
@@ -139,6 +140,23 @@ def lands_or_pushes(case, variant, run):
         case.below("%s: corners below the ground" % variant, -corners[:, 1].min(), overlap, "m")
 
 
+def momentum_along_ground(picture):
+    """Over the density, per metre of thickness [m3/s]."""
+    velocity = picture.point_fields["velocity [m/s]"]
+    return sum(area(picture.points[c, :2]) * velocity[c, 0].mean() for c in picture.cells)
+
+
+def pushes_or_rides(case, variant, run):
+    """No square is where its wedge was and the wedge there still; without friction nothing slows them but each other."""
+    seen = [picture for _, picture in pictures(run.directory_path, "blocks")]
+    if variant != "friction":
+        first, last = (momentum_along_ground(picture) for picture in (seen[0], seen[-1]))
+        case.below("%s: momentum along the ground lost, of it" % variant, abs(last / first - 1), 1e-5)
+    wedges = [c for c, behind in zip(seen[0].cells, seen[0].cells[1:]) if len(c) == 3 and len(behind) == 4]
+    ways = [(seen[0].points[c, 0] - seen[-1].points[c, 0]).mean() for c in wedges]
+    case.true("%s: the wedges are pushed along, by %.3g to %.3g m" % (variant, min(ways), max(ways)), min(ways) > 0.1)
+
+
 def slides_as_one(case, variant, run):
     """Closed form of a rigid block on the slope, within 0.5 %; columns of five (--long) lean on each other instead."""
     if variant != "scene":
@@ -166,6 +184,8 @@ CASES = {
     "mass_ratio": Wanted({"scene": [], "trapezoidal": ["Time/Scheme=trapezoidal"], "shi": ["Time/Scheme=shi"],
                           "light above": ["Blocks/Material=light", "Blocks/Saturated material=heavy"]},
                          more=heavy_block_is_not_thrown),
+    "tips": Wanted({"scene": [], "4 ms": ["Time/Time step=0.004"], "friction": ["Materials/rock/Friction angle=30"],
+                    "equilibrium": ["Gravity/Static stage=equilibrium"]}, more=pushes_or_rides),
     "slivers": Wanted({"scene": [], "2 ms": ["Time/Time step=0.002"]}),
     "impact_50": Wanted({"scene": [], "shi": ["Time/Scheme=shi"], "0.1 ms": ["Time/Time step=0.0001"]},
                         more=rebound_is_slower),

@@ -41,7 +41,8 @@ namespace hybrid::dda
     };
 
 
-    /// The edge below the vertex, then the edge it came through, then the gap. Gaps nearer than
+    /// The edge below the vertex, then the edge it came through, then the side of a tip by which it
+    /// has passed the tip (the other side has no depth), then the gap. Gaps nearer than
     /// @p same [m] are equal: then the edge that the sole runs along, then the lower one.
     bool better(const ContactTrial &a, const ContactTrial &b, const Carries rule, const double same)
     {
@@ -49,6 +50,8 @@ namespace hybrid::dda
         return a.is_inside;
       if (a.history != b.history)
         return a.history > b.history;
+      if (a.has_passed != b.has_passed)
+        return a.has_passed;
       if (std::abs(a.gap - b.gap) > same)
         return (a.gap > b.gap) == (rule == Carries::min_penetration);
       if (std::abs(a.below_sole - b.below_sole) > same_cosine)
@@ -261,7 +264,7 @@ namespace hybrid::dda
         const Vec2  &normal = frames->edge(body, other).normal;
         const double gap    = normal.dot(point - position(*geometry, body, other));
         if (normal.dot(mine) < ContactTolerances::continuing_cosine &&
-            (is_level_with_sole(body, normal, gap) ||
+            (is_level_with_sole(body, ends[i], other) ||
              (support == Support::before ? old.find_continued(body, normal, gap) >= 0
                                          : is_level_with_trial(body, normal, gap))))
           return true;
@@ -271,18 +274,24 @@ namespace hybrid::dda
 
 
 
-  /// An edge of the vertex goes on along another one of @p body, with this normal, whose line is at
-  /// this gap from the vertex: over a crack no edge of a row carries the vertex itself.
-  bool
-  ContactSelection::is_level_with_sole(const int body, const Vec2 &normal, const double gap) const
+  /// An edge of the vertex goes on along another one of @p body, which begins or ends at @p corner:
+  /// over a crack no edge of a row carries the vertex itself. They are level where the vertex is
+  /// and where the corner is: of two tips at one height neither is beside the other.
+  bool ContactSelection::is_level_with_sole(const int body, const int corner, const int other) const
   {
-    if (std::abs(gap) > with(body).hysteresis())
+    const double level  = with(body).hysteresis();
+    const Vec2  &normal = frames->edge(body, other).normal;
+    const Vec2   way    = position(*geometry, body, corner) - point;
+    if (std::abs(normal.dot(way)) > level)
       return false;
     for (const int e :
          {edge_before(*geometry, vertex_body, vertex), edge_after(*geometry, vertex_body, vertex)})
-      if (e >= 0 &&
-          -normal.dot(frames->edge(vertex_body, e).normal) >= ContactTolerances::continuing_cosine)
-        return true;
+      if (e >= 0)
+        {
+          const Vec2 &mine = frames->edge(vertex_body, e).normal;
+          if (-normal.dot(mine) >= ContactTolerances::continuing_cosine && mine.dot(way) >= -level)
+            return true;
+        }
     return false;
   }
 
@@ -342,11 +351,11 @@ namespace hybrid::dda
 
 
 
-  /// The corner at the near end of the edge and that of the vertex overlap although neither is in
-  /// the other's block: two tips that have passed each other. Each side of one crosses both of the
-  /// other's, but for two sides that lie on each other. In one step they have come no further than
-  /// the reach.
-  bool ContactSelection::has_crossed_corner(const ContactTrial &trial) const
+  /// The vertex has come through this edge and left the body again by the side that meets it at its
+  /// near end: tips that have passed each other, or a corner below a tip that lies on what the
+  /// vertex is pressed into deeper. An edge of the vertex still leads out through this one, or the
+  /// tip is between its edges. In one step it has come no further than the reach.
+  bool ContactSelection::has_passed_tip(const ContactTrial &trial) const
   {
     const int body = trial.contact.edge_body;
     if (is_surface(*geometry, vertex_body) || is_surface(*geometry, body))
@@ -354,18 +363,19 @@ namespace hybrid::dda
     const std::vector<Vec2> &v     = geometry->vertices;
     const int                first = trial.contact.edge, second = geometry->next(first);
     const bool               nearer = (point - v[first]).norm() <= (point - v[second]).norm();
-    const int                corner = nearer ? first : second;
-    const int                begin  = geometry->offset[vertex_body];
-    if (frames->corner(body, corner) != Corner::convex ||
-        (point - v[corner]).norm() > of(trial).reach ||
-        contains(&v[begin], geometry->offset[vertex_body + 1] - begin, v[corner]))
+    const int                tip    = nearer ? first : second;
+    const int                beside = nearer ? geometry->previous(first) : second;
+    const Vec2               way    = v[tip] - point;
+    const double             same   = of(trial).coincidence();
+    if (frames->corner(body, tip) != Corner::convex || way.norm() > of(trial).reach ||
+        frames->edge(body, beside).normal.dot(way) > same)
       return false;
-    int crossings = 0;
-    for (const int e : {geometry->previous(corner), corner})
-      for (const int mine : {geometry->previous(vertex), vertex})
-        crossings +=
-          segments_cross({v[e], v[geometry->next(e)]}, {v[mine], v[geometry->next(mine)]}) ? 1 : 0;
-    return crossings >= 3;
+    const int     before = geometry->previous(vertex);
+    const Segment edge{v[first], v[second]};
+    return (frames->edge(vertex_body, vertex).normal.dot(way) <= same &&
+            frames->edge(vertex_body, before).normal.dot(way) <= same) ||
+           segments_cross(edge, {point, v[geometry->next(vertex)]}) ||
+           segments_cross(edge, {point, v[before]});
   }
 
 
@@ -391,13 +401,13 @@ namespace hybrid::dda
   {
     const auto begin = trials.begin() + body_begin;
     for (auto t = begin; t != trials.end(); ++t)
-      t->has_crossed = !is_in_body(*t) && has_crossed_corner(*t);
+      t->has_passed = t->gap < -of(*t).coincidence() && has_passed_tip(*t);
     // decide before erasing: the rules look at one trial at a time
     trials.erase(std::remove_if(begin,
                                 trials.end(),
                                 [this](const ContactTrial &t) {
                                   return is_undecided(t) || is_below_seam(t, Support::before) ||
-                                         !(t.has_crossed || is_in_body(t));
+                                         !(t.has_passed || is_in_body(t));
                                 }),
                  trials.end());
     if (trials.size() > body_begin + 1)

@@ -40,9 +40,11 @@ namespace hybrid::dda
    *    degrees for a contact that persists). The angle test is what keeps
    *    neighbours in a stack, whose corners coincide, from catching each other.
    * 3. *A new contact behind an edge* counts only if the vertex is really
-   *    inside the block: targets need not be convex. Or if two tips have passed
-   *    each other in the last step, so that the blocks overlap with no corner of one in the
-   *    other. (Loads with which contacts begin that are found in overlap: contact_load.h.)
+   *    inside the block: targets need not be convex. Or if it has passed the tip
+   *    that the edge ends in, so that the blocks overlap although the vertex is
+   *    outside again: two tips that have passed each other, or a corner and a tip on
+   *    one ground, into which the corner is pressed deeper. (Loads with which
+   *    contacts begin that are found in overlap: contact_load.h.)
    * 4. *Undecided corners*: a vertex exactly on a corner both of whose edges
    *    pass is no contact yet. Whichever edge were chosen would jam one of
    *    two ways past the corner; one step later the vertex has moved and rule
@@ -50,15 +52,15 @@ namespace hybrid::dda
    *    The same for the side below a seam: a vertex that slides on a row is,
    *    by its penetration, in front of the side of the next block, and that
    *    block's corner in front of the slider's side. So is one over a crack, whose sole alone is
-   *    carried, and which is level with the next block.
+   *    carried, and which is level with the next block, as that block's corner is with the sole.
    *    At a valley an edge goes on below its neighbour: a vertex pressed into the foot of a wall is
    *    beside one edge or both.
    * 5. *One edge per vertex and body*: the edge it projects on, the edge in
-   *    history, an edge that continues the one in history, the least
-   *    penetration; of equal ones the edge that the vertex's sole runs along,
-   *    then the lower one, so that neither round-off nor numbers decide. Two
-   *    edges only if they face each other (a notch, a valley of the foundation
-   *    sharper than 10 degrees).
+   *    history, an edge that continues the one in history, the side by which it
+   *    has passed a tip, the least penetration; of equal ones the edge that the
+   *    vertex's sole runs along, then the lower one, so that neither round-off nor
+   *    numbers decide. Two edges only if they face each other (a notch, a valley of
+   *    the foundation sharper than 10 degrees).
    * 6. *One edge per seam*: of edges of several bodies with normals within 10
    *    degrees that pass the vertex at the same height only one acts, so
    *    that stiffness and friction are the same on the seam as beside it.

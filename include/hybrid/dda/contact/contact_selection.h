@@ -23,8 +23,8 @@ namespace hybrid::dda
     double  overhang;  ///< distance of the projection from the edge, 0 on it [m]
     bool    is_inside; ///< the vertex projects on the edge
     History history;
-    int     origin;              ///< number of the old contact that it continues or repeats, or -1
-    bool    has_crossed = false; ///< a corner that has passed another in one step
+    int     origin;             ///< number of the old contact that it continues or repeats, or -1
+    bool    has_passed = false; ///< the vertex has passed the tip in which the edge ends
 
     /// Which of two edges at one height acts where their ends meet is decided by where they lie,
     /// not by round-off or numbers.
@@ -86,14 +86,14 @@ namespace hybrid::dda
 
     bool is_below_seam(const ContactTrial &trial, Support support) const;
 
-    bool is_level_with_sole(int body, const Vec2 &normal, double gap) const;
+    bool is_level_with_sole(int body, int corner, int other) const;
     bool is_level_with_trial(int body, const Vec2 &normal, double gap) const;
 
     bool is_undecided(const ContactTrial &trial) const;
 
     bool is_in_body(const ContactTrial &trial) const;
 
-    bool has_crossed_corner(const ContactTrial &trial) const;
+    bool has_passed_tip(const ContactTrial &trial) const;
 
     void set_place(ContactTrial &trial) const;
 

@@ -17,29 +17,33 @@ namespace
     Contact c;
     double  gap;
     Vec2    n;
+    bool    has_passed;
   };
 
-  /// True if the sides of two corners cross, all but one pair at most, and neither corner is in the
-  /// other's block.
-  bool corners_cross(const Geometry &g, const int p, const int q)
+  bool cross_between_ends(const Edge &a, const Edge &b)
   {
-    const auto in_block_of = [&](const int inner, const int other) {
-      return contains(&g.vertices[g.offset[g.block_of[other]]], 3, g.vertices[inner]);
-    };
-    if ((g.vertices[p] - g.vertices[q]).norm() > parameters.reach || in_block_of(p, q) ||
-        in_block_of(q, p))
-      return false;
-    int crossings = 0;
-    for (const int a : {p, g.previous(p)})
-      for (const int b : {q, g.previous(q)})
-        {
-          Eigen::Matrix2d sides;
-          sides << g.vertices[g.next(a)] - g.vertices[a], g.vertices[b] - g.vertices[g.next(b)];
-          const Vec2 parts = sides.inverse() * (g.vertices[b] - g.vertices[a]);
-          if (parts.minCoeff() > 0. && parts.maxCoeff() < 1.)
-            ++crossings;
-        }
-    return crossings >= 3;
+    Eigen::Matrix2d sides;
+    sides << a.length * a.d, -b.length * b.d;
+    const Vec2 parts = sides.inverse() * (b.a - a.a);
+    return parts.minCoeff() > 0. && parts.maxCoeff() < 1.;
+  }
+
+  /// Rule 3: behind the edge the vertex is outside of the triangle by the side that meets the edge
+  /// at its near end. That tip is in the triangle of the vertex, or a side of the vertex crosses
+  /// the edge.
+  bool has_passed_tip(const Geometry &g, const int vertex, const int e)
+  {
+    const int   block = g.block_of[e], own = g.block_of[vertex];
+    const Vec2 &p    = g.vertices[vertex];
+    const bool  near = (p - g.vertices[e]).norm() <= (p - g.vertices[g.next(e)]).norm();
+    const int   tip = near ? e : g.next(e), side = near ? g.previous(e) : tip;
+    const Edge  edge = edge_of(g, block, e), beside = edge_of(g, block, side);
+    const Vec2  way = p - g.vertices[tip];
+    return (p - edge.a).dot(edge.n) < -1e-7 && way.norm() <= parameters.reach &&
+           way.dot(beside.n) >= -1e-7 &&
+           (contains(&g.vertices[g.offset[own]], 3, g.vertices[tip]) ||
+            cross_between_ends(edge, edge_of(g, own, vertex)) ||
+            cross_between_ends(edge, edge_of(g, own, g.previous(vertex))));
   }
 
   /// How much contacts of one vertex may differ in height at a seam [m].
@@ -76,20 +80,21 @@ namespace
         std::vector<Found> here;
         for (int b = 0; b < g.n_blocks(); ++b)
           {
-            Found best{{-2, 0, 0, 0}, -1e9, Vec2::Zero()};
+            Found best{{-2, 0, 0, 0}, -1e9, Vec2::Zero(), false};
             for (int e = g.offset[b]; e < g.offset[b + 1]; ++e)
               {
                 const Edge edge = edge_of(g, b, e);
                 const Vec2 r = g.vertices[v] - edge.a, to_next = edge_of(g, g.block_of[v], v).d,
                            to_previous = -edge_of(g, g.block_of[v], g.previous(v)).d;
                 const double gap = r.dot(edge.n), along = r.dot(edge.d);
+                const bool   has_passed = has_passed_tip(g, v, e);
                 if (b != g.block_of[v] && std::abs(gap) <= reach && along >= 0. &&
                     along <= edge.length && edge.n.dot(to_next) >= -0.0523 &&
                     edge.n.dot(to_previous) >= -0.0523 &&
                     (gap > -1e-7 || contains(&g.vertices[g.offset[b]], 3, g.vertices[v]) ||
-                     corners_cross(g, v, along < 0.5 * edge.length ? e : g.next(e))) &&
-                    gap > best.gap)
-                  best = {{g.block_of[v], v, b, e}, gap, edge.n};
+                     has_passed) &&
+                    std::make_pair(has_passed, gap) > std::make_pair(best.has_passed, best.gap))
+                  best = {{g.block_of[v], v, b, e}, gap, edge.n, has_passed};
               }
             if (best.c.vertex_body >= 0)
               here.push_back(best);
