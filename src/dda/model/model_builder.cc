@@ -8,6 +8,7 @@
 #include <hybrid/dda/model/joint_builder.h>
 #include <hybrid/dda/model/joint_valleys.h>
 #include <hybrid/dda/model/model_builder.h>
+#include <hybrid/scene/input_error.h>
 
 #include <algorithm>
 #include <cmath>
