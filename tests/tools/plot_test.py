@@ -67,6 +67,10 @@ def test_planes_that_have_slipped_are_drawn_from_left_to_right(synthetic_run):
     assert [plane.name for plane in found] == ["bedding_1", "bedding_2"]
     for plane, largest in zip(found, (0.3, 0.1)):
         assert plane.along == pytest.approx([0, 1, 2, 3]) and plane.slip[-1] == pytest.approx(-2 * largest * np.arange(1, 5))
+    axes = plt.figure().add_subplot()
+    found[0].opening[2] = 0.2
+    planes.draw_history(found[0], axes, 1e3, "mm")
+    assert len(axes.get_lines()) == 3 and "left side" in axes.get_ylabel() and "opening [mm]" in axes.get_ylabel()
 
 
 def test_surfaces_and_slip_of_two_slides_are_not_joined_through_the_air(synthetic_run):

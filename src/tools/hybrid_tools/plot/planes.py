@@ -11,6 +11,7 @@ MOST_PLANES = 4
 MOST_PROFILES = 5  # besides the last one
 SEEN = 1e-6  # [m]
 LEAST_OPENING = 0.01  # beside the slip [-], to be drawn
+SLIP_OR_OPENING = "slip of the upper side along +x\n(of a vertical plane: left side, upwards)\nor opening [%s]"
 
 
 class Plane:
@@ -49,7 +50,7 @@ def draw_history(plane, axes, factor, unit):
     axes.axhline(0, color="#8a8a8a", lw=0.7)
     axes.set_xlim(plane.time[0], plane.time[-1])
     axes.margins(y=0.12)
-    axes.set_ylabel("slip of the upper side along +x [%s]" % unit)
+    axes.set_ylabel(SLIP_OR_OPENING % unit)
     axes.legend(loc="best")
     axes.set_title(plane.name)
 
