@@ -172,9 +172,8 @@ namespace hybrid
     std::vector<Vec2> nodes;
     for (const int node : scene::cut_bedrock(mesh, scene).foundation)
       nodes.push_back(mesh.nodes[node]);
-    blocks = std::make_unique<dda::Model>(dda::build_model(mesh, scene, nodes));
-    foundation =
-      std::make_unique<coupling::BlockFoundation>(nodes, motion, scene, blocks->boundary);
+    blocks     = std::make_unique<dda::Model>(dda::build_model(mesh, scene, nodes));
+    foundation = std::make_unique<coupling::BlockFoundation>(nodes, motion, scene, *blocks);
   }
 
 

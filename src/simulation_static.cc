@@ -91,6 +91,7 @@ namespace hybrid
                                                  *model.blocks,
                                                  settles && model.scene.environment.gravity > 0.,
                                                  state.blocks);
+    model.foundation->take_rest(state);
     report_planes({rest.equilibrium, rest.slipping, rest.open, rest.largest, rest.where});
   }
 

@@ -58,15 +58,6 @@ namespace hybrid::continuum
         }
       return std::nullopt;
     }
-
-    std::optional<PlaneStrength> strength_of(const scene::BeddingParameters &bedding)
-    {
-      if (!bedding.slips)
-        return std::nullopt;
-      return PlaneStrength{std::tan(bedding.friction_angle * M_PI / 180.),
-                           bedding.cohesion,
-                           bedding.tensile_strength};
-    }
   } // namespace
 
 

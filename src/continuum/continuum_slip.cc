@@ -110,12 +110,8 @@ namespace hybrid::continuum
 
   void Continuum::Implementation::prepare_slip(const scene::BeddingParameters &bedding)
   {
-    constexpr double     degree = 3.14159265358979323846 / 180.;
-    const PlaneStrength  strength{std::tan(bedding.friction_angle * degree),
-                                 bedding.cohesion,
-                                 bedding.tensile_strength};
     const JointStiffness stiffness{bedding.normal_stiffness, bedding.shear_stiffness};
-    slip = std::make_unique<BeddingSlip>(rock, *nodes, stiffness, strength);
+    slip = std::make_unique<BeddingSlip>(rock, *nodes, stiffness, *strength_of(bedding));
     slip->set_rest(bedding.initial_normal_stress);
     for (const auto &name : bedding.names)
       slipping_planes.push_back({name, {}, {}});

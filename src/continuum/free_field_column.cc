@@ -145,7 +145,7 @@ namespace hybrid::continuum
   double FreeFieldColumn::excess(const double dt) const
   {
     return model.newmark.gamma / (model.newmark.beta * dt) * model.rayleigh_stiffness +
-           model.maxwell.step_modulus(dt);
+           (model.joints_relax ? model.maxwell.step_modulus(dt) : 0.);
   }
 
 
@@ -167,7 +167,11 @@ namespace hybrid::continuum
       {
         const bool damped = !joints.slips() && excess(dt) != 0.;
         for (int c = 0; c < 2 && damped; ++c)
-          past[c] = (past[c] + model.rayleigh_stiffness * rate[c]) / (1. + excess(dt));
+          {
+            if (!model.joints_relax)
+              past[c].setZero();
+            past[c] = (past[c] + model.rayleigh_stiffness * rate[c]) / (1. + excess(dt));
+          }
         if (!joints.join(factor_for(dt).response, damped ? &past : nullptr, slip, u))
           return false;
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/continuum/slip_solver.h>
+#include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <Eigen/LU>
 
@@ -25,6 +26,16 @@ namespace hybrid::continuum
     /// Slip direction of a point that has lost its shear strength: no sign, no traction.
     constexpr signed char no_strength = 2;
   } // namespace
+
+
+  std::optional<PlaneStrength> strength_of(const scene::BeddingParameters &bedding)
+  {
+    if (!bedding.slips)
+      return std::nullopt;
+    return PlaneStrength{std::tan(bedding.friction_angle * M_PI / 180.),
+                         bedding.cohesion,
+                         bedding.tensile_strength};
+  }
 
 
   SlipSolver::SlipSolver(const std::size_t n, const PlaneStrength &plane_strength)

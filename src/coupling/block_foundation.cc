@@ -26,11 +26,11 @@ namespace hybrid::coupling
 
 
 
-  BlockFoundation::BlockFoundation(std::vector<Vec2>                nodes,
-                                   const scene::GroundMotion       &ground_motion,
-                                   const SceneParameters           &scene,
-                                   const std::vector<BoundaryEdge> &edges)
-    : boundary(edges)
+  BlockFoundation::BlockFoundation(std::vector<Vec2>          nodes,
+                                   const scene::GroundMotion &ground_motion,
+                                   const SceneParameters     &scene,
+                                   const dda::Model          &blocks)
+    : boundary(blocks.boundary)
     , below(std::move(nodes), motion_of_base(scene, ground_motion))
     , motion(motion_of_base(scene, ground_motion))
     , compliant(scene.has_compliant_base())
@@ -43,13 +43,72 @@ namespace hybrid::coupling
   {
     if (scene.continuum.sides.has_free_field)
       for (const BoundaryPart side : {BoundaryPart::left, BoundaryPart::right})
-        add_column(side, scene);
+        add_column(side, scene, blocks);
     at_end.branches.resize(maxwell.n_branches() * at_end.displacement.size());
   }
 
 
 
-  void BlockFoundation::add_column(const BoundaryPart side, const SceneParameters &scene)
+  continuum::FreeFieldColumn::Model
+  BlockFoundation::column_model(const BoundaryEdge &lowest, const SceneParameters &scene) const
+  {
+    continuum::FreeFieldColumn::Model column;
+    column.foot    = compliant ? continuum::Foot::impedance : continuum::Foot::prescribed;
+    double nearest = 1e300; // the base's edge at the foot
+    for (const BoundaryEdge &edge : boundary)
+      {
+        const double distance = (edge.ends[0] - lowest.ends[0]).norm();
+        if (edge.part == BoundaryPart::base && distance < nearest)
+          {
+            nearest               = distance;
+            column.foot_impedance = Vec2(edge.s_impedance, edge.p_impedance);
+          }
+      }
+    column.newmark            = newmark;
+    column.rayleigh_stiffness = damping_time;
+    column.maxwell            = maxwell;
+    column.joints.stiffness   = {scene.bedding.normal_stiffness, scene.bedding.shear_stiffness};
+    column.joints.strength    = continuum::strength_of(scene.bedding);
+    column.joints_relax       = false; // as those of the blocks
+    return column;
+  }
+
+
+
+  std::optional<continuum::ColumnJoint> BlockFoundation::add_joint(const dda::Model &blocks,
+                                                                   const Vec2       &place)
+  {
+    const dda::Geometry    &g = blocks.initial;
+    std::optional<JointEnd> found;
+    Vec2                    tangent(1., 0.);
+    for (std::size_t j = 0; j < blocks.joints.size(); ++j)
+      {
+        const dda::Joint &joint = blocks.joints[j];
+        if (joint.kind != dda::JointKind::bedding)
+          continue;
+        const Vec2 of_edge[2] = {g.vertices[joint.edge], g.vertices[g.next(joint.edge)]};
+        for (int end = 0; end < 2; ++end)
+          if (of_edge[end] == place)
+            {
+              if (found.has_value()) // planes meet each other
+                return std::nullopt;
+              found   = JointEnd{static_cast<int>(j), end};
+              tangent = (of_edge[1 - end] - place).normalized();
+            }
+      }
+    if (!found.has_value())
+      return std::nullopt;
+    ends.push_back(*found);
+    return continuum::ColumnJoint{0,
+                                  tangent.x() > 0. ? tangent : Vec2(-tangent),
+                                  static_cast<int>(ends.size()) - 1};
+  }
+
+
+
+  void BlockFoundation::add_column(const BoundaryPart     side,
+                                   const SceneParameters &scene,
+                                   const dda::Model      &blocks)
   {
     std::vector<int> edges;
     const auto       bottom = [&](const int e) {
@@ -63,7 +122,7 @@ namespace hybrid::coupling
     });
 
     const int                         offset = static_cast<int>(at_end.displacement.size());
-    continuum::FreeFieldColumn::Model column;
+    continuum::FreeFieldColumn::Model column = column_model(boundary[edges.front()], scene);
     for (const int e : edges)
       {
         const BoundaryEdge &edge = boundary[e];
@@ -75,24 +134,17 @@ namespace hybrid::coupling
                            " needs vertical sides in one piece; the side near (" +
                            std::to_string(edge.ends[0].x()) + ", " + std::to_string(low) +
                            ") is not.");
-        const int element = static_cast<int>(column.elements.size());
-        sides.push_back({e, offset + 2 * element * line.degree()});
+        const int   element        = static_cast<int>(column.elements.size());
+        const Vec2 &bottom_of_edge = edge.ends[edge.ends[0].y() < edge.ends[1].y() ? 0 : 1];
+        if (auto joint = element > 0 ? add_joint(blocks, bottom_of_edge) : std::nullopt)
+          {
+            joint->element = element;
+            column.joints.joints.push_back(*joint);
+          }
+        const int n_joints = static_cast<int>(column.joints.joints.size());
+        sides.push_back({e, offset + 2 * (element * line.degree() + n_joints)});
         column.elements.push_back({low, top, edge.density, edge.lambda, edge.shear});
       }
-    column.foot    = compliant ? continuum::Foot::impedance : continuum::Foot::prescribed;
-    double nearest = 1e300; // the base's edge at the foot
-    for (const BoundaryEdge &edge : boundary)
-      {
-        const double distance = (edge.ends[0] - boundary[edges.front()].ends[0]).norm();
-        if (edge.part == BoundaryPart::base && distance < nearest)
-          {
-            nearest               = distance;
-            column.foot_impedance = Vec2(edge.s_impedance, edge.p_impedance);
-          }
-      }
-    column.newmark            = newmark;
-    column.rayleigh_stiffness = damping_time;
-    column.maxwell            = maxwell;
     column_offset.push_back(offset);
     columns.emplace_back(line, column);
     for (std::vector<double> *values :
@@ -107,9 +159,37 @@ namespace hybrid::coupling
   void BlockFoundation::start(CoupledState &state) const
   {
     const std::vector<double> zero(at_end.displacement.size(), 0.);
-    state.columns          = {zero, zero, zero, {}, 0., {}};
+    state.columns          = {zero, zero, zero, {}, 0., {}, {}, {}, {}};
     state.columns.change   = std::vector<double>(at_end.change.size(), 0.);
     state.columns.branches = std::vector<double>(at_end.branches.size(), 0.);
+    if (!slips())
+      return;
+    for (const continuum::FreeFieldColumn &column : columns)
+      state.columns.slip.push_back(column.plane_joints().initial_state());
+    state.columns.rest        = std::vector<double>(2 * ends.size(), 0.);
+    state.columns.rest_failed = std::vector<char>(ends.size(), 0);
+  }
+
+
+
+  bool BlockFoundation::slips() const
+  {
+    return std::any_of(columns.begin(), columns.end(), [](const auto &column) {
+      return column.plane_joints().slips();
+    });
+  }
+
+
+
+  void BlockFoundation::take_rest(CoupledState &state) const
+  {
+    for (std::size_t k = 0; k < ends.size() && slips(); ++k)
+      {
+        const dda::SpringState &end   = state.blocks.joints[ends[k].joint].points[ends[k].point];
+        state.columns.rest[2 * k]     = -end.elastic_normal;
+        state.columns.rest[2 * k + 1] = end.elastic_shear;
+        state.columns.rest_failed[k]  = end.history.damage >= 1.;
+      }
   }
 
 
@@ -121,23 +201,28 @@ namespace hybrid::coupling
     const bool                              damps = maxwell.n_branches() > 0;
     const continuum::FreeFieldColumn::Input input{motion.upgoing_velocity(time),
                                                   motion.outcrop_acceleration(time)};
+    columns_settled = true;
     for (std::size_t c = 0; c < columns.size(); ++c)
       {
         const int o = column_offset[c];
-        columns[c].step({state.columns.displacement.data() + o,
-                         state.columns.velocity.data() + o,
-                         state.columns.acceleration.data() + o,
-                         keeps ? state.columns.change.data() + o : nullptr,
-                         state.columns.last_step,
-                         damps ? state.columns.branches.data() + o : nullptr,
-                         at_end.displacement.size()},
-                        {at_end.displacement.data() + o,
-                         at_end.velocity.data() + o,
-                         at_end.acceleration.data() + o,
-                         keeps ? at_end.change.data() + o : nullptr,
-                         damps ? at_end.branches.data() + o : nullptr},
-                        dt,
-                        input);
+        if (columns[c].plane_joints().slips())
+          columns[c].plane_joints().set_rest(state.columns.rest, state.columns.rest_failed);
+        columns_settled &=
+          columns[c].step({state.columns.displacement.data() + o,
+                           state.columns.velocity.data() + o,
+                           state.columns.acceleration.data() + o,
+                           keeps ? state.columns.change.data() + o : nullptr,
+                           state.columns.last_step,
+                           damps ? state.columns.branches.data() + o : nullptr,
+                           at_end.displacement.size()},
+                          {at_end.displacement.data() + o,
+                           at_end.velocity.data() + o,
+                           at_end.acceleration.data() + o,
+                           keeps ? at_end.change.data() + o : nullptr,
+                           damps ? at_end.branches.data() + o : nullptr},
+                          dt,
+                          input,
+                          state.columns.slip.empty() ? nullptr : &state.columns.slip[c]);
       }
   }
 
@@ -210,11 +295,25 @@ namespace hybrid::coupling
 
 
 
+  continuum::SlipStatus
+  BlockFoundation::solve_slip(const CoupledState &, double, const Eigen::VectorXd &)
+  {
+    return columns_settled ? continuum::SlipStatus::settled : continuum::SlipStatus::failed;
+  }
+
+
+
   void BlockFoundation::correct(CoupledState &state,
                                 const double  dt,
                                 const Eigen::VectorXd &,
                                 const continuum::SurfaceForce &)
   {
+    at_end.slip        = std::move(state.columns.slip);
+    at_end.rest        = std::move(state.columns.rest);
+    at_end.rest_failed = std::move(state.columns.rest_failed);
+    for (std::size_t c = 0; c < at_end.slip.size(); ++c)
+      if (columns[c].plane_joints().slips())
+        columns[c].plane_joints().keep(at_end.slip[c]);
     state.columns           = at_end;
     state.columns.last_step = newmark.filter > 0. ? dt : 0.;
   }

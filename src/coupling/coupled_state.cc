@@ -6,9 +6,17 @@ namespace hybrid::coupling
 {
   void serialize(restart::Archive &archive, CoupledState &state)
   {
-    auto &[time, blocks, continuum, columns]                                  = state;
-    auto &[displacement, velocity, acceleration, change, last_step, branches] = columns;
+    auto &[time, blocks, continuum, columns] = state;
+    auto &[displacement,
+           velocity,
+           acceleration,
+           change,
+           last_step,
+           branches,
+           slip,
+           rest,
+           rest_failed]                      = columns;
     archive(time, blocks, continuum, displacement, velocity, acceleration, change, last_step);
-    archive(branches);
+    archive(branches, slip, rest, rest_failed);
   }
 } // namespace hybrid::coupling

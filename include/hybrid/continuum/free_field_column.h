@@ -48,6 +48,7 @@ namespace hybrid::continuum
       double               rayleigh_mass = 0., rayleigh_stiffness = 0.;
       MaxwellBody          maxwell;
       ColumnJoints::Model  joints;
+      bool                 joints_relax = true; ///< elastic ones take Maxwell damping with the rock
     };
 
     /// What acts on the foot at the end of a step.
@@ -124,7 +125,7 @@ namespace hybrid::continuum
 
     const Factor &factor_for(double dt);
 
-    /// By damping, of the stiffness in a step [-].
+    /// By damping, of the joints' stiffness in a step [-].
     double excess(double dt) const;
 
     /// Motion of component @p c in an implicit step without the joints, into u.

@@ -5,7 +5,13 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
+
+namespace hybrid::scene
+{
+  struct BeddingParameters;
+}
 
 namespace hybrid::continuum
 {
@@ -16,6 +22,9 @@ namespace hybrid::continuum
     double cohesion = 0.; ///< c [Pa]
     double tension  = 0.; ///< F_t [Pa], at most c / tan phi
   };
+
+  /// Of the scene's planes; none if they are elastic.
+  std::optional<PlaneStrength> strength_of(const scene::BeddingParameters &bedding);
 
 
   /**

@@ -18,6 +18,10 @@ namespace hybrid::coupling
                                         ///< without a Newmark::filter
     double              last_step = 0.; ///< of that change [s]; 0: none
     std::vector<double> branches;       ///< MaxwellState::strain [m]; empty without Maxwell damping
+    std::vector<continuum::SlipState> slip; ///< of each column's joints; empty: none may slip
+    std::vector<double> rest;      ///< tractions of all joints at rest, normal (tension positive)
+                                   ///< and shear [Pa]; empty like slip
+    std::vector<char> rest_failed; ///< joints that have lost cohesion and tensile strength there
   };
 
 

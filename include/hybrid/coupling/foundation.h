@@ -49,6 +49,10 @@ namespace hybrid::coupling
     virtual void start(CoupledState & /*state*/) const
     {}
 
+    /// Take over what the static stage has left in the blocks.
+    virtual void take_rest(CoupledState & /*state*/) const
+    {}
+
     virtual const dda::FoundationResponse &predict(const CoupledState &state, double dt) = 0;
 
     /// Slip inside the base for this displacement of its surface [m]; a base without it is settled.

@@ -221,7 +221,7 @@ namespace hybrid::scene
     std::string warning_of_held_planes(const SceneParameters       &scene,
                                        const std::vector<PlaneEnd> &ends)
     {
-      const bool has_joints = scene.bedrock.is_elements && scene.continuum.sides.has_free_field;
+      const bool               has_joints = scene.continuum.sides.has_free_field;
       std::vector<std::string> held;
       for (const PlaneEnd &end : ends)
         if ((!has_joints || meets_another(end, ends)) &&
@@ -235,9 +235,9 @@ namespace hybrid::scene
       names += has_joints
                  ? ": where planes meet each other at a side they are held back, as the free-field "
                    "column has no joint there"
-                 : ": where a plane reaches a side it is held back, as neither the column nor the "
-                   "dashpots of Continuum/Sides = " +
-                     scene.continuum.sides.name + " have its joint";
+                 : ": where a plane reaches a side it is held back, as the dashpots of "
+                   "Continuum/Sides = " +
+                     scene.continuum.sides.name + " have no joint";
       return names +
              (scene.bedding.slips ? " (too little slip, the more the narrower the section)"
                                   : " (a little wrong in a narrow section)") +
@@ -291,7 +291,7 @@ namespace hybrid::scene
       return warnings;
     const std::vector<PlaneEnd> ends = ends_on_sides(mesh, scene);
     tell(warning_of_held_planes(scene, ends));
-    if (scene.bedrock.is_elements && sides.has_free_field)
+    if (sides.has_free_field)
       tell(warning_of_inclined_planes(ends));
     return warnings;
   }

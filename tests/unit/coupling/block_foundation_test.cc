@@ -29,7 +29,7 @@ TEST(BlockFoundation, sends_twice_the_upgoing_wave_through_the_base)
 {
   const scene::SceneParameters p     = bedrock_parameters("triangles");
   const dda::Model             model = dda::build_model(layered_section(2, {2, 1}), p, {});
-  BlockFoundation              base({}, constant_acceleration(), p, model.boundary);
+  BlockFoundation              base({}, constant_acceleration(), p, model);
   CoupledState                 state;
   base.start(state);
   state.time                 = 0.3;
@@ -49,16 +49,90 @@ TEST(BlockFoundation, columns_change_no_state_before_the_step_is_accepted)
   scene::SceneParameters p = bedrock_parameters("triangles");
   p.continuum.sides        = scene::free_field_side();
   const dda::Model model   = dda::build_model(layered_section(2, {2, 1}), p, {});
-  BlockFoundation  base({}, constant_acceleration(), p, model.boundary);
+  BlockFoundation  base({}, constant_acceleration(), p, model);
   CoupledState     state;
   base.start(state);
-  EXPECT_EQ(state.columns.displacement.size(), 2u * 2u * (3u * 2u + 1u));
+  EXPECT_EQ(state.columns.displacement.size(), 2u * 2u * (3u * 2u + 2u));
   const Eigen::VectorXd first  = base.predict(state, 0.1).boundary_force;
   const Eigen::VectorXd second = base.predict(state, 0.1).boundary_force;
   EXPECT_EQ((first - second).norm(), 0.);
   EXPECT_EQ(state.columns.velocity, std::vector<double>(state.columns.velocity.size(), 0.));
   base.correct(state, 0.1, {}, {});
   EXPECT_GT(state.columns.velocity[0], 0.);
+}
+
+
+
+TEST(BlockFoundation, columns_have_the_joints_of_planes)
+{
+  scene::SceneParameters p  = bedrock_parameters("triangles");
+  p.continuum.sides         = scene::free_field_side();
+  p.bedding.shear_stiffness = 1.; // passes nothing on
+  const dda::Model model    = dda::build_model(layered_section(2, {2, 1}), p, {});
+  BlockFoundation  base({}, constant_acceleration(), p, model);
+  CoupledState     state;
+  base.start(state);
+  double below = 0., above = 0.; // on the plane at y = 2 m, beside the sides
+  for (int k = 0; k < 20; ++k)
+    {
+      const Eigen::VectorXd f = base.predict(state, 1e-3).boundary_force;
+      below = above = 0.;
+      for (std::size_t e = 0; e < model.boundary.size(); ++e)
+        if (model.boundary[e].part != dda::BoundaryPart::base)
+          {
+            const bool is_above =
+              model.boundary[e].ends[0].y() + model.boundary[e].ends[1].y() > 4.;
+            (is_above ? above : below) += f.segment<4>(4 * e).norm();
+          }
+      base.correct(state, 1e-3, {}, {});
+      state.time += 1e-3;
+    }
+  EXPECT_GT(below, 1e3);
+  EXPECT_LT(above, 1e-6 * below);
+}
+
+
+
+/// Its inertia is all that drives the metre of rock above a plane whose strength it needs.
+TEST(BlockFoundation, columns_slip_on_planes_as_the_blocks_beside_them_do)
+{
+  scene::SceneParameters p = bedrock_parameters("triangles");
+  p.continuum.sides        = scene::free_field_side();
+  p.bedding.slips          = true;
+  p.bedding.friction_angle = 30.;
+  const dda::Model model   = dda::build_model(layered_section(2, {2, 1}), p, {});
+  BlockFoundation  base({}, constant_acceleration(), p, model);
+  CoupledState     state;
+  base.start(state);
+  state.blocks                 = dda::initial_state(model);
+  constexpr double compression = 100., dt = 1e-3; // [Pa], [s]
+  constexpr int    n_steps = 200;
+  for (dda::JointState &joint : state.blocks.joints)
+    for (dda::SpringState &point : joint.points)
+      point.elastic_normal = compression;
+  base.take_rest(state);
+  const auto momentum = [&](const int column) { // over the mass; three nodes of degree 2
+    const double *above = &state.columns.velocity[2 * (8 * column + 5)];
+    return (above[0] + 4. * above[2] + above[4]) / 6.;
+  };
+  double half[2] = {0., 0.}; // the wave has come long since
+  for (int k = 0; k < n_steps; ++k)
+    {
+      base.predict(state, dt);
+      EXPECT_EQ(base.solve_slip(state, dt, {}), continuum::SlipStatus::settled);
+      base.correct(state, dt, {}, {});
+      state.time += dt;
+      for (int column = 0; column < 2 && k + 1 == n_steps / 2; ++column)
+        half[column] = momentum(column);
+    }
+  const double strength = std::tan(M_PI / 6.) * compression, mass = 2220.;
+  for (int column = 0; column < 2; ++column)
+    {
+      const double gained = strength / mass * 0.5 * n_steps * dt;
+      EXPECT_NEAR(momentum(column) - half[column], gained, 1e-6 * gained);
+      EXPECT_EQ(state.columns.slip[column].condition[0], continuum::PlaneCondition::slipping);
+      EXPECT_LT(state.columns.slip[column].jump[1], 0.); // the rock below runs ahead
+    }
 }
 
 
@@ -70,7 +144,7 @@ TEST(BlockFoundation, free_field_sides_must_be_vertical)
   scene::SectionMesh mesh  = layered_section(2, {2, 1});
   mesh.nodes[3].x() -= 0.2; // the left side, one up
   const dda::Model model = dda::build_model(mesh, p, {});
-  EXPECT_THROW(BlockFoundation({}, constant_acceleration(), p, model.boundary), InputError);
+  EXPECT_THROW(BlockFoundation({}, constant_acceleration(), p, model), InputError);
 }
 
 
@@ -96,7 +170,7 @@ TEST(BlockFoundation, a_mass_at_rest_stays_at_rest)
       for (const int node : scene::cut_bedrock(mesh, p).foundation)
         nodes.push_back(mesh.nodes[node]);
       const dda::Model model = dda::build_model(mesh, p, nodes);
-      BlockFoundation  base(nodes, {}, p, model.boundary);
+      BlockFoundation  base(nodes, {}, p, model);
       CoupledState     state;
       base.start(state);
       state.blocks                  = dda::initial_state(model);

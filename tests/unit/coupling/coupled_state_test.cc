@@ -13,8 +13,9 @@ namespace hybrid::coupling
     TEST(CoupledState, IsStoredWhole)
     {
       CoupledState state;
-      state.time                   = 1.;
-      state.columns                = {{14.}, {15., 16.}, {17.}, {17.5}, 17.75, {17.8}};
+      state.time    = 1.;
+      state.columns = {{14.}, {15., 16.}, {17.}, {17.5}, 17.75, {17.8}, {{}}, {17.9}, {1}};
+      state.columns.slip[0].jump   = {17.85};
       state.blocks.time            = 2.;
       auto &rock                   = state.continuum;
       rock.time                    = 3.;
@@ -49,6 +50,10 @@ namespace hybrid::coupling
       EXPECT_EQ(copy.columns.change, state.columns.change);
       EXPECT_EQ(copy.columns.last_step, state.columns.last_step);
       EXPECT_EQ(copy.columns.branches, state.columns.branches);
+      ASSERT_EQ(copy.columns.slip.size(), 1u);
+      EXPECT_EQ(copy.columns.slip[0].jump, state.columns.slip[0].jump);
+      EXPECT_EQ(copy.columns.rest, state.columns.rest);
+      EXPECT_EQ(copy.columns.rest_failed, state.columns.rest_failed);
       EXPECT_EQ(copy.continuum.maxwell.strain, rock.maxwell.strain);
       EXPECT_EQ(copy.continuum.maxwell.force, rock.maxwell.force);
       EXPECT_EQ(copy.continuum.maxwell.elastic, rock.maxwell.elastic);

@@ -55,12 +55,35 @@ def measured(run, component):
     return run.file["bedding/bedding_1/slip"][:], run.history("monitors/top/velocity")[:, component]
 
 
+def check_triangles(case):
+    """Bedrock of triangles: slip, and elastic planes (a strength that nothing reaches)."""
+    elastic = ["Bedding planes/Strength=elastic", "Bedding planes/Shear stiffness=1.5e8"]
+    for name, variant, settings in (("triangles", "triangles", []), ("triangles, elastic plane of 1.5e8 Pa/m", "elastic_triangles", elastic)):
+        run = case.run(variant, "Model/Bedrock=triangles", *settings, mesh={"Resolution/h": 5.0})
+        expected = Slab(run)
+        if settings:
+            expected.strength = np.inf
+        t, slip, top = expected.response(run.time, upgoing_of(run))
+        closed, found = np.interp(run.time, t, top), run.history("monitors/top/velocity")[:, 0]
+        case.below(name + ": velocity of the top: root mean square of the error over that of the history",
+                   np.sqrt(np.mean((found - closed) ** 2) / np.mean(closed**2)), 0.002 if settings else 0.015)
+        if not settings:
+            found_slip = measured(run, 0)[0]
+            largest = np.abs(slip).max()
+            case.near(name + ": slip that is left", found_slip[-1].mean(), slip[-1], 0.005, "m")
+            case.below(name + ": history of slip: largest error over the peak",
+                       np.abs(found_slip.mean(axis=1) - np.interp(run.file["bedding/time"][:], t, slip)).max() / largest, 0.01)
+
+
+def upgoing_of(run):
+    return 0.5 * run.file["input/velocity"][: len(run.time), 0]  # half the outcrop motion
+
+
 def check(case):
     run = case.run("default")
     slab = Slab(run)
     slip, top = measured(run, 0)
-    upgoing = 0.5 * run.file["input/velocity"][: len(run.time), 0]  # half the outcrop motion
-    t, expected_slip, expected_top = slab.response(run.time, upgoing)
+    t, expected_slip, expected_top = slab.response(run.time, upgoing_of(run))
     slip_time = run.file["bedding/time"][:]
     mean = slip.mean(axis=1)
     largest = expected_slip[np.argmax(np.abs(expected_slip))]
@@ -89,6 +112,7 @@ def check(case):
     bar_slip, bar_top = measured(bar, 1)
     case.below("bar between rollers: slip", np.abs(bar_slip.mean(axis=1) + mean).max() / abs(largest), 1e-6)
     case.below("bar between rollers: velocity of the top", np.abs(bar_top - top).max() / np.abs(top).max(), 1e-6)
+    check_triangles(case)
 
 
 def draw(case, figure):

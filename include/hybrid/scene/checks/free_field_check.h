@@ -23,10 +23,10 @@ namespace hybrid::scene
    * of the outcrop's motion between sides 120 m apart, 1.11 with 400 m, 1.00 with 1200 m.)
    *
    * And where sides are held along the motion that comes in; where planes that slip or give way
-   * reach dashpots or a column that do neither: viscous sides, the columns of blocks, planes that
-   * meet each other at a side (level ground that should slip by 65.6 mm slips by 12.6 in a box 20 m
-   * wide, 21.5 with 100 m, 34.9 with 400 m); and where planes meet the column at an angle, whose
-   * joint there is that of level ground.
+   * reach dashpots or a column that do neither: viscous sides, planes that meet each other at a
+   * side (level ground that should slip by 65.6 mm slips by 12.6 in a box 20 m wide, 21.5 with
+   * 100 m, 34.9 with 400 m); and where planes meet the column at an angle, whose joint there is
+   * that of level ground.
    */
   std::vector<std::string> free_field_warnings(const SectionMesh     &mesh,
                                                const SceneParameters &scene);
