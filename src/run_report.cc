@@ -258,13 +258,10 @@ namespace hybrid
     log.info(found);
     if (planes.equilibrium)
       return;
-    std::snprintf(
-      text,
-      sizeof(text),
-      "the bedding planes cannot carry their load at rest, most of all near (%.2f, %.2f): what lies on them slides from the start",
-      planes.where.x(),
-      planes.where.y());
-    log.warning(text);
+    std::snprintf(text, sizeof(text), " near (%.2f, %.2f)", planes.where.x(), planes.where.y());
+    log.warning("the bedding planes cannot carry their load at rest, most of all " +
+                model.scene.bedding.names[planes.plane] + text +
+                ": what lies on them slides from the start");
   }
 
 

@@ -92,7 +92,8 @@ namespace hybrid
                                                  settles && model.scene.environment.gravity > 0.,
                                                  state.blocks);
     model.foundation->take_rest(state);
-    report_planes({rest.equilibrium, rest.slipping, rest.open, rest.largest, rest.where});
+    report_planes(
+      {rest.equilibrium, rest.slipping, rest.open, rest.largest, rest.where, rest.plane});
   }
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/continuum/bedding_slip.h>
+#include <hybrid/scene/first_of_largest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,9 +101,19 @@ namespace hybrid::continuum
           {
             result.largest = std::abs(now[2 * i + 1]);
             result.where   = bedding.points()[i].position;
+            result.plane   = bedding.points()[i].plane;
           }
       }
     return result;
+  }
+
+
+  const BeddingPlanes::Point &BeddingSlip::most_loaded_at_rest() const
+  {
+    std::vector<double> excess;
+    for (std::size_t i = 0; i < bedding.points().size(); ++i)
+      excess.push_back(solver.excess(rest[2 * i], rest[2 * i + 1]));
+    return bedding.points()[first_of_largest(excess)];
   }
 
 

@@ -184,6 +184,12 @@ namespace hybrid::continuum
         m.slip->begin_rest();
       }
     m.slip->keep_rest(m.static_displacement);
+    if (!result.equilibrium)
+      {
+        const BeddingPlanes::Point &point = m.slip->most_loaded_at_rest();
+        result.where                      = point.position;
+        result.plane                      = point.plane;
+      }
     return result;
   }
 } // namespace hybrid::continuum

@@ -49,6 +49,9 @@ namespace hybrid::continuum
     StaticSlip slip_at_rest() const;
     void       keep_rest(const std::vector<double> &u);
 
+    /// The point whose shear traction at rest is farthest beyond its strength.
+    const BeddingPlanes::Point &most_loaded_at_rest() const;
+
     /// Tractions at rest on the points [Pa].
     const std::vector<double> &rest_tractions() const
     {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -74,6 +75,12 @@ namespace hybrid::continuum
     int iterations() const
     {
       return count;
+    }
+
+    /// Shear traction of an intact point beyond c - sigma tan(phi) [Pa].
+    double excess(const double sigma, const double tau) const
+    {
+      return std::abs(tau) + sigma * strength.friction - strength.cohesion;
     }
 
     /// Tension at which a point breaks: F_t, at most c / tan phi [Pa].

@@ -34,8 +34,10 @@ namespace hybrid::continuum
     int    slipping    = 0;  ///< points at their shear strength
     int    open        = 0;  ///< points without traction
     double largest     = 0.; ///< largest slip [m]
-    Vec2   where{0., 0.};    ///< its place [m]
-    bool   solved = true;    ///< the static displacement of the rock is known
+    Vec2   where{0., 0.};    ///< its place; without equilibrium where shear in elastic planes is
+                             ///< farthest beyond the strength [m]
+    int  plane  = -1;        ///< there, among the scene's names; -1: none
+    bool solved = true;      ///< the static displacement of the rock is known
   };
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/dda/joint/tan_degrees.h>
 #include <hybrid/dda/model/model_builder.h>
 #include <hybrid/dda/statics/begin_motion.h>
 #include <hybrid/dda/statics/initial_bedding_tractions.h>
@@ -11,11 +12,13 @@
 #include <hybrid/dda/step/start_accelerations.h>
 #include <hybrid/scene/bedrock/triangles_bedrock.h>
 #include <hybrid/scene/boundary/fixed_base.h>
+#include <hybrid/scene/first_of_largest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace hybrid::dda
 {
@@ -110,6 +113,9 @@ namespace hybrid::dda
 
       /// Tractions of the planes, and what they do.
       std::map<EndKey, JointTraction> tractions(BeddingRest &result) const;
+
+      /// Where elastic planes bear most shear beyond the strength of the scene's planes.
+      void find_most_loaded(const scene::BeddingParameters &strength, BeddingRest &result) const;
 
     private:
       const SectionMesh         &mesh;
@@ -266,9 +272,32 @@ namespace hybrid::dda
               {
                 result.largest = slip;
                 result.where   = Vec2(key.first.first, key.first.second);
+                result.plane   = model.joints[j].plane;
               }
           }
       return found;
+    }
+
+
+
+    void RestModel::find_most_loaded(const scene::BeddingParameters &strength,
+                                     BeddingRest                    &result) const
+    {
+      const double                      friction = tan_degrees(strength.friction_angle);
+      std::vector<double>               excess;
+      std::vector<std::pair<Vec2, int>> ends; // place, plane
+      for (std::size_t j = 0; j < model.joints.size(); ++j)
+        for (int end = 0; end < 2 && model.joints[j].kind == JointKind::bedding; ++end)
+          {
+            const SpringState &point = state.joints[j].points[end];
+            const Ends         place = key_of(model, model.joints[j], end).first;
+            excess.push_back((std::abs(point.elastic_shear) - friction * point.elastic_normal) /
+                               load_fraction -
+                             strength.cohesion);
+            ends.emplace_back(Vec2(place.first, place.second), model.joints[j].plane);
+          }
+      if (!excess.empty())
+        std::tie(result.where, result.plane) = ends[first_of_largest(excess)];
     }
   } // namespace
 
@@ -303,6 +332,7 @@ namespace hybrid::dda
         settle(intact);
         BeddingRest none;
         tractions = intact.tractions(none);
+        intact.find_most_loaded(scene.bedding, result);
       }
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       for (int end = 0; end < 2 && model.joints[j].kind == JointKind::bedding; ++end)

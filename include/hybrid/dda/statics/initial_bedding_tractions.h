@@ -15,7 +15,9 @@ namespace hybrid::dda
     int    slipping    = 0;  ///< ends of joints at their shear strength
     int    open        = 0;  ///< ends of joints without traction
     double largest     = 0.; ///< largest slip [m]
-    Vec2   where{0., 0.};    ///< its place [m]
+    Vec2   where{0., 0.};    ///< its place; without equilibrium where shear in elastic planes is
+                             ///< farthest beyond the strength [m]
+    int plane = -1;          ///< there, among the scene's names; -1: none
   };
 
 
