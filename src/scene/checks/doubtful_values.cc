@@ -164,10 +164,10 @@ namespace hybrid::scene
           !scene.continuum.base.is_compliant || scene.continuum.boundary_springs)
         return;
       warnings.push_back(
-        "planes that slip change the stress for good, and dashpots alone give way to it: the slip "
-        "is right, but displacements that are left drift, in a section that ends near the planes "
-        "by more than half; set Continuum/Boundary springs = true, and draw several times as much "
-        "rock beside and below them");
+        "planes that slip change the stress for good, and dashpots alone give way to it: in a "
+        "section that ends near the planes displacements that are left drift by more than half, "
+        "and slip that is left is too small by a tenth and more; set Continuum/Boundary springs = "
+        "true, and draw several times as much rock beside and below them");
     }
 
 

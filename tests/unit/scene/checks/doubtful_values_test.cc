@@ -134,6 +134,7 @@ namespace hybrid::scene
       auto warnings       = doubtful_values(scene);
       ASSERT_EQ(warnings.size(), 1u);
       EXPECT_NE(warnings[0].find("set Continuum/Boundary springs = true"), std::string::npos);
+      EXPECT_NE(warnings[0].find("slip that is left is too small"), std::string::npos);
       scene.continuum.boundary_springs = true;
       EXPECT_TRUE(doubtful_values(scene).empty());
     }
