@@ -108,8 +108,12 @@ namespace hybrid
 
   output::Summary::StaticStage Simulation::static_summary() const
   {
-    return {settled.steps + settled.cuts > 0,
-            settled.equilibrium && settled.fallen_block < 0,
+    const scene::SceneParameters &scene = model.scene;
+    const bool planes_alone             = !scene.blocks.enabled && scene.environment.gravity > 0. &&
+                              scene.bedding.slips && !scene.bedding.names.empty();
+    return {settled.steps + settled.cuts > 0 || planes_alone,
+            planes_alone ? planes_at_rest.equilibrium
+                         : settled.equilibrium && settled.fallen_block < 0,
             planes_at_rest.equilibrium,
             settled.slid_block >= 0,
             settled.residual,

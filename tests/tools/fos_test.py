@@ -13,6 +13,7 @@ from hybrid_tools.fos.kinks import holding_kink
 from hybrid_tools.fos.sliding import lost_strength
 
 SLAB = ROOT / "parameters/verification/bonded_slab.prm"  # belt of 25 degrees on a slope of 20
+PLANES = ROOT / "parameters/verification/column_planes.prm"  # rock on a level bedding plane, no blocks
 SLAB_FACTOR = np.tan(np.radians(25)) / np.tan(np.radians(20))
 
 # A wedge above a plane through the toe of a face (Culmann 1866).
@@ -40,6 +41,24 @@ Physical Curve("sliding_surface") = {1};
 Physical Curve("mass_surface") = {2, 3};
 Physical Curve("ground") = {4, 5};
 """ % (HEIGHT, FACE, PLANE)
+
+# A wedge of the bedrock above a bedding plane that comes out at the toe of a slope.
+ROCK_WEDGE = """
+Point(1) = {-40, -30, 0}; Point(2) = {70, -30, 0}; Point(3) = {70, 20, 0}; Point(4) = {%.12g, 20, 0};
+Point(5) = {16, 20, 0}; Point(6) = {0, 0, 0}; Point(7) = {-40, 0, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 6}; Line(6) = {6, 7}; Line(7) = {7, 1}; Line(8) = {6, 4};
+Curve Loop(1) = {1, 2, 3, -8, 6, 7}; Plane Surface(1) = {1};
+Curve Loop(2) = {8, 4, 5}; Plane Surface(2) = {2};
+MeshSize{:} = 5;
+Mesh.RecombinationAlgorithm = 3;
+Recombine Surface{1, 2};
+Physical Surface("bedrock") = {1, 2};
+Physical Curve("base") = {1};
+Physical Curve("left") = {7};
+Physical Curve("right") = {2};
+Physical Curve("ground") = {3, 4, 5, 6};
+Physical Curve("bedding_1") = {8};
+"""
 
 
 @pytest.fixture(scope="module")
@@ -106,6 +125,17 @@ def test_slab_on_a_slope_fails_where_its_friction_does(hybrid, tmp_path):
     assert found["parting_within_mass"] < 0.01 and "warning" not in result.stdout
     assert (tmp_path / "out/fos.png").read_bytes().startswith(b"\x89PNG")
     assert len((tmp_path / "out/fos.csv").read_text().splitlines()) == 1 + len(found["trials"])
+
+
+@pytest.mark.parametrize("bedrock", ["continuum", "triangles"])
+def test_a_wedge_of_rock_on_a_bedding_plane_fails_where_its_friction_does(hybrid, tmp_path, bedrock):
+    dip, crest = np.radians(30), 20 / np.tan(np.radians(30))
+    (tmp_path / "wedge.geo").write_text(ROCK_WEDGE % crest)
+    (tmp_path / "wedge.prm").write_text(PLANES.read_text().replace("../../meshes/joint_bar.geo", "wedge.geo"))
+    settings = ["Mesh/Numbers=", "Bedding planes/Friction angle=35", "Continuum/Sides=viscous", "Monitors/Points=", f"Model/Bedrock={bedrock}"]
+    result = hybrid("fos", tmp_path / "wedge.prm", "--output", tmp_path / "out", *[word for setting in settings for word in ("-s", setting)])
+    assert result.returncode == 0, result.stderr
+    assert_brackets(read(tmp_path / "out", "fos"), "fos", np.tan(np.radians(35)) / np.tan(dip), 0.005)
 
 
 def test_results_of_another_scene_are_not_replaced(hybrid, tmp_path):
@@ -347,6 +377,8 @@ def test_a_block_that_may_slide_both_ways_drifts_by_the_difference():
 @pytest.mark.parametrize("words, part", [
     (["nowhere.prm"], "'nowhere.prm' is no parameter file"), ([SLAB, "--newmark"], "--newmark needs the output directory of a run"),
     ([SLAB, "--tolerance", "0"], "--tolerance is 0"), ([SLAB, "--range", "2", "1"], "two rising factors"),
+    ([SLAB, "-s", "Gravity/Acceleration=0"], "nothing settles: there is no gravity"),
+    ([PLANES, "--yield"], "a scene without blocks has no sliding mass"),
     ([SLAB, "--range", "1.5", "2"], "fails at its lower end"), ([SLAB, "--range", "1", "1.1"], "stands at its upper end"),
     ([SLAB, "-s", "Time/No=1"], "Time/No")])
 def test_mistakes_are_one_line(hybrid, tmp_path, words, part):

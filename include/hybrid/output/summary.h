@@ -76,11 +76,11 @@ namespace hybrid::output
       double mobilised_left    = MonitorSummary::unknown; ///< at the end
     };
 
-    /// How the mass came to rest.
+    /// How the mass came to rest, or without one the planes of the bedrock.
     struct StaticStage
     {
-      bool   settled      = false; ///< there was one: the blocks have weight
-      bool   equilibrium  = false; ///< of the blocks, where they were drawn
+      bool   settled      = false; ///< there was one: blocks or planes that may slip bear weight
+      bool   equilibrium  = false; ///< of the blocks, where they were drawn; else of the planes
       bool   planes_hold  = true;  ///< the bedding planes of the bedrock carry their load
       bool   slid         = false; ///< loose blocks came to rest farther than elasticity explains
       double residual     = 0.;    ///< [-]

@@ -74,6 +74,8 @@ def find_factor(trials, words):
 def find_yield(trials, words):
     """Downhill; where nothing says which way that is, or slides face each other, both ways, and the smaller one counts."""
     at_rest = trials("ky_0", 0.0, {COEFFICIENT: 0.0})
+    if at_rest.is_planes_alone:
+        raise UserError("a scene without blocks has no sliding mass to push: of its bedding planes hybrid fos tells the factor of safety")
     run = at_rest.run()
 
     def pushed(sign):
@@ -207,6 +209,10 @@ def main(words):
     if hasattr(bracket, "other_way"):
         results["other_way"] = bracket.other_way
     tell_bracket("yield coefficient" if name == "yield" else "factor of safety", bracket)
+    if bracket.fails.is_planes_alone:
+        write_results(directory, name, results, trials)
+        print("files    %s: fos.json, fos.csv" % directory)
+        return 0
     warn_of_edges(bracket, results)
     warn_of_kink(bracket, results)
     warn_of_no_jump(bracket, trials.done, results)

@@ -22,6 +22,7 @@ class Trial:
         self.displacement = stage["largest_displacement_m"]  # of a block, where it stands or where the stage ended [m]
         self.residual = stage["residual"]
         self.iterations = stage["iterations"]
+        self.is_planes_alone = self.run().parameters["Model/Blocks"] == "none"  # rock on bedding planes, no sliding mass
 
     def run(self):
         return Run(self.directory)
@@ -66,11 +67,12 @@ class Trials:
         run = Run(directory)
         stage = run.summary.get("static_stage")
         if stage is None:
-            raise UserError("%s: nothing settles (no blocks, or no gravity): there is no slope to judge" % self.scene)
+            raise UserError("%s: nothing settles: there is no gravity, or neither blocks nor bedding planes with strength; there is no slope "
+                            "to judge" % self.scene)
         trial = Trial(value, directory, stage)
         if not self.done:
             self.repeat_warnings(directory)
         self.done.append(trial)
-        self.progress("%-8s %9.4f   %-6s   moved %9.3g mm   %4d iterations" % (
-            name.split("_")[0], value, "stands" if trial.stands else "FAILS", 1e3 * trial.displacement, trial.iterations))
+        moved = "" if trial.is_planes_alone else "   moved %9.3g mm   %4d iterations" % (1e3 * trial.displacement, trial.iterations)
+        self.progress("%-8s %9.4f   %-6s%s" % (name.split("_")[0], value, "stands" if trial.stands else "FAILS", moved))
         return trial
