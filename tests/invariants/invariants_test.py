@@ -26,8 +26,10 @@ from run_scene import judge_scene  # noqa: E402
 from scenes import Scene  # noqa: E402
 
 ONE_OF_TWO = "a place between two welded triangles is the corner of one of them, in the mirror of the other: 0.17 mm of 129 mm"
+TWO_SOLUTIONS = "a step in which bonds tear has two solutions: all contacts agree to 1e-9 before it, and one bond more tears in one of them"
 OPEN = {
     "triangles: mirrored": ONE_OF_TWO,
+    "large, breaks: renumbered": TWO_SOLUTIONS,
 }
 TRIPLES, SEED = 40, 1
 
