@@ -308,9 +308,9 @@ namespace hybrid::coupling
                                 const Eigen::VectorXd &,
                                 const continuum::SurfaceForce &)
   {
-    at_end.slip        = std::move(state.columns.slip);
-    at_end.rest        = std::move(state.columns.rest);
-    at_end.rest_failed = std::move(state.columns.rest_failed);
+    at_end.slip        = state.columns.slip;
+    at_end.rest        = state.columns.rest;
+    at_end.rest_failed = state.columns.rest_failed;
     for (std::size_t c = 0; c < at_end.slip.size(); ++c)
       if (columns[c].plane_joints().slips())
         columns[c].plane_joints().keep(at_end.slip[c]);
