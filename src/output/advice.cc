@@ -35,12 +35,11 @@ namespace hybrid::output
     double relative_bulk_modulus(const scene::SceneParameters &scene)
     {
       double largest = 0.;
-      for (const std::string &name : {scene.blocks.material, scene.blocks.saturated_material})
-        if (!name.empty())
-          {
-            const double nu = scene.material(name, "Blocks/Material").poisson_ratio;
-            largest         = std::max(largest, 0.5 / ((1. + nu) * (1. - 2. * nu)));
-          }
+      for (const std::string &name : scene.mass_materials())
+        {
+          const double nu = scene.material(name, "Blocks/Material").poisson_ratio;
+          largest         = std::max(largest, 0.5 / ((1. + nu) * (1. - 2. * nu)));
+        }
       return largest;
     }
   } // namespace
@@ -156,20 +155,21 @@ namespace hybrid::output
       double      resolved, energy; ///< size [m]; stored where a joint breaks [J/m2]
       std::string name;
     };
-    std::vector<Unresolved> found;
-    const Material         &mass = scene.material(blocks.material, "Blocks/Material");
-    for (const std::string &name : {blocks.material,
-                                    blocks.saturated_material,
-                                    blocks.belt_material,
-                                    blocks.saturated_belt_material})
+    std::vector<Unresolved>        found;
+    const std::vector<std::string> of_mass = scene.mass_materials();
+    double                         softest = std::numeric_limits<double>::infinity(); // [Pa]
+    for (const std::string &name : blocks.material.names())
+      softest = std::min(softest, scene.material(name, "Blocks/Material").young_modulus);
+    std::vector<std::string> names = of_mass;
+    names.insert(names.end(), {blocks.belt_material, blocks.saturated_belt_material});
+    for (const std::string &name : names)
       {
         const auto is_this = [&](const Unresolved &other) { return other.name == name; };
         if (name.empty() || std::any_of(found.begin(), found.end(), is_this))
           continue;
-        const bool   is_belt  = name != blocks.material && name != blocks.saturated_material;
+        const bool   is_belt  = std::count(of_mass.begin(), of_mass.end(), name) == 0;
         const double strength = scene.material(name, "Blocks/Material").tensile_strength;
-        const double e =
-          is_belt ? mass.young_modulus : scene.material(name, "Blocks/Material").young_modulus;
+        const double e = is_belt ? softest : scene.material(name, "Blocks/Material").young_modulus;
         const double size = e * blocks.fracture_energy / (strength * strength);
         if (strength > 0. && strength <= 0.05 * e && largest > (1. + round_off) * size)
           found.push_back({size, 0.5 * strength * strength * largest / e, name});

@@ -82,32 +82,35 @@ namespace hybrid::output
     /// what the belt has after slip; else nothing.
     std::string off_the_belt(const SceneParameters &scene)
     {
-      const scene::BlockParameters &blocks = scene.blocks;
-      const Material               &dry    = scene.material(blocks.material, "Blocks/Material");
-      bool is_said = differs(scene.material(blocks.belt_material, "Blocks/Belt material"), dry);
+      const scene::BlockParameters &blocks  = scene.blocks;
+      bool                          is_said = false;
+      double                        largest = 0.; // [deg]
       std::string words = "; blocks that have slid beyond the bonded part have the friction of "
-                          "Blocks/Material" +
-                          with_angle(blocks.material, dry);
-      const std::string wet_name =
-        blocks.saturated_material.empty() ? blocks.material : blocks.saturated_material;
-      const std::string wet_belt = blocks.saturated_belt_material.empty()
-                                     ? blocks.belt_material
-                                     : blocks.saturated_belt_material;
-      const Material   &wet      = scene.material(wet_name, "Blocks/Saturated material");
+                          "Blocks/Material";
+      for (const std::string &name : blocks.material.names())
+        {
+          const Material &dry = scene.material(name, "Blocks/Material");
+          is_said             = is_said || differs(scene.belt_material(false), dry);
+          largest             = std::max(largest, residual_angle(dry));
+          words += with_angle(name, dry);
+        }
       if (scene.environment.has_water())
         {
-          is_said =
-            is_said || differs(scene.material(wet_belt, "Blocks/Saturated belt material"), wet);
-          if (wet_name != blocks.material)
-            words += ", below the water of" + with_angle(wet_name, wet);
+          std::string below;
+          for (const std::string &name : blocks.saturated_material.names())
+            below += with_angle(name, scene.material(name, "Blocks/Saturated material"));
+          for (const std::string &name : scene.mass_materials())
+            is_said = is_said || differs(scene.belt_material(true),
+                                         scene.material(name, "Blocks/Saturated material"));
+          if (!below.empty())
+            words += ", below the water of" + below;
         }
       std::string of_ground;
-      for (const auto &[region, name] : scene.continuum.region_material)
+      for (const std::string &name : scene.continuum.region_material.names())
         {
           const Material   &ground      = scene.material(name, "Continuum/Materials");
           const std::string words_of_it = with_angle(name, ground);
-          if (has_cells(scene) && ground.friction_is_given() &&
-              residual_angle(ground) < residual_angle(dry) &&
+          if (has_cells(scene) && ground.friction_is_given() && residual_angle(ground) < largest &&
               of_ground.find(words_of_it) == std::string::npos)
             of_ground += words_of_it;
         }

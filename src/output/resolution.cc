@@ -79,9 +79,8 @@ namespace hybrid::output
     double slowest_wave_of_bedrock(const scene::SceneParameters &scene)
     {
       double slowest = 1e300;
-      for (const auto &entry : scene.continuum.region_material)
-        slowest =
-          std::min(slowest, scene.material(entry.second, "Continuum/Materials").s_wave_speed());
+      for (const std::string &name : scene.continuum.region_material.names())
+        slowest = std::min(slowest, scene.material(name, "Continuum/Materials").s_wave_speed());
       return slowest;
     }
 
@@ -89,12 +88,10 @@ namespace hybrid::output
 
     double slowest_wave_of_mass(const scene::SceneParameters &scene)
     {
-      const scene::BlockParameters &blocks = scene.blocks;
-      const double dry = scene.material(blocks.material, "Blocks/Material").s_wave_speed();
-      if (!scene.environment.has_water() || blocks.saturated_material.empty())
-        return dry;
-      return std::min(
-        dry, scene.material(blocks.saturated_material, "Blocks/Saturated material").s_wave_speed());
+      double slowest = 1e300;
+      for (const std::string &name : scene.mass_materials())
+        slowest = std::min(slowest, scene.material(name, "Blocks/Material").s_wave_speed());
+      return slowest;
     }
   } // namespace
 

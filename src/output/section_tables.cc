@@ -85,9 +85,10 @@ namespace hybrid::output
           {
             const int  rock       = block.region - static_cast<int>(mesh.block_region_names.size());
             const bool is_bedrock = static_cast<int>(material.size()) >= model.n_mass();
-            material.push_back(number(is_bedrock
-                                        ? scene.bedrock_material(mesh.bedrock_region_names[rock])
-                                        : of_mass(false, block.saturated)));
+            material.push_back(number(
+              is_bedrock
+                ? scene.bedrock_material(mesh.bedrock_region_names[rock])
+                : scene.mass_material(mesh.block_region_names[block.region], block.saturated)));
           }
         file.write_integers("section/blocks_material",
                             material,
@@ -103,7 +104,8 @@ namespace hybrid::output
         for (const auto &edge : line->second)
           {
             const Vec2 x = 0.5 * (mesh.nodes[edge[0]] + mesh.nodes[edge[1]]);
-            material.push_back(number(of_mass(true, x.y() < scene.environment.water_at(x.x()))));
+            material.push_back(
+              number(scene.belt_material(x.y() < scene.environment.water_at(x.x()))));
           }
         const std::vector<double> ends = coordinates(line->second);
         file.write_table(
@@ -126,14 +128,6 @@ namespace hybrid::output
           for (const int node : nodes)
             values.insert(values.end(), {mesh.nodes[node].x(), mesh.nodes[node].y()});
         return values;
-      }
-
-      const Material &of_mass(const bool belt, const bool saturated) const
-      {
-        const scene::BlockParameters &b   = scene.blocks;
-        const std::string            &dry = belt ? b.belt_material : b.material;
-        const std::string            &wet = belt ? b.saturated_belt_material : b.saturated_material;
-        return scene.material(saturated && !wet.empty() ? wet : dry, "Blocks");
       }
 
       int number(const Material &material) const

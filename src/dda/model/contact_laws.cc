@@ -33,7 +33,7 @@ namespace hybrid::dda
         : mesh(section)
         , scene(parameters)
         , bonds(chosen_laws)
-        , material(parameters)
+        , material(section, parameters)
         , materials(block_materials)
         , model(block_model)
         , laws(block_model.contacts)
@@ -107,9 +107,8 @@ namespace hybrid::dda
     /// Bedrock whose friction angle nobody has given has that of the block.
     int ContactLawBuilder::bedrock_surface(const int region)
     {
-      const auto       &of_region = scene.continuum.region_material;
-      const std::string name      = mesh.bedrock_region_names[region];
-      if (of_region.count(name) == 0 && of_region.count("*") == 0)
+      const std::string &name = mesh.bedrock_region_names[region];
+      if (scene.continuum.region_material.of(name).empty())
         return 0;
       const Material &rock = scene.bedrock_material(name);
       return rock.friction_is_given() ? number_of(Kind::bedrock, &rock) : 0;
@@ -120,7 +119,8 @@ namespace hybrid::dda
     void ContactLawBuilder::name_blocks()
     {
       for (int b = 0; b < model.n_mass(); ++b)
-        laws.block.push_back(number_of(Kind::mass, &material(false, model.blocks[b].saturated)));
+        laws.block.push_back(
+          number_of(Kind::mass, &material.mass(model.blocks[b].region, model.blocks[b].saturated)));
     }
 
 
@@ -175,7 +175,7 @@ namespace hybrid::dda
       const Geometry &g = model.initial;
       for (const bool saturated : {false, true}) // numbers of their own, above all others
         if (!scene.blocks.belt_material.empty())
-          number_of(Kind::belt, &material(true, saturated));
+          number_of(Kind::belt, &material.belt(saturated));
       for (const Joint &joint : model.joints)
         {
           if (joint.kind != JointKind::belt)
@@ -183,7 +183,7 @@ namespace hybrid::dda
           const Vec2 a = g.vertices[joint.edge], e = g.vertices[g.next(joint.edge)];
           const Vec2 middle =
             a + 0.5 * (joint.points[0].position + joint.points[1].position) * (e - a);
-          const int belt = number_of(Kind::belt, &material(true, material.below_water(middle)));
+          const int belt = number_of(Kind::belt, &material.belt(material.below_water(middle)));
           if (joint.other == foundation_body)
             laws.segment[joint.points[0].other_vertex] = belt;
           else
@@ -197,7 +197,7 @@ namespace hybrid::dda
     {
       const BlockProperties &p       = model.blocks[block];
       const bool             bedrock = model.is_bedrock(block);
-      const Material        &own     = bedrock ? materials[block] : material(false, p.saturated);
+      const Material &own = bedrock ? materials[block] : material.mass(p.region, p.saturated);
       const double k_n = scene.blocks.penalty_ratio * own.young_modulus * p.modulus_factor / p.size;
       JointStrength strength = bonds.body.contact(own);
       if (surface.kind == Kind::belt)

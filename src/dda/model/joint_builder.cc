@@ -18,7 +18,7 @@ namespace hybrid::dda
     , scene(parameters)
     , laws(chosen_laws)
     , blocks(jointed_blocks)
-    , material(parameters)
+    , material(section, parameters)
     , model(block_model)
   {
     const Geometry &g = model.initial;
@@ -174,13 +174,15 @@ namespace hybrid::dda
         joint.kind = JointKind::belt;
         if (!scene.blocks.belt_material.empty())
           add_bond(joint,
-                   material(true, saturated),
+                   material.belt(saturated),
                    2. * model.blocks[first.block].area / length,
                    {a, e});
       }
     else if (scene.blocks.bonded)
       add_bond(joint,
-               material(false, saturated),
+               material.bond(model.blocks[first.block].region,
+                             model.blocks[second.block].region,
+                             saturated),
                (model.blocks[first.block].area + model.blocks[second.block].area) / length,
                {a, e});
   }
@@ -272,7 +274,7 @@ namespace hybrid::dda
                         {{}, 1., 1.},
                         1.,
                         JointKind::belt},
-                       material(true, material.below_water(0.5 * (p + q))),
+                       material.belt(material.below_water(0.5 * (p + q))),
                        2. * model.blocks[b].area / length,
                        {p, q});
             }

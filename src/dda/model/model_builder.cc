@@ -33,7 +33,7 @@ namespace hybrid::dda
         : mesh(section)
         , scene(parameters)
         , laws(chosen_laws)
-        , material(parameters)
+        , material(section, parameters)
         , damping_time(parameters.blocks.damping_ratio /
                        (M_PI * parameters.blocks.damping_frequency))
       {
@@ -212,7 +212,7 @@ namespace hybrid::dda
           Material m       = bedrock
                                ? scene.bedrock_material(
                              mesh.bedrock_region_names[p.region - mesh.block_region_names.size()])
-                               : material(false, p.saturated);
+                               : material.mass(p.region, p.saturated);
           p.area           = moments.area;
           p.size           = std::sqrt(p.area);
           p.mass           = m.density * p.area;

@@ -22,7 +22,7 @@ namespace hybrid::dda
         const Vec2            &inside = blocks[block].centroid;
         const auto             stress = model.is_bedrock(block)
                                           ? initial.in_bedrock(p.region - mesh_regions, place, inside)
-                                          : initial.in_mass(p.saturated, place, inside);
+                                          : initial.in_mass(p.region, p.saturated, place, inside);
         return {-factor * stress.horizontal, -factor * stress.vertical, 0.};
       }
 

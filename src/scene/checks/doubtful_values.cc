@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace hybrid::scene
@@ -193,21 +194,34 @@ namespace hybrid::scene
     /// A saturated body that is lighter than the dry one: its density is buoyant, its inertia too.
     void look_at_saturated_density(const SceneParameters &scene, std::vector<std::string> &warnings)
     {
-      const auto dry = scene.materials.find(scene.blocks.material);
-      const auto wet = scene.materials.find(scene.blocks.saturated_material);
-      if (!scene.blocks.enabled || !scene.environment.has_water() || dry == scene.materials.end() ||
-          wet == scene.materials.end() || wet->second.density >= 0.9 * dry->second.density)
+      if (!scene.blocks.enabled || !scene.environment.has_water())
         return;
-      const double total = wet->second.density + scene.environment.water_density;
-      if (total < 0.9 * dry->second.density)
-        return; // something else
-      warnings.push_back("Materials/" + wet->first + "/Density = " + number(wet->second.density) +
-                         " kg/m3 of the saturated body is below that of " + dry->first + ", " +
-                         number(dry->second.density) +
-                         " kg/m3: as a buoyant density it makes inertia too small and S waves " +
-                         number(100. * (std::sqrt(total / wet->second.density) - 1.)) +
-                         " % too fast; give the total density, " + number(total) +
-                         ", and set Water/Method = submerged or pressures");
+      std::set<std::string>    seen;
+      std::vector<std::string> regions{"*"};
+      for (const RegionMaterials *given :
+           {&scene.blocks.material, &scene.blocks.saturated_material})
+        for (const std::string &region : given->regions())
+          regions.push_back(region);
+      for (const std::string &region : regions)
+        {
+          if (scene.blocks.material.of(region).empty())
+            continue;
+          const Material &dry         = scene.mass_material(region, false);
+          const Material &wet         = scene.mass_material(region, true);
+          const double    total       = wet.density + scene.environment.water_density;
+          const bool      is_doubtful = // a total that is smaller, too, is something else
+            wet.density < 0.9 * dry.density && total >= 0.9 * dry.density;
+          if (!is_doubtful || !seen.insert(wet.name).second)
+            continue;
+          warnings.push_back(
+            "Materials/" + wet.name + "/Density = " + number(wet.density) +
+            " kg/m3 of the saturated body is below that of " + dry.name + ", " +
+            number(dry.density) +
+            " kg/m3: as a buoyant density it makes inertia too small and S waves " +
+            number(100. * (std::sqrt(total / wet.density) - 1.)) +
+            " % too fast; give the total density, " + number(total) +
+            ", and set Water/Method = submerged or pressures");
+        }
     }
 
 

@@ -217,17 +217,26 @@ namespace hybrid::scene
     }
 
 
-    /// A region that only Continuum/Materials knows is misspelt.
-    void check_regions(const SectionMesh &mesh, const SceneParameters &scene)
+    /// A region that only a parameter knows is misspelt.
+    void check_regions(const std::vector<std::string> &known,
+                       const RegionMaterials          &materials,
+                       const std::string              &parameter)
     {
-      const auto &known = mesh.bedrock_region_names;
       std::string list;
       for (const std::string &name : known)
         list += (list.empty() ? "" : ", ") + name;
-      for (const auto &entry : scene.continuum.region_material)
-        if (entry.first != "*" && std::count(known.begin(), known.end(), entry.first) == 0)
-          throw InputError("Continuum/Materials: the mesh has no region '" + entry.first +
-                           "'; it has " + list + ".");
+      for (const std::string &region : materials.regions())
+        if (std::count(known.begin(), known.end(), region) == 0)
+          throw InputError(parameter + ": the mesh has no region '" + region + "'; it has " + list +
+                           ".");
+    }
+
+
+    void check_regions_of_mass(const SectionMesh &mesh, const SceneParameters &scene)
+    {
+      const auto &known = mesh.block_region_names;
+      check_regions(known, scene.blocks.material, "Blocks/Material");
+      check_regions(known, scene.blocks.saturated_material, "Blocks/Saturated material");
     }
 
 
@@ -260,13 +269,17 @@ namespace hybrid::scene
   {
     check_groups(mesh, scene);
     check_blocks(mesh);
+    if (scene.blocks.enabled)
+      check_regions_of_mass(mesh, scene);
     if (needs_bedrock_cells(scene))
       {
         check_cells(mesh);
         check_bedrock_lines(mesh, scene);
         if (scene.environment.gravity > 0.) // without it a column may lie on its side
           check_sides(mesh);
-        check_regions(mesh, scene);
+        check_regions(mesh.bedrock_region_names,
+                      scene.continuum.region_material,
+                      "Continuum/Materials");
         if (scene.mesh.polygons_file.empty())
           check_shared_nodes(mesh);
       }

@@ -58,13 +58,11 @@ namespace hybrid::scene
     const BlockParameters &blocks = scene.blocks;
     for (std::size_t b = 0; b < mesh.blocks.size() && blocks.enabled; ++b)
       {
-        std::vector<Vec2> polygon  = polygon_of(mesh, mesh.blocks[b].data(), mesh.blocks[b].size());
-        const Vec2        centroid = centroid_of(polygon);
-        const bool        wet =
-          centroid.y() < around.water_at(centroid.x()) && !blocks.saturated_material.empty();
-        const Material &material =
-          scene.material(wet ? blocks.saturated_material : blocks.material, "Blocks/Material");
-        const double weight = g * material.weighing_density();
+        std::vector<Vec2>  polygon = polygon_of(mesh, mesh.blocks[b].data(), mesh.blocks[b].size());
+        const Vec2         centroid = centroid_of(polygon);
+        const bool         is_wet   = centroid.y() < around.water_at(centroid.x());
+        const std::string &region   = mesh.block_region_names[mesh.block_region[b]];
+        const double       weight   = g * scene.mass_material(region, is_wet).weighing_density();
         add(mass, std::move(polygon), weight, weight - water_weight);
       }
     for (std::size_t c = 0; c < mesh.bedrock_cells.size(); ++c)

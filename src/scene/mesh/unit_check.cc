@@ -132,12 +132,11 @@ namespace hybrid::scene
       constexpr double         lowest = 50., highest = 1000.; // [Pa]
       const double             size = typical_block(mesh);
       std::vector<std::string> names;
-      for (const std::string *name : {&scene.blocks.material,
-                                      &scene.blocks.saturated_material,
-                                      &scene.blocks.belt_material,
-                                      &scene.blocks.saturated_belt_material})
-        if (scene.materials.count(*name) > 0 && std::count(names.begin(), names.end(), *name) == 0)
-          names.push_back(*name);
+      std::vector<std::string> all = scene.mass_materials();
+      all.insert(all.end(), {scene.blocks.belt_material, scene.blocks.saturated_belt_material});
+      for (const std::string &name : all)
+        if (scene.materials.count(name) > 0 && std::count(names.begin(), names.end(), name) == 0)
+          names.push_back(name);
       if (!scene.blocks.enabled || size < 1. || names.empty())
         return;
       const double density = scene.materials.at(names.front()).density;

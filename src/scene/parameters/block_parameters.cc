@@ -10,14 +10,22 @@ namespace hybrid::scene
     void declare_materials(ParameterSection &section, BlockParameters &blocks)
     {
       const std::string allowed = "a material's name, or empty";
-      section.text("Material",
-                   blocks.material,
-                   "a material's name",
-                   "Blocks, and joints between them, above the water level.");
-      section.text("Saturated material",
-                   blocks.saturated_material,
-                   allowed,
-                   "The same below the water level; empty: as Material.");
+      const std::string by_region =
+        "a material's name, or 'region: material; region: material; ...'";
+      section.value(
+        "Material",
+        by_region,
+        [&blocks](const std::string &text) { blocks.material = RegionMaterials::parse(text); },
+        "Blocks, and joints between them, above the water level: one name for all regions, or one "
+        "per region of the mesh (sliding_mass, sliding_mass_<suffix>). Where two materials meet, "
+        "joints and contacts have the smaller of each strength.");
+      section.value(
+        "Saturated material",
+        by_region + ", or empty",
+        [&blocks](const std::string &text) {
+          blocks.saturated_material = RegionMaterials::parse(text);
+        },
+        "The same below the water level; where it is empty: as Material.");
       section.text(
         "Belt material",
         blocks.belt_material,
@@ -148,14 +156,15 @@ namespace hybrid::scene
     if (blocks.material.empty())
       throw table.error("Blocks/Material", "blocks need a material, or set Model/Blocks = none");
 
-    const std::pair<const char *, const std::string &> uses[] = {
-      {"Blocks/Material", blocks.material},
-      {"Blocks/Saturated material", blocks.saturated_material},
-      {"Blocks/Belt material", blocks.belt_material},
-      {"Blocks/Saturated belt material", blocks.saturated_belt_material}};
-    for (const auto &use : uses)
-      if (!use.second.empty())
-        check_material_name(scene, use.second, use.first, table);
+    const std::pair<const char *, std::vector<std::string>> uses[] = {
+      {"Blocks/Material", blocks.material.names()},
+      {"Blocks/Saturated material", blocks.saturated_material.names()},
+      {"Blocks/Belt material", {blocks.belt_material}},
+      {"Blocks/Saturated belt material", {blocks.saturated_belt_material}}};
+    for (const auto &[path, names] : uses)
+      for (const std::string &name : names)
+        if (!name.empty())
+          check_material_name(scene, name, path, table);
     if (blocks.belt_material.empty() && !blocks.saturated_belt_material.empty())
       throw table.error("Blocks/Saturated belt material",
                         "needs Blocks/Belt material for the part above water");

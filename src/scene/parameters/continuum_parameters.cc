@@ -7,18 +7,6 @@ namespace hybrid::scene
 {
   namespace
   {
-    /// "rock" for all regions (key "*"), or "region: material; ...".
-    std::map<std::string, std::string> parse_region_materials(const std::string &text)
-    {
-      std::map<std::string, std::string> materials;
-      if (!text.empty() && text.find(':') == std::string::npos)
-        materials["*"] = text;
-      else
-        for (const auto &pair : parse_pairs(text, ':'))
-          materials.insert(pair);
-      return materials;
-    }
-
     const char *const automatic_sides = "automatic";
 
     std::vector<std::string> words_of_sides()
@@ -89,7 +77,7 @@ namespace hybrid::scene
       "Materials",
       "a material's name, or 'region: material; region: material; ...'",
       [&continuum](const std::string &text) {
-        continuum.region_material = parse_region_materials(text);
+        continuum.region_material = RegionMaterials::parse(text);
       },
       "Material of the bedrock: one name for all regions, or one per region of the mesh (bedrock, "
       "bedrock_<suffix>).");
@@ -208,8 +196,8 @@ namespace hybrid::scene
       throw table.error("Continuum/Boundary springs",
                         "true needs a bedrock of finite elements with a compliant base, viscous or "
                         "free-field sides");
-    for (const auto &entry : scene.continuum.region_material)
-      check_material_name(scene, entry.second, "Continuum/Materials", table);
+    for (const std::string &name : scene.continuum.region_material.names())
+      check_material_name(scene, name, "Continuum/Materials", table);
     if (!scene.continuum.half_space_material.empty())
       check_material_name(scene,
                           scene.continuum.half_space_material,

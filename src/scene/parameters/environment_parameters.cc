@@ -220,9 +220,8 @@ namespace hybrid::scene
       throw table.error("Water/Method",
                         "needs the elevation of the water in Water/Level, Water/Level file or "
                         "Water/Line file");
-    for (const std::string &name : {scene.blocks.material, scene.blocks.saturated_material})
-      if (scene.blocks.enabled && !name.empty() &&
-          scene.material(name, "Blocks/Material").weight_density >= 0.)
+    for (const std::string &name : scene.mass_materials())
+      if (scene.blocks.enabled && scene.material(name, "Blocks/Material").weight_density >= 0.)
         throw table.error("Materials/" + name + "/Weight density",
                           "is for Water/Method = paper; submerged and pressures take the weight "
                           "from Density and the water");

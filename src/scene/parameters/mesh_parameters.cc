@@ -59,9 +59,8 @@ namespace hybrid::scene
       "Polygons file",
       mesh.polygons_file,
       "a CSV file block,x,y [m]",
-      "Blocks as polygons, vertices counter-clockwise, instead of those of the mesh. They share "
-      "one material, Blocks/Material (below the water Blocks/Saturated material); a fourth "
-      "column, region, names groups in pictures only.");
+      "Blocks as polygons, vertices counter-clockwise, instead of those of the mesh; a fourth column "
+      "is the region (sliding_mass, sliding_mass_<suffix>), by which Blocks/Material may differ.");
     section.file(
       "Surface file",
       mesh.surface_file,

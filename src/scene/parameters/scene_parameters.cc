@@ -36,13 +36,46 @@ namespace hybrid::scene
 
   const Material &SceneParameters::bedrock_material(const std::string &region) const
   {
-    auto found = continuum.region_material.find(region);
-    if (found == continuum.region_material.end())
-      found = continuum.region_material.find("*");
-    if (found == continuum.region_material.end())
+    const std::string &name = continuum.region_material.of(region);
+    if (name.empty())
       throw InputError("Continuum/Materials: the region '" + region +
                        "' of the mesh has no material");
-    return material(found->second, "Continuum/Materials");
+    return material(name, "Continuum/Materials");
+  }
+
+
+
+  const Material &SceneParameters::mass_material(const std::string &region,
+                                                 const bool         saturated) const
+  {
+    const std::string &wet = blocks.saturated_material.of(region);
+    if (saturated && !wet.empty())
+      return material(wet, "Blocks/Saturated material");
+    const std::string &dry = blocks.material.of(region);
+    if (dry.empty())
+      throw InputError("Blocks/Material: the region '" + region + "' of the mesh has no material");
+    return material(dry, "Blocks/Material");
+  }
+
+
+
+  std::vector<std::string> SceneParameters::mass_materials() const
+  {
+    std::vector<std::string> names = blocks.material.names();
+    if (environment.has_water())
+      for (const std::string &name : blocks.saturated_material.names())
+        if (std::count(names.begin(), names.end(), name) == 0)
+          names.push_back(name);
+    return names;
+  }
+
+
+
+  const Material &SceneParameters::belt_material(const bool saturated) const
+  {
+    const bool is_wet = saturated && !blocks.saturated_belt_material.empty();
+    return material(is_wet ? blocks.saturated_belt_material : blocks.belt_material,
+                    is_wet ? "Blocks/Saturated belt material" : "Blocks/Belt material");
   }
 
 

@@ -125,8 +125,8 @@ TEST(Continuum, mistakes_are_refused)
   wrong_foundation.lines["base"].push_back({5, 6});
   EXPECT_THROW(make(wrong_foundation, test::rock_scene()), InputError);
 
-  auto no_material = test::rock_scene();
-  no_material.continuum.region_material.clear();
+  auto no_material                      = test::rock_scene();
+  no_material.continuum.region_material = {};
   EXPECT_THROW(make(box(), no_material), InputError);
 
   auto unknown_material                           = test::rock_scene();

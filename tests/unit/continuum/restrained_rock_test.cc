@@ -31,8 +31,9 @@ namespace
       scene.materials["soft"]         = test::rock_material();
       scene.materials["soft"].density = 1800.;
       scene.materials["soft"].young_modulus *= 0.02;
-      scene.continuum.region_material = {{"bedrock", "rock"}, {"bedrock_soft", "soft"}};
-      section.bedrock_region_names    = {"bedrock", "bedrock_soft"};
+      scene.continuum.region_material =
+        scene::RegionMaterials::parse("bedrock: rock; bedrock_soft: soft");
+      section.bedrock_region_names = {"bedrock", "bedrock_soft"};
       std::fill(section.bedrock_region.end() - 18, section.bedrock_region.end(), 1);
       section.lines["bedding_1"] = {{33, 34}, {34, 35}, {35, 36}, {36, 46}, {46, 56}};
       section.lines["bedding_2"] = {{22, 23}, {23, 24}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/scene/mesh/section_mesh.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 #include <hybrid/scene/types.h>
 #include <hybrid/scene/weibull.h>
@@ -16,20 +17,28 @@ namespace hybrid::dda
   class BlockMaterials
   {
   public:
-    /// The scene must outlive this.
-    explicit BlockMaterials(const scene::SceneParameters &parameters)
-      : scene(parameters)
+    /// Both must outlive this.
+    BlockMaterials(const scene::SectionMesh &section, const scene::SceneParameters &parameters)
+      : mesh(section)
+      , scene(parameters)
     {}
 
+    /// Of a block. @param region see SectionMesh::block_region
     /// @throws InputError if the scene has no such material.
-    const Material &operator()(const bool belt, const bool saturated) const
+    const Material &mass(const int region, const bool saturated) const
     {
-      const scene::BlockParameters &b   = scene.blocks;
-      const std::string            &dry = belt ? b.belt_material : b.material;
-      const std::string            &wet = belt ? b.saturated_belt_material : b.saturated_material;
-      return scene.material(saturated && !wet.empty() ? wet : dry,
-                            belt ? "Blocks/Belt material" : "Blocks/Material");
+      return scene.mass_material(mesh.block_region_names[region], saturated);
     }
+
+    /// @throws InputError if the scene has no such material.
+    const Material &belt(const bool saturated) const
+    {
+      return scene.belt_material(saturated);
+    }
+
+    /// What bonds blocks of two regions: where their materials differ, the smaller of each
+    /// strength.
+    Material bond(int region, int other, bool saturated) const;
 
     /// Properties that scatter, each with numbers of its own.
     static constexpr int modulus_number = 0, body_strength_number = 1, belt_strength_number = 2,
@@ -51,6 +60,7 @@ namespace hybrid::dda
     }
 
   private:
+    const scene::SectionMesh     &mesh;
     const scene::SceneParameters &scene;
   };
 } // namespace hybrid::dda

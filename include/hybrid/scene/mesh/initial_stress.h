@@ -21,12 +21,14 @@ namespace hybrid::scene
     };
 
     /// At a place in a block of the mass, or on its outline.
+    /// @param region see SectionMesh::block_region
     /// @param saturated the block is below the water level
     /// @param inside a point in the block
-    Stress in_mass(bool saturated, const Vec2 &place, const Vec2 &inside) const
+    Stress
+    in_mass(const int region, const bool saturated, const Vec2 &place, const Vec2 &inside) const
     {
       const double vertical = overburden.in_mass(place, inside);
-      return {(saturated ? saturated_mass : mass) * vertical, vertical};
+      return {(saturated ? saturated_mass : mass)[region] * vertical, vertical};
     }
 
     /// The same in the bedrock. @param region see SectionMesh::bedrock_region
@@ -38,7 +40,7 @@ namespace hybrid::scene
 
   private:
     Overburden          overburden;
-    double              mass = 0., saturated_mass = 0.; ///< K0 [-]
-    std::vector<double> bedrock;                        ///< K0 per region [-]; empty: rigid
+    std::vector<double> mass, saturated_mass; ///< K0 per region [-]
+    std::vector<double> bedrock;              ///< K0 per region [-]; empty: rigid
   };
 } // namespace hybrid::scene

@@ -6,10 +6,12 @@
 #include <hybrid/scene/material.h>
 #include <hybrid/scene/newmark.h>
 #include <hybrid/scene/parameters/bedrock_model.h>
+#include <hybrid/scene/parameters/block_parameters.h>
 #include <hybrid/scene/parameters/checkpoint_parameters.h>
 #include <hybrid/scene/parameters/environment_parameters.h>
 #include <hybrid/scene/parameters/load_parameters.h>
 #include <hybrid/scene/parameters/motion_parameters.h>
+#include <hybrid/scene/parameters/region_materials.h>
 #include <hybrid/scene/parameters/start_parameters.h>
 #include <hybrid/scene/types.h>
 
@@ -97,16 +99,15 @@ namespace hybrid::scene
   /// Section "Continuum".
   struct ContinuumParameters
   {
-    TimeIntegrator integrator    = TimeIntegrator::implicit_steps;
-    bool           is_explicit   = false; ///< what the integrator stands for in this scene
-    LinearSolver   linear_solver = LinearSolver::automatic;
-    SurfaceForm    surface_form  = SurfaceForm::automatic;
-    int            degree        = 2;                   ///< polynomial degree of FE_Q, 1..8
-    std::map<std::string, std::string> region_material; ///< region name ("bedrock") -> material
-                                                        ///< name; "*": every region without its own
-    BaseBoundary base          = compliant_base();
-    SideBoundary sides         = viscous_side();
-    bool         chooses_sides = true; ///< Sides = automatic, decided by resolve_sides()
+    TimeIntegrator  integrator    = TimeIntegrator::implicit_steps;
+    bool            is_explicit   = false; ///< what the integrator stands for in this scene
+    LinearSolver    linear_solver = LinearSolver::automatic;
+    SurfaceForm     surface_form  = SurfaceForm::automatic;
+    int             degree        = 2; ///< polynomial degree of FE_Q, 1..8
+    RegionMaterials region_material;   ///< of the regions of the bedrock
+    BaseBoundary    base          = compliant_base();
+    SideBoundary    sides         = viscous_side();
+    bool            chooses_sides = true; ///< Sides = automatic, decided by resolve_sides()
     std::string
            half_space_material; ///< rock below the base; empty: that of the cells along the base
     double rayleigh_mass      = 0.;    ///< alpha_M [1/s], C = alpha_M M + beta_K K
@@ -145,42 +146,6 @@ namespace hybrid::scene
     double cohesion              = 0.;    ///< [Pa]
     double tensile_strength      = 0.;    ///< [Pa]
     double initial_normal_stress = 0.;    ///< compression besides that of gravity [Pa]
-  };
-
-  /// Section "Blocks".
-  struct BlockParameters
-  {
-    bool        enabled = true;     ///< section "Model", parameter "Blocks" (bonded | none)
-    std::string material;           ///< blocks and body joints above the water level
-    std::string saturated_material; ///< same below; empty: same as material
-    std::string belt_material;      ///< joints on the sliding surface; empty: unbonded frictional
-                                    ///< contact of the block material
-    std::string
-           saturated_belt_material; ///< same below the water level; empty: same as belt_material
-    bool   yielding        = false; ///< blocks yield inside at the strength of their joints
-    bool   bonded          = true;  ///< edges shared by blocks are artificial joints
-    double penalty_ratio   = 40.;   ///< alpha: joint stiffness k_n = alpha E / h [-], > 1
-    double shear_ratio     = 1.;    ///< k_s / k_n [-], (0, 1]
-    double fracture_energy = 10.;   ///< G_f [N/m] (J/m2), >= 0; 0 is brittle
-    double softening_slip = 0.1; ///< slip over which shear strength falls to its residual [m], >= 0
-    double damping_ratio  = 0.;  ///< stiffness-proportional damping of blocks and joints [-]
-    double damping_frequency = 2.; ///< frequency at which it holds [Hz], > 0
-    double loose_damping =
-      1.; ///< of the shape of a block that no joint holds, of critical [-], >= 0
-    bool stiffness_correction =
-      true; ///< take the joints' compliance off the blocks' (design: bonds cost stiffness)
-    int    maximum_iterations = 80;   ///< of the open-close iteration before the step is cut [-]
-    double tolerance          = 1e-8; ///< relative force residual of the open-close iteration [-]
-    std::vector<InitialVelocity> initial_velocities; ///< of blocks that do not start from rest
-  };
-
-  /// Section "Heterogeneity": factors of mean 1 with Weibull's distribution.
-  struct HeterogeneityParameters
-  {
-    double modulus_shape = 0.; ///< m of the blocks' Young modulus [-], > 0; 0: uniform
-    double strength_shape =
-      0.; ///< m of the joints' cohesion and tensile strength [-], > 0; 0: uniform
-    int seed = 1;
   };
 
   /// A named point whose motion is recorded.
@@ -292,6 +257,16 @@ namespace hybrid::scene
 
     /// Material of the bedrock's region @p name. @throws InputError if it has none.
     const Material &bedrock_material(const std::string &region) const;
+
+    /// Of blocks of a region of the mass, and of joints between them. @throws InputError if it has
+    /// none.
+    const Material &mass_material(const std::string &region, bool saturated) const;
+
+    /// Names of those of the mass, each once: above the water, and below it where there is water.
+    std::vector<std::string> mass_materials() const;
+
+    /// Of the belt. @throws InputError if it has none.
+    const Material &belt_material(bool saturated) const;
 
     /// @throws InputError naming section and parameter @p where if @p name is not in the table.
     const Material &material(const std::string &name, const std::string &where) const;

@@ -23,7 +23,11 @@ NEAR = 1e-3  # of the largest slip: a run in which sliding is prevented may cree
 def surface_material(run):
     """{parameter: value} of the sliding surface's material."""
     values = run.parameters
-    path = "Materials/%s/" % (values.get("Blocks/Belt material", "") or values["Blocks/Material"])
+    name = values.get("Blocks/Belt material", "") or values["Blocks/Material"]
+    if ":" in name:
+        raise UserError("Blocks/Material = %s: the sliding surface has the friction of several materials; one of its own, "
+                        "Blocks/Belt material, is needed" % name)
+    path = "Materials/%s/" % name
     return {name[len(path):]: value for name, value in values.items() if name.startswith(path)}
 
 

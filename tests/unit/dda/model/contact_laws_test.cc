@@ -144,6 +144,39 @@ TEST(ContactLaws, a_pair_has_the_smaller_friction_whichever_has_the_vertex)
 
 
 
+TEST(ContactLaws, regions_of_the_mass_bring_their_materials)
+{
+  scene::SceneParameters p = block_parameters(30.);
+  p.materials["soil"]      = p.materials["rock"];
+  Material &soil           = p.materials["soil"];
+  soil.name                = "soil";
+  soil.friction_angle      = 20.;
+  soil.density             = 1800.;
+  soil.young_modulus       = 10e6;
+  p.blocks.bonded          = true;
+  p.blocks.material = scene::RegionMaterials::parse("sliding_mass: rock; sliding_mass_top: soil");
+  scene::SectionMesh mesh = square_blocks(1, 3);
+  mesh.block_region       = {0, 0, 1};
+  mesh.block_region_names = {"sliding_mass", "sliding_mass_top"};
+  const Model model       = build_model(mesh, p, straight_foundation(0., 1., 2.));
+  EXPECT_NEAR(model.blocks[1].mass, 2220., 1e-9);
+  EXPECT_NEAR(model.blocks[2].mass, 1800., 1e-9);
+  const auto friction = [&](const int vertex_body, const int edge_body) {
+    return strength(model.contacts.law(model.initial, {vertex_body, 0, edge_body, 0}, 3).law)[0];
+  };
+  EXPECT_NEAR(friction(0, 1), tan_deg(30.), 1e-6);
+  EXPECT_NEAR(friction(1, 2), tan_deg(20.), 1e-6);
+  EXPECT_NEAR(friction(2, 1), tan_deg(20.), 1e-6);
+  ASSERT_EQ(model.joints.size(), 2u);
+  EXPECT_NEAR(strength(model.joints[0].law)[0], tan_deg(30.), 1e-6);
+  EXPECT_NEAR(strength(model.joints[1].law)[0], tan_deg(20.), 1e-6);
+  EXPECT_NEAR(model.joints[1].law.normal_stiffness() / model.joints[0].law.normal_stiffness(),
+              0.2,
+              1e-12); // of the softer side
+}
+
+
+
 TEST(ContactLaws, residual_cohesion_needs_a_joint_between_the_two_blocks)
 {
   scene::SceneParameters p = block_parameters(30.);

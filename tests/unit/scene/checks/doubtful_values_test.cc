@@ -168,6 +168,8 @@ namespace hybrid::scene
       SceneParameters scene           = sound_scene();
       scene.materials["wet"]          = scene.materials.at("clay");
       scene.materials["wet"].density  = 1250.;
+      scene.materials["wet"].name     = "wet";
+      scene.materials["clay"].name    = "clay";
       scene.blocks.material           = "clay";
       scene.blocks.saturated_material = "wet";
       EXPECT_TRUE(doubtful_values(scene).empty()); // no water

@@ -128,11 +128,18 @@ namespace hybrid::scene::test
   TEST(MeshCheck, RegionsOfTheTableMustBeInTheMesh)
   {
     SceneParameters scene;
-    scene.continuum.region_material = {{"*", "rock"}};
+    scene.continuum.region_material = "rock";
     EXPECT_NO_THROW(check_section_mesh(small_section(), scene));
-    scene.continuum.region_material = {{"bedrock", "rock"}, {"bedrok_2", "rock"}};
+    scene.continuum.region_material = RegionMaterials::parse("bedrock: rock; bedrok_2: rock");
     expect_part(error_of(small_section(), scene),
                 "the mesh has no region 'bedrok_2'; it has bedrock");
+    scene.continuum.region_material = "rock";
+    scene.blocks.saturated_material = RegionMaterials::parse("sliding_mass_wet: rock");
+    expect_part(
+      error_of(small_section(), scene),
+      "Blocks/Saturated material: the mesh has no region 'sliding_mass_wet'; it has sliding_mass");
+    scene.blocks.enabled = false;
+    EXPECT_NO_THROW(check_section_mesh(small_section(), scene));
   }
 
 

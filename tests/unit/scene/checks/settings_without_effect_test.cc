@@ -119,8 +119,8 @@ namespace hybrid::scene
     expect({"Water/Level = 5.5 m has no effect", "Blocks/Saturated material"});
     scene.blocks.saturated_material = "clay";
     expect({});
-    scene.blocks.saturated_material.clear();
-    scene.environment.water_method = WaterMethod::pressures;
+    scene.blocks.saturated_material = {};
+    scene.environment.water_method  = WaterMethod::pressures;
     expect({});
     scene.environment.water_level = -100.;
     expect({"Water/Level = -100 m has no effect", "(0, 5) m"});

@@ -60,6 +60,15 @@ TEST(Overburden, is_the_weight_of_what_stands_straight_above)
   EXPECT_NEAR(above.in_mass({1., 4.}, {1., 4.5}), 3. * g * soil, 1e-9); // the gap weighs nothing
   EXPECT_NEAR(above.in_bedrock({1., 1.}, {1., 1.}), g * (3. * rock + 3. * soil), 1e-9);
   EXPECT_NEAR(above.in_bedrock({3., 2.}, {3., 1.}), g * soil, 1e-9); // below a slope
+
+  SectionMesh     regions = section(); // the upper square is of rock
+  SceneParameters scene   = parameters();
+  regions.block_region    = {0, 1, 0};
+  regions.block_region_names.push_back("sliding_mass_cap");
+  scene.blocks.material = RegionMaterials::parse("sliding_mass: soil; sliding_mass_cap: rock");
+  EXPECT_NEAR(Overburden(regions, scene).in_mass({1., 4.}, {1., 4.5}),
+              g * (soil + 2. * rock),
+              1e-9);
   EXPECT_EQ(above.in_mass({1., 9.}, {1., 7.}), 0.);
 }
 

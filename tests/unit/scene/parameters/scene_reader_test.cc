@@ -176,9 +176,8 @@ end
     EXPECT_EQ(scene.material("clay", "test").tensile_strength, 60e3);
 
     EXPECT_EQ(scene.continuum.degree, 3);
-    const std::map<std::string, std::string> regions = {{"bedrock", "rock"},
-                                                        {"bedrock_soil", "clay"}};
-    EXPECT_EQ(scene.continuum.region_material, regions);
+    EXPECT_EQ(scene.continuum.region_material.of("bedrock"), "rock");
+    EXPECT_EQ(scene.continuum.region_material.of("bedrock_soil"), "clay");
     EXPECT_EQ(scene.continuum.base.name, rigid_base().name);
     EXPECT_EQ(scene.continuum.sides.name, free_field_side().name);
     EXPECT_EQ(scene.continuum.half_space_material, "rock");
@@ -191,8 +190,8 @@ end
 
   void expect_full_blocks(const BlockParameters &blocks)
   {
-    EXPECT_EQ(blocks.material, "clay");
-    EXPECT_EQ(blocks.saturated_material, "wet");
+    EXPECT_EQ(blocks.material.of("sliding_mass"), "clay");
+    EXPECT_EQ(blocks.saturated_material.in_words(), "wet");
     EXPECT_EQ(blocks.belt_material, "clay");
     EXPECT_EQ(blocks.saturated_belt_material, "wet");
     EXPECT_EQ(blocks.penalty_ratio, 30.);
@@ -293,7 +292,7 @@ TEST_F(SceneReader, SmallSceneKeepsTheDefaultsOfTheStructs)
   EXPECT_EQ(scene.motion.peak, standard.motion.peak);
   EXPECT_EQ(scene.materials.at("clay").weight_density, Material().weight_density);
   EXPECT_TRUE(scene.blocks.enabled && scene.blocks.bonded);
-  EXPECT_EQ(scene.continuum.region_material, (std::map<std::string, std::string>{{"*", "rock"}}));
+  EXPECT_EQ(scene.continuum.region_material.of("bedrock"), "rock");
   const SceneParameters again = read_scene(write("used.prm", scene.used_prm));
   EXPECT_EQ(again.used_prm, scene.used_prm);
   EXPECT_EQ(again.environment.water_level, standard.environment.water_level);
@@ -324,7 +323,7 @@ TEST_F(SceneReader, PrintedParametersAreAValidFileWithHelpUnitAndRange)
   const SceneParameters scene =
     read_scene(write("all.prm", text.str()), {"Mesh/File=" + path("section.geo")});
   EXPECT_EQ(scene.materials.at("rock").young_modulus, 60e9);
-  EXPECT_EQ(scene.blocks.material, "soil");
+  EXPECT_EQ(scene.blocks.material.in_words(), "soil");
   EXPECT_EQ(scene.time.end_time, TimeParameters().end_time);
 }
 
