@@ -151,6 +151,7 @@ namespace hybrid
     blocks->initial.foundation_shares = base.surface_shares();
     if (condensed == nullptr)
       return;
+    blocks->initial.foundation_degree = scene.continuum.degree;
     condensed->set_water(coupling::WaterOnBedrock::make(*blocks));
     foundation = std::move(condensed);
   }

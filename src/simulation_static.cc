@@ -71,8 +71,9 @@ namespace hybrid
     const bool       slips = model.scene.bedding.slips && !model.scene.bedding.names.empty();
     const dda::Water water = slips ? given.as_pressures() : given;
     report_planes(model.continuum->solve_static_state(
-      state.blocks.static_force +
-        dda::water_on_surface(water, model.blocks->initial.foundation_nodes),
+      state.blocks.static_force + dda::water_on_surface(water,
+                                                        model.blocks->initial.foundation_nodes,
+                                                        model.blocks->initial.foundation_degree),
       environment.gravity,
       environment.horizontal * environment.gravity,
       [&water](const Vec2 &place) { return dda::pore_pressure(water, place); }));

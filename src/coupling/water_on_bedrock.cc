@@ -15,8 +15,9 @@ namespace hybrid::coupling
   WaterOnBedrock::WaterOnBedrock(const dda::Model &blocks)
     : water(blocks.water)
     , nodes(blocks.initial.foundation_nodes)
+    , degree(blocks.initial.foundation_degree)
     , gamma(blocks.newmark.gamma)
-    , at_rest(water_on_surface(water, nodes))
+    , at_rest(water_on_surface(water, nodes, degree))
   {}
 
 
@@ -24,8 +25,8 @@ namespace hybrid::coupling
   void
   WaterOnBedrock::begin(const double time, const double dt, const Eigen::VectorXd &displacement)
   {
-    water_on_surface(water.at(time), nodes, at_start);
-    water_on_surface(water.at(time + dt), nodes, at_end);
+    water_on_surface(water.at(time), nodes, degree, at_start);
+    water_on_surface(water.at(time + dt), nodes, degree, at_end);
     at_start -= at_rest;
     at_end -= at_rest;
     moved = displacement;

@@ -70,8 +70,9 @@ namespace hybrid::output
   {
     if (model.water.action != dda::Water::Action::pressures || model.n_foundation_nodes() == 0)
       return;
-    const Eigen::VectorXd force =
-      dda::water_on_surface(model.water, model.initial.foundation_nodes);
+    const Eigen::VectorXd force = dda::water_on_surface(model.water,
+                                                        model.initial.foundation_nodes,
+                                                        model.initial.foundation_degree);
     file.write_table("interface/water_force",
                      "N/m",
                      force.data(),

@@ -37,7 +37,8 @@ namespace hybrid::coupling
   private:
     dda::Water        water;
     std::vector<Vec2> nodes;
-    double            gamma; ///< Newmark's [-]
+    int               degree; ///< of the elements below
+    double            gamma;  ///< Newmark's [-]
     Eigen::VectorXd   at_rest, at_start, at_end, moved;
   };
 } // namespace hybrid::coupling

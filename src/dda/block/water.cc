@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 namespace hybrid::dda
 {
@@ -72,6 +74,87 @@ namespace hybrid::dda
             *end = at_x(from, to, x);
         }
       return a != b;
+    }
+
+
+    constexpr int highest_degree = 8; ///< of elements
+
+    /// Points and weights of Gauss's rule on [0, 1], exact up to the degree 2 n - 1.
+    struct GaussRule
+    {
+      static constexpr int most = (highest_degree + 3) / 2;
+      int                  n;
+      double               point[most], weight[most];
+    };
+
+    /// @param n 2..5
+    const GaussRule &gauss_rule(const int n)
+    {
+      static const auto rule = [](const std::initializer_list<std::pair<double, double>> &half) {
+        GaussRule r{};
+        for (const auto &[x, w] : half)
+          for (const double side : {-1., 1.})
+            if (x != 0. || side > 0.)
+              {
+                r.point[r.n]    = 0.5 + 0.5 * side * x;
+                r.weight[r.n++] = 0.5 * w;
+              }
+        return r;
+      };
+      static const GaussRule rules[] = {
+        rule({{1. / std::sqrt(3.), 1.}}),
+        rule({{std::sqrt(0.6), 5. / 9.}, {0., 8. / 9.}}),
+        rule({{std::sqrt(3. / 7. + 2. / 7. * std::sqrt(1.2)), (18. - std::sqrt(30.)) / 36.},
+              {std::sqrt(3. / 7. - 2. / 7. * std::sqrt(1.2)), (18. + std::sqrt(30.)) / 36.}}),
+        rule({{std::sqrt(5. + 2. * std::sqrt(10. / 7.)) / 3., (322. - 13. * std::sqrt(70.)) / 900.},
+              {std::sqrt(5. - 2. * std::sqrt(10. / 7.)) / 3., (322. + 13. * std::sqrt(70.)) / 900.},
+              {0., 128. / 225.}})};
+      return rules[n - 2];
+    }
+
+
+    /// Adds the force of the water on a face of the rock to those of its nodes [N/m].
+    /// @param nodes degree + 1 on a straight line, rock to the right of it. @param force two per
+    /// node
+    void add_water_on_face(const Water &water, const Vec2 *nodes, const int degree, double *force)
+    {
+      const Vec2       edge    = nodes[degree] - nodes[0];
+      const double     length2 = edge.squaredNorm();
+      const double     right   = std::max(nodes[0].x(), nodes[degree].x());
+      const GaussRule &rule    = gauss_rule((degree + 3) / 2);
+      double           at[highest_degree + 1];
+      for (int i = 0; i <= degree; ++i)
+        at[i] = (nodes[i] - nodes[0]).dot(edge) / length2;
+      WaterPieces pieces(water, std::min(nodes[0].x(), nodes[degree].x()), right);
+      while (const std::optional<WaterPiece> piece = pieces.next())
+        {
+          const PieceFrame frame(*piece, nodes[0].x());
+          Vec2             a = nodes[0], b = nodes[degree];
+          if (!clip_to_piece(*piece, right, a, b))
+            continue;
+          a = frame.to(a);
+          b = frame.to(b);
+          if (!clip_to_water(a, b))
+            continue;
+          const Vec2 part = frame.back(b - a);
+          const Vec2 into_rock(part.y(), -part.x()); // times the length
+          const Vec2 first = nodes[0] - frame.origin;
+          for (int q = 0; q < rule.n; ++q)
+            {
+              const Vec2   x    = a + rule.point[q] * (b - a);
+              const double s    = (frame.back(x) - first).dot(edge) / length2;
+              const Vec2   load = (-rule.weight[q] * water.unit_weight * x.y()) * into_rock;
+              for (int i = 0; i <= degree; ++i)
+                {
+                  double shape = 1.;
+                  for (int j = 0; j <= degree; ++j)
+                    if (j != i)
+                      shape *= (s - at[j]) / (at[i] - at[j]);
+                  force[2 * i] += shape * load.x();
+                  force[2 * i + 1] += shape * load.y();
+                }
+            }
+        }
     }
 
 
@@ -284,41 +367,22 @@ namespace hybrid::dda
   }
 
 
-  void water_on_surface(const Water &water, const std::vector<Vec2> &nodes, Eigen::VectorXd &force)
+  void water_on_surface(const Water             &water,
+                        const std::vector<Vec2> &nodes,
+                        const int                degree,
+                        Eigen::VectorXd         &force)
   {
     force.setZero(2 * static_cast<Eigen::Index>(nodes.size()));
     if (water.action != Water::Action::pressures)
       return;
-    const double gauss = 0.5 / std::sqrt(3.);
-    for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
-      {
-        const Vec2   edge    = nodes[k + 1] - nodes[k];
-        const double length2 = edge.squaredNorm();
-        const double right   = std::max(nodes[k].x(), nodes[k + 1].x());
-        WaterPieces  pieces(water, std::min(nodes[k].x(), nodes[k + 1].x()), right);
-        while (const std::optional<WaterPiece> piece = pieces.next())
-          {
-            const PieceFrame frame(*piece, nodes[k].x());
-            Vec2             a = nodes[k], b = nodes[k + 1];
-            if (!clip_to_piece(*piece, right, a, b))
-              continue;
-            a = frame.to(a);
-            b = frame.to(b);
-            if (!clip_to_water(a, b))
-              continue;
-            const Vec2 part = frame.back(b - a);
-            const Vec2 into_rock(part.y(), -part.x()); // times the length
-            const Vec2 first = nodes[k] - frame.origin;
-            for (const double s : {0.5 - gauss, 0.5 + gauss})
-              {
-                const Vec2   x        = a + s * (b - a);
-                const double second   = (frame.back(x) - first).dot(edge) / length2;
-                const Vec2   pressure = (-0.5 * water.unit_weight * x.y()) * into_rock;
-                force.segment<2>(2 * k) += (1. - second) * pressure;
-                force.segment<2>(2 * k + 2) += second * pressure;
-              }
-          }
-      }
+    for (std::size_t k = 0; k + 1 < nodes.size();)
+      if (nodes[k] == nodes[k + 1])
+        ++k;
+      else
+        {
+          add_water_on_face(water, &nodes[k], degree, force.data() + 2 * k);
+          k += degree;
+        }
   }
 
 
@@ -343,10 +407,11 @@ namespace hybrid::dda
 
 
 
-  Eigen::VectorXd water_on_surface(const Water &water, const std::vector<Vec2> &nodes)
+  Eigen::VectorXd
+  water_on_surface(const Water &water, const std::vector<Vec2> &nodes, const int degree)
   {
     Eigen::VectorXd force;
-    water_on_surface(water, nodes, force);
+    water_on_surface(water, nodes, degree, force);
     return force;
   }
 } // namespace hybrid::dda

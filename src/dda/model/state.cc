@@ -124,10 +124,23 @@ namespace hybrid::dda
 
   void serialize(Archive &archive, Geometry &geometry)
   {
-    auto &[offset, block_of, vertices, foundation_nodes, bedrock, foundation_shares] = geometry;
-    auto &[first_block, next, previous]                                              = bedrock;
-    archive(
-      offset, block_of, vertices, foundation_nodes, first_block, next, previous, foundation_shares);
+    auto &[offset,
+           block_of,
+           vertices,
+           foundation_nodes,
+           bedrock,
+           foundation_shares,
+           foundation_degree]           = geometry;
+    auto &[first_block, next, previous] = bedrock;
+    archive(offset,
+            block_of,
+            vertices,
+            foundation_nodes,
+            first_block,
+            next,
+            previous,
+            foundation_shares,
+            foundation_degree);
   }
 
 

@@ -102,9 +102,15 @@ namespace hybrid::dda
   double pore_pressure(const Water &water, const Vec2 &place);
 
 
-  /// Hydrostatic force on the nodes of the bedrock's surface (x0, y0, x1, ...) [N/m].
-  Eigen::VectorXd water_on_surface(const Water &water, const std::vector<Vec2> &nodes);
+  /// Hydrostatic force on the nodes of the bedrock's surface (x0, y0, x1, ...) [N/m], those of the
+  /// faces of elements of this @p degree: its virtual work is that of the pressure with their
+  /// displacements, Lagrange polynomials along each face. Two nodes in one place are no face.
+  Eigen::VectorXd
+  water_on_surface(const Water &water, const std::vector<Vec2> &nodes, int degree = 1);
 
   /// The same into @p force, which allocates nothing if it has its size.
-  void water_on_surface(const Water &water, const std::vector<Vec2> &nodes, Eigen::VectorXd &force);
+  void water_on_surface(const Water             &water,
+                        const std::vector<Vec2> &nodes,
+                        int                      degree,
+                        Eigen::VectorXd         &force);
 } // namespace hybrid::dda

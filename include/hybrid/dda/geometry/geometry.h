@@ -49,6 +49,7 @@ namespace hybrid::dda
     BedrockSurface    bedrock;
     /// Per foundation segment: what its first node bears of a uniform load on it [-]; empty: half.
     std::vector<double> foundation_shares;
+    int                 foundation_degree = 1; ///< segments per face of the elements below, 1..8
 
     int n_blocks() const
     {

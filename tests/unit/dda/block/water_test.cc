@@ -296,6 +296,44 @@ TEST(Water, surface_carries_the_pressure_below_a_line)
 
 
 
+TEST(Water, surface_of_elements_bears_what_their_shapes_do)
+{
+  // A slope of one face with nodes at 0, 1/2, 1 and another beyond a crack: pressures p0 at its
+  // foot, p1 at its head.
+  const Vec2              foot(0., 0.), head(4., 3.), end(8., 3.);
+  const std::vector<Vec2> nodes = {foot, 0.5 * (foot + head), head, head, 0.5 * (head + end), end};
+  const Eigen::VectorXd   force =
+    water_on_surface({Water::Action::pressures, 5., unit_weight}, nodes, 2);
+  const double p0 = 5. * unit_weight, p1 = 2. * unit_weight;
+  const Vec2   into_rock(3., -4.); // times the length
+  // int N p ds: (p0 / 6, (p0 + p1) / 3, p1 / 6)
+  EXPECT_NEAR((force.segment<2>(0) - p0 / 6. * into_rock).norm(), 0., 1e-9 * p0);
+  EXPECT_NEAR((force.segment<2>(2) - (p0 + p1) / 3. * into_rock).norm(), 0., 1e-9 * p0);
+  EXPECT_NEAR((force.segment<2>(4) - p1 / 6. * into_rock).norm(), 0., 1e-9 * p0);
+  EXPECT_NEAR(force[2 * 4 + 1], -4. * 2. / 3. * p1, 1e-9 * p0);
+  for (int degree = 1; degree <= 8;
+       ++degree) // total and moment about the foot, half of the slope below water
+    {
+      std::vector<Vec2> slope;
+      for (int i = 0; i <= degree; ++i)
+        slope.push_back(0.5 * (1. - std::cos(M_PI * i / degree)) * head);
+      const Eigen::VectorXd f =
+        water_on_surface({Water::Action::pressures, 1.5, unit_weight}, slope, degree);
+      Vec2   sum    = Vec2::Zero();
+      double moment = 0.;
+      for (int i = 0; i <= degree; ++i)
+        {
+          sum += f.segment<2>(2 * i);
+          moment += cross(slope[i], f.segment<2>(2 * i));
+        }
+      const double total = 0.5 * 1.5 * unit_weight * 2.5; // over 2.5 m of the slope, a third up
+      EXPECT_NEAR((sum - total / 5. * into_rock).norm(), 0., 1e-9 * total) << degree;
+      EXPECT_NEAR(moment, -total * 2.5 / 3., 1e-9 * total) << degree;
+    }
+}
+
+
+
 TEST(Water, surface_carries_the_weight_of_the_water_above_it)
 {
   // a valley that leaves the water on both sides: 10 m wide at the level, 4 m deep
