@@ -332,6 +332,64 @@ def test_a_kink_that_holds_a_corner_is_found(mirror):
     assert holding_kink(surface[:2], [lower], -mirror) is None
 
 
+TOPPLING = """
+subsection Time
+  set Time step = 0.001
+end
+subsection Model
+  set Bedrock = rigid
+  set Blocks = loose
+end
+subsection Mesh
+  set Polygons file = columns.csv
+  set Surface file = ground.csv
+end
+subsection Blocks
+  set Material = rock
+end
+subsection Gravity
+  set Static stage = equilibrium
+  set Acceleration = %.15g
+  set Horizontal coefficient = %.15g
+end
+subsection Materials
+  set Names = rock
+  subsection rock
+    set Density = %.15g
+    set Young modulus = 20e9
+    set Friction angle = 44.2435
+  end
+end
+""" % (9.81 * np.cos(np.radians(20)), -np.tan(np.radians(20)), 25e3 / 9.81)
+
+
+def test_columns_that_topple_have_another_equilibrium(hybrid, tmp_path):
+    """Ten columns on a stepped base that dips 20 degrees, drawn turned: tan(phi) = 0.7492 by Goodman and Bray (1976), 1.30 times that here."""
+    corners, ground = ["block,x,y"], ["x,y", "-100,0"]
+    heights = (2, 4, 6.5, 9, 11.5, 13, 11, 8.5, 6, 3.5)
+    for k, height in enumerate(heights):
+        foot = 0.6 * k
+        for x, y in ((0, 0), (3, 0), (3, height), (0, height)):
+            corners.append("%d,%g,%g" % (k, 3 * k + x, foot + y))
+        ground += ["%g,%g" % (3 * k, foot)] if k else ["0,0"]
+        ground.append("%g,%g" % (3 * k + 3, foot))
+    ground.append("90,5.4")
+    (tmp_path / "columns.csv").write_text("\n".join(corners) + "\n")
+    (tmp_path / "ground.csv").write_text("\n".join(ground) + "\n")
+    (tmp_path / "columns.prm").write_text(TOPPLING)
+    told = {}
+    for ratio in (1.0, 0.3):
+        done = hybrid("fos", tmp_path / "columns.prm", "--range", "1", "1.6", "--output", tmp_path / "out", "--force",
+                      "-s", "Blocks/Shear ratio=%g" % ratio)
+        assert done.returncode == 0, done.stderr
+        told[ratio] = read(tmp_path / "out", "fos"), done.stdout
+    assert told[0.3][0]["fos"] == pytest.approx(1.30, rel=0.01)
+    assert told[1.0][0]["fos"] > 1.03 * told[0.3][0]["fos"]
+    assert "with softer shear springs it fails at" in told[1.0][1] and 'repeat with -s "Blocks/Shear ratio=0.3"' in told[1.0][1]
+    assert told[0.3][0]["stands_with_softer_shear"] and "softer shear springs" not in told[0.3][1]
+    assert "flattens" not in told[1.0][1], "no column rests on a riser"
+
+
 @pytest.mark.parametrize("changes, words", [
     ({}, ""), ({"Residual friction angle": "12"}, "friction angle 12 of 25 degrees"), ({"Residual cohesion": "5e3"}, "cohesion 5000 of 20000 Pa"),
     ({"Residual cohesion": "20e3", "Residual friction angle": "25"}, ""), ({"Friction rate coefficient": "-0.01"}, "friction that falls with the rate"),

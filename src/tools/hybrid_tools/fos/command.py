@@ -14,6 +14,7 @@ from hybrid_tools import style
 from hybrid_tools.arguments import Arguments
 from hybrid_tools.fos import figure, flanks, sliding
 from hybrid_tools.fos.kinks import holding_kink
+from hybrid_tools.fos.other_equilibrium import warn_of_other_equilibrium
 from hybrid_tools.fos.search import factor_of_safety, yield_coefficient
 from hybrid_tools.fos.trial import Trials
 from hybrid_tools.results_place import default_directory, refuse_other_scene
@@ -113,6 +114,11 @@ def either(pushed, sign, trials):
                 raise
             brackets.append(None)
     return brackets[0], brackets[1], n_before
+
+
+def changes_of(name, bracket, value):
+    """{parameter: value} of a trial beside the bracket's."""
+    return {FACTOR: value} if name == "fos" else {COEFFICIENT: bracket.towards * value}
 
 
 def table_of(trials):
@@ -216,6 +222,7 @@ def main(words):
     warn_of_edges(bracket, results)
     warn_of_kink(bracket, results)
     warn_of_no_jump(bracket, trials.done, results)
+    warn_of_other_equilibrium(name, bracket, trials, lambda value: changes_of(name, bracket, value), results)
     write_results(directory, name, results, trials)
     figure.draw(bracket, trials.done, directory, name)
     if found.newmark:

@@ -4,6 +4,7 @@
 import numpy as np
 
 BEND = 10.0  # by which a kink that is told flattens the surface [degrees]
+STEEPEST = 89.0  # on which a block rests; against a riser, or below an overhang, it only stands [degrees]
 NEAR = 1e-3  # of a block's size: its corner lies in the kink
 
 
@@ -14,11 +15,13 @@ def holding_kink(surface, polygons, downhill):
     """
     line = np.asarray(surface)[:: int(downhill)]  # downhill
     along = np.diff(line, axis=0)
-    fall = np.degrees(np.arctan2(-along[:, 1], np.abs(along[:, 0])))
+    fall = np.degrees(np.arctan2(-along[:, 1], downhill * along[:, 0]))
     for k in np.argsort(fall[1:] - fall[:-1]) + 1:
         bend = fall[k - 1] - fall[k]
         if bend < BEND:
             return None
+        if fall[k - 1] > STEEPEST:
+            continue
         direction = -along[k - 1] / np.linalg.norm(along[k - 1])
         if any(rests_beyond(np.asarray(polygon), line[k], direction) for polygon in polygons):
             return line[k], float(bend)
