@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The mechanism of failure, and how displacement grows with the strength reduction factor or the horizontal coefficient."""
 
+import os
+
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
@@ -99,6 +101,13 @@ def draw_curve(bracket, trials, axes, label):
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=2)
 
 
+def title_of(run, directory):
+    """The scene's; where it has none, its name by where results go, not that of the trial."""
+    title = run.title()
+    is_own = title != os.path.basename(os.path.abspath(run.directory))
+    return title if is_own else os.path.basename(os.path.abspath(directory)).removesuffix("_fos")
+
+
 def draw(bracket, trials, directory, name):
     label, words = NAMES[name]
     try:
@@ -109,5 +118,5 @@ def draw(bracket, trials, directory, name):
     figure, axes = plt.subplots(2, 1, figsize=(9, height + 3.6), height_ratios=[height, 2.4], constrained_layout=True)
     draw_mechanism(bracket, axes[0])
     draw_curve(bracket, trials, axes[1], label)
-    style.title(figure, words % bracket.value + ": " + bracket.fails.run().title())
+    style.title(figure, words % bracket.value + ": " + title_of(bracket.fails.run(), directory))
     style.save(figure, directory, name)
