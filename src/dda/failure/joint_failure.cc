@@ -17,6 +17,16 @@ namespace hybrid::dda
 
 
 
+    /// Slip or opening of a joint of the body from which its blocks look at all their neighbours
+    /// [m]. In the static stage blocks that yield fail through small slips on many edges, and
+    /// corners that catch would make them stronger; where they flow, corners must not pass.
+    double waking_slip(const Joint &joint, const double time, const bool blocks_yield)
+    {
+      return (blocks_yield && time < 0. ? release_fraction : yield_fraction) * joint.length;
+    }
+
+
+
     /// Slip that friction has taken, or opening [m].
     double yielding(const SpringState &point)
     {
@@ -81,8 +91,7 @@ namespace hybrid::dda
         state.released = true;
       }
     if (state.failure != FailureKind::none || has_sunk ||
-        (joint.kind == JointKind::body &&
-         has_yielded > (blocks_yield ? release_fraction : yield_fraction) * joint.length))
+        (joint.kind == JointKind::body && has_yielded > waking_slip(joint, time, blocks_yield)))
       state.has_yielded = true;
     const double reach = release_fraction * joint.length;
     if (state.failure != FailureKind::none && !joint.within_bedrock() &&

@@ -14,12 +14,11 @@ namespace hybrid::dda
    * end (at 180 degrees it turns round). A failed joint that has slid or
    * opened by a tenth of its length is released: vertex contacts take over. From the
    * failure on it has yielded: its blocks look at all their neighbours. So has a
-   * joint of the body that has slid or opened by 1/400 of its length before, of blocks that yield
-   * by a tenth: their corners would be crushed where stiff ones catch. A joint that slides into an
-   * edge that rises beyond its end (Joint::valley) knows nothing of that edge: 1/400 of its length
-   * deep in it a belt has yielded, and a joint of the body, which only blocks that are not convex
-   * have there, has failed and is released.
-   * Bedding planes are not counted.
+   * joint of the body that has slid or opened by 1/400 of its length before; in the static stage of
+   * blocks that yield by a tenth, as corners that catch make them stronger. A joint that slides
+   * into an edge that rises beyond its end (Joint::valley) knows nothing of that edge: 1/400 of its
+   * length deep in it a belt has yielded, and a joint of the body, which only blocks that are not
+   * convex have there, has failed and is released. Bedding planes are not counted.
    *
    * @param time at the end of the step [s]; negative: in the static stage
    */
