@@ -287,10 +287,8 @@ namespace hybrid::dda
 
     double Builder::share_of_joint(const Joint &joint) const
     {
-      // Joints are made of the softer side's stiffness: where moduli scatter, half of such a joint
-      // would be more compliance than a stiff block has.
-      if (scene.heterogeneity.modulus_shape == 0.)
-        return 0.5;
+      // Joints are made of the softer side's stiffness: half of such a joint may be more compliance
+      // than the stiffer block has.
       const double e = materials[joint.block].young_modulus;
       const double f = materials[joint.other].young_modulus;
       return f / (e + f);
