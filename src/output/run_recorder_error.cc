@@ -323,7 +323,10 @@ namespace hybrid::output
       record.least_motion = WatchedPoints::least_motion;
     const bool has_base_alone = n_loose > 0 && record.monitors.size() == 1 && record.base == 0;
     error.reason              = why_no_error(!record.monitors.empty() && !has_base_alone);
-    WatchedPoints counted     = watched;
+    if (error.reason.empty() && n_loose > 0 && !monitors.empty())
+      error.reason = std::to_string(n_loose) + " of " + std::to_string(monitors.size()) +
+                     " monitors are on blocks that no joint holds";
+    WatchedPoints counted = watched;
     counted.of_mass -= error.reason.empty() && monitors.empty() ? n_loose : 0;
     error.watched       = counted.text();
     error.blocks_strike = blocks_strike(count_loose(parts.blocks), ledger);

@@ -106,6 +106,17 @@ def check_error(words, work, same_bits, require):
             "a run that tells its error has no second one", output)
 
 
+def check_monitors_of_both(words, work, require):
+    """A loose block that vertical shaking throws up, beside a monitor of the ground, which says nothing of the block."""
+    directory = work / "both"
+    thrown = ("Motion/Type=sine", "Motion/Peak=16 m/s2", "Motion/Angle=90", "Motion/Frequency=1", "Motion/Cycles=2", "Motion/Taper=1", "Time/End time=2.5",
+              "Mesh/Numbers=Angle = 0; Block width = 2", "Monitors/Points=block: 1, 0.5; ground: -5, 0", "Monitors/Base=")
+    _, output = run(*words, SLIDES, directory, *thrown)
+    found = summary_of(directory)["probable_error"]
+    require("1 of 2 monitors are on blocks that no joint holds" in output and found["time_step"]["velocity"]["part_of_peak"] > 0.01,
+            "a block that flies beside a monitor of the ground: errors by a second run", output)
+
+
 def check_resumed(words, work, require):
     """A run that is resumed after its end says what further runs have told; one that goes on asks them anew."""
     binary, place = str(words[0]), work / "two"
@@ -209,6 +220,7 @@ def main():
     words = (binary, root)
     check_error(words, work, same_bits, require)
     check_without_monitors(words, root, work, require)
+    check_monitors_of_both(words, work, require)
     check_resumed(words, work, require)
     check_beginning(words, work, require)
     check_mesh(words, work, same_bits, require)
