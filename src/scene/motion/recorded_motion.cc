@@ -30,6 +30,16 @@ namespace hybrid::scene
     }
 
 
+    /// "the peak acceleration from ... to ... m/s2 and the peak velocity from ... to ... m/s"
+    std::string both_peaks(const Motion &raw, const Motion &corrected)
+    {
+      return "the peak acceleration from " + in_words(raw.peak_acceleration()) + " to " +
+             in_words(corrected.peak_acceleration()) + " m/s2 and the peak velocity from " +
+             in_words(largest_velocity(raw)) + " to " + in_words(largest_velocity(corrected)) +
+             " m/s";
+    }
+
+
     /// "" if the correction hardly changes the peaks.
     std::string changed_peaks(const Motion &raw, const Motion &corrected)
     {
@@ -38,10 +48,8 @@ namespace hybrid::scene
       const double     v = largest_velocity(raw), w = largest_velocity(corrected);
       if (std::abs(b - a) <= acceleration * a && std::abs(w - v) <= velocity * v)
         return "";
-      return "the baseline correction changes the peak acceleration from " + in_words(a) + " to " +
-             in_words(b) + " m/s2 and the peak velocity from " + in_words(v) + " to " +
-             in_words(w) +
-             " m/s; a longer record, with rest at its end, changes less, and Motion/Baseline "
+      return "the baseline correction changes " + both_peaks(raw, corrected) +
+             "; a longer record, with rest at its end, changes less, and Motion/Baseline "
              "correction = false leaves it as it is";
     }
 
@@ -76,18 +84,19 @@ namespace hybrid::scene
                                  in_words(100. * std::abs(drift / T) / raw.peak_acceleration()) +
                                  " % of its peak), so that it ends with " + in_words(drift) +
                                  " m/s at " + in_words(raw.displacement(T)) + " m";
-      if (parameters.baseline_correction && is_of_instrument(raw, corrected))
-        input.notes.push_back(offset + "; the baseline correction took it out");
-      else if (parameters.baseline_correction)
-        input.warnings.push_back(
-          offset +
-          ", more than an instrument's; the baseline correction took it out and changed "
-          "the peak acceleration from " +
-          in_words(raw.peak_acceleration()) + " to " + in_words(corrected.peak_acceleration()) +
-          " m/s2. A pulse, or a record that stops within its motion, wants Motion/Baseline "
-          "correction = false");
-      else
-        input.warnings.push_back(offset + "; set Motion/Baseline correction = true to take it out");
+      if (!parameters.baseline_correction)
+        {
+          input.warnings.push_back(offset +
+                                   "; set Motion/Baseline correction = true to take it out");
+          return;
+        }
+      const bool is_small = is_of_instrument(raw, corrected);
+      (is_small ? input.notes : input.warnings)
+        .push_back(offset + (is_small ? "" : ", more than an instrument's") +
+                   "; the baseline correction took it out and changed " +
+                   both_peaks(raw, corrected) +
+                   ". A pulse, or a record that stops within its motion, wants Motion/Baseline "
+                   "correction = false");
     }
 
 
