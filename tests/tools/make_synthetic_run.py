@@ -132,9 +132,9 @@ def write_energy_and_steps(file, time, v, rng):
     work = np.cumsum(v**2)[audits] * 3e3
     kinetic = 4e6 * v[audits] ** 2
     put(file, "energy/time", "s", time[audits])
-    for name, values in (("kinetic", kinetic), ("elastic", 0.6 * np.roll(kinetic, 20)), ("work_of_the_motion", -work),
-                         ("dashpots", 0.7 * work), ("friction", 0.22 * work), ("fracture", 0.02 * work),
-                         ("integrator", 0.01 * work), ("gravity", -0.05 * work), ("damping", 0.1 * work)):
+    for name, values in (("bedrock_kinetic", kinetic), ("bedrock_strain", 0.6 * np.roll(kinetic, 20)), ("input_work", -work),
+                         ("boundary_loss", 0.7 * work), ("friction_loss", 0.22 * work), ("fracture_loss", 0.02 * work),
+                         ("blocks_integration_loss", 0.01 * work), ("blocks_gravity", -0.05 * work), ("bedrock_damping_loss", 0.1 * work)):
         put(file, "energy/" + name, "J/m", values)
     put(file, "energy/residual", "1", 1e-4 * (1 + rng.random(len(work))) * np.linspace(0.01, 1, len(work)))
     dt = np.full(n, 1e-3)

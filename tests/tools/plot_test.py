@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """hybrid plot: every figure of a run, as far as it was recorded."""
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -244,6 +245,20 @@ def test_boreholes_are_explained_and_no_words_lie_on_their_curves(synthetic_run,
     assert ["envelope of the run", "at peak of surface", "left: mean of the last 2 s", "measured"] in legends(figures.pop())
 
 
+def test_boreholes_of_a_mass_that_still_slides_are_those_at_the_end(synthetic_run):
+    """Slip that goes on growing: the mean of the last seconds is not what is left."""
+    directory = synthetic_run("complete")
+    run = Run(directory)
+    x = run.get("profiles/ZK1/displacement")[:, 0::2]
+    at_rest, what = boreholes.left_at_end(run, x)
+    assert what == "left: mean of the last 2 s" and at_rest == pytest.approx(x[run.time > 10].mean(axis=0))
+    run.file.close()
+    with h5py.File(directory / "run.h5", "r+") as file:
+        file["slip/largest"][...] += 2e-3 * np.maximum(run.time - 11, 0)
+    at_end, what = boreholes.left_at_end(Run(directory), x)
+    assert what == "at the end, 12 s: it still slides" and (at_end == x[-1]).all()
+
+
 # Follows "Adding a picture" of doc/developer_guide.md: a module and a word in FIGURES.
 def test_a_new_picture_is_a_module_and_a_word(synthetic_run, tmp_path):
     directory = synthetic_run("complete")
@@ -288,6 +303,16 @@ def test_small_terms_of_energy_are_one_curve():
     assert list(energy_balance.grouped({"a": time, "b": 1e-3 * time})[0]) == ["a", "b"]
 
 
+def test_no_two_terms_of_energy_look_the_same():
+    ledger = (ROOT / "src/output/energy_ledger.cc").read_text()
+    names = set(re.findall(r'\{+"([a-z_]+)", ', ledger))
+    assert len(names) > 20 and names <= set(energy_balance.TERMS)
+    looks = [tuple(energy_balance.look(name).values()) for name in energy_balance.TERMS]
+    assert len(set(looks)) == len(energy_balance.TERMS) and energy_balance.UNKNOWN != energy_balance.REST
+    usual = [energy_balance.look(name)["color"] for name in ("input_work", "water_work", "friction_loss", "blocks_gravity", "boundary_loss")]
+    assert len(set(usual)) == len(usual)
+
+
 def test_what_the_largest_terms_dwarf_has_a_panel_of_its_own(synthetic_run, monkeypatch):
     time = np.linspace(0, 1, 11)
     terms = {"work": -time, "loss": 0.9 * time, "friction": 0.04 * time, "gravity": -0.03 * time, "nothing": 0 * time}
@@ -296,7 +321,10 @@ def test_what_the_largest_terms_dwarf_has_a_panel_of_its_own(synthetic_run, monk
     figures = []
     monkeypatch.setattr(style, "save", lambda figure, *_: figures.append(figure))
     energy_balance.draw(Run(synthetic_run("complete")), "")
-    labels = [axes.get_ylabel() for axes in figures.pop().axes]
+    panels = figures.pop().axes
+    labels = [axes.get_ylabel() for axes in panels]
+    curves = [(line.get_color(), str(line.get_linestyle()), line.get_label()) for axes in panels[:2] for line in axes.lines]
+    assert len({curve[:2] for curve in curves}) == len(curves) > 6
     assert labels[-2:] == ["failed joints [-]", "residual [%]"] and all(label.startswith("energy [") for label in labels[:-2])
 
 

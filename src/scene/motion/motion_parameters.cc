@@ -229,6 +229,8 @@ namespace hybrid::scene
 
   void check(const MotionParameters &motion, const ParameterTable &table)
   {
+    if (motion.type == "none" && table.is_set("Motion/Type"))
+      return; // switched off: the rest of the section waits for the motion to come back
     check_vertical(motion, table);
     if (!motion.file.empty() && !table.is_set("Motion/Type"))
       throw table.error("Motion/File", "is not used unless Motion/Type is set to text or at2");

@@ -8,6 +8,7 @@ from hybrid_run import MissingData
 from hybrid_tools import style
 
 LAST = 2.0  # [s]; what is left is the mean over so much, or over a quarter of a shorter run
+AT_REST = 1e-3  # [m]; a mass whose slip changes by more over that time still slides
 
 
 def depth_of_slip(run, path):
@@ -24,11 +25,21 @@ def depth_of_slip(run, path):
     return None
 
 
+def still_slides(run, span):
+    """Whether the mean or the largest slip goes on growing over the last seconds of the run."""
+    if not run.has("slip/mean") or run.n < 2:
+        return False
+    last = run.time > run.time[-1] - span
+    return any(np.ptp(run.history("slip/" + name)[last]) > AT_REST for name in ("mean", "largest"))
+
+
 def left_at_end(run, x):
-    """(mean profile over the last seconds [m], their number): the mass may still swing when a run ends."""
+    """(profile [m], what it is): the mean over the last seconds, as the mass may still swing when a run ends; where it still slides, the last."""
     time = run.get("time")[: len(x)]
     span = min(LAST, 0.25 * time[-1])
-    return x[: len(time)][time > time[-1] - span].mean(axis=0), span
+    if still_slides(run, span):
+        return x[len(time) - 1], "at the end, %.4g s: it still slides" % time[-1]
+    return x[: len(time)][time > time[-1] - span].mean(axis=0), "left: mean of the last %.3g s" % span
 
 
 def with_jump(depth, x, slip_depth):
@@ -89,9 +100,9 @@ def draw_profile(run, axes, name, with_legend=True, largest=None):
     axes.fill_betweenx(depth, factor * x.min(axis=0), factor * x.max(axis=0), color="#cfdcea", lw=0, label="envelope of the run")
     time = run.get("time")
     when = " (%.2f s)" % time[row] if with_legend and row < len(time) else ""
-    left, span = left_at_end(run, x)
+    left, what = left_at_end(run, x)
     axes.plot(factor * x[row], depth, color=style.HORIZONTAL, lw=1.8, label="at peak of surface" + when)
-    axes.plot(factor * left, depth, color=style.TEXT, lw=1.2, ls="--", label="left: mean of the last %.3g s" % span)
+    axes.plot(factor * left, depth, color=style.TEXT, lw=1.2, ls="--", label=what)
     draw_measured(run, axes, name, 1e-3 * factor)
     axes.axvline(0, color="#8a8a8a", lw=0.7)
     axes.set_ylim(depth.max(), min(depth.min(), 0))

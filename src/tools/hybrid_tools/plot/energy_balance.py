@@ -14,7 +14,15 @@ STEPS = [(1e3, 1.0, "J/m"), (1e6, 1e-3, "kJ/m"), (1e9, 1e-6, "MJ/m"), (np.inf, 1
 LESSER = 0.1  # of the largest term: smaller ones have a panel of their own
 SMALL_OF_LESSER = 0.03  # in that panel
 SMALL = 0.01  # of the largest term: smaller ones are drawn as their sum
-MOST = len(style.CURVES)  # curves
+MOST = len(style.CURVES)  # curves of a panel
+# Every term of the audit: its place says how it is drawn, the usual ones first, so that no two of a figure look the same.
+TERMS = ("input_work", "boundary_loss", "blocks_gravity", "friction_loss", "joints_and_contacts", "blocks_kinetic", "water_work",
+         "bedrock_static_stress", "blocks_strain", "base_work", "bedding_loss", "bedrock_strain", "blocks_damping_loss", "bedrock_kinetic",
+         "bedrock_damping_loss", "blocks_integration_loss", "fracture_loss", "edge_load_work", "yield_loss", "bedrock_integration_loss",
+         "spring_replacement_loss", "boundary_springs", "bedding_static_stress")
+LINES = ("-", (0, (5, 1.5)), (0, (1, 1.2)))  # of the first nine terms, the next nine, the others
+REST = {"color": "#8a8a8a", "ls": "--"}  # the sum of the smaller terms
+UNKNOWN = {"color": "#8a8a8a", "ls": "-."}  # terms of runs of another version
 
 
 def read_terms(run):
@@ -42,14 +50,21 @@ def grouped(terms, small=SMALL):
     return found, rest
 
 
-def draw_terms(axes, time, terms, small=SMALL, colour=0):
-    """small: as in grouped(). colour: number of the first one."""
+def look(name):
+    """Colour and line of a term: the same in every figure."""
+    if name not in TERMS:
+        return UNKNOWN
+    place = TERMS.index(name)
+    return {"color": style.CURVES[place % MOST], "ls": LINES[place // MOST]}
+
+
+def draw_terms(axes, time, terms, small=SMALL):
+    """small: as in grouped()."""
     largest = max(np.abs(v).max() for v in terms.values())
     found, rest = grouped(terms, small)
-    for i, (name, values) in enumerate(found.items()):
+    for i, (words, values) in enumerate(found.items()):
         is_rest = bool(rest) and i == len(found) - 1
-        axes.plot(time, style.scaled(values, largest, STEPS)[0], color="#8a8a8a" if is_rest else style.CURVES[(i + colour) % MOST],
-                  ls="-" if i < MOST and not is_rest else "--", lw=1.1, label=name)
+        axes.plot(time, style.scaled(values, largest, STEPS)[0], lw=1.1, label=words, **(REST if is_rest else look(words.replace(" ", "_"))))
     axes.set_ylabel("energy [%s]" % style.scaled(0.0, largest, STEPS)[1])
     axes.set_xlim(time[0], time[-1])
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
@@ -100,7 +115,7 @@ def draw(run, directory):
         n = len(terms) - len(few)  # the largest terms; the panel with more to see is the higher one
         heights = (1.8, 2.7) if n <= 3 else (2.7, 1.8)
         panels = [(heights[0], lambda axes: draw_terms(axes, time, terms, LESSER)),
-                  (heights[1], lambda axes: draw_terms(axes, time, few, SMALL_OF_LESSER, n))]
+                  (heights[1], lambda axes: draw_terms(axes, time, few, SMALL_OF_LESSER))]
     if failed:
         panels.append((1.7, lambda axes: draw_failures(axes, failed, at_rest, time[-1])))
     if run.has("energy/residual"):
