@@ -32,4 +32,20 @@ namespace hybrid::scene::test
                  {"Motion/Vertical peak", "is not used without Motion/Vertical file"},
                  {"Motion/Vertical file=", "Motion/Vertical peak=1"});
   }
+
+
+  // As tools do that ask for something else than the scene's motion.
+  TEST_F(MotionParametersTest, AMotionThatIsSwitchedOffKeepsItsSettings)
+  {
+    write("up.txt", "0 0\n1 1\n2 0\n");
+    const std::string file =
+      write_scene("subsection Motion\n  set Type = text\n  set File = up.txt\n"
+                  "  set Vertical file = up.txt\n  set Vertical peak = 1\nend\n");
+    EXPECT_EQ(read_scene(file, {"Motion/Type=none"}).motion.type, "none");
+    EXPECT_NO_THROW(
+      read_scene(file, {"Motion/Type=none", "Motion/Spectrum file=" + path("up.txt")}));
+    EXPECT_NO_THROW(read_scene(file, {"Motion/Type=none", "Motion/Vertical file="}));
+    expect_error(write_scene("subsection Motion\n  set Vertical file = up.txt\nend\n"),
+                 {"Motion/Vertical file", "is not used unless Motion/Type"});
+  }
 } // namespace hybrid::scene::test
