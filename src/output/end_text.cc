@@ -82,14 +82,14 @@ namespace hybrid::output
 
 
 
-    /// The larger components.
+    /// The larger components. Displacements have the sign of their axis.
     std::string monitor_text(const MonitorSummary &monitor)
     {
       const char *const axes[] = {" along x", " along y"};
       const int   u = larger(monitor.peak_displacement), a = larger(monitor.peak_acceleration);
       std::string text =
-        "peak " + length_text(std::abs(monitor.peak_displacement[u])) + axes[u] + ", left " +
-        length_text(monitor.final_displacement[u]) +
+        "peak " + length_text(monitor.peak_displacement[u]) + axes[u] + ", " +
+        length_text(monitor.final_displacement[u]) + " at the end" +
         format(", peak acceleration %.2g g", std::abs(monitor.peak_acceleration[a]) / g) + axes[a];
       if (std::isfinite(monitor.amplification[a]))
         text += format(" = %.3g x outcrop", monitor.amplification[a]);

@@ -4,9 +4,9 @@
 #include <hybrid/output/effects_card.h>
 #include <hybrid/output/scene_card.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <thread>
 
 namespace hybrid::output
@@ -48,11 +48,33 @@ namespace hybrid::output
 
 
 
-    std::size_t joints_of_mass(const dda::Model &model)
+    std::string counted(const std::size_t number, const char *what)
     {
-      return std::count_if(model.joints.begin(), model.joints.end(), [](const dda::Joint &joint) {
-        return !joint.within_bedrock();
-      });
+      return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+    }
+
+
+
+    /// Joints between blocks of the mass, and those of the belt: one per edge of a block on it, or
+    /// more where the bedrock has nodes between the ends of that edge.
+    std::string joints_of_mass(const dda::Model &model)
+    {
+      std::size_t                   between = 0, of_belt = 0;
+      std::set<std::pair<int, int>> edges; // block, first vertex
+      for (const dda::Joint &joint : model.joints)
+        if (joint.kind == dda::JointKind::belt)
+          {
+            ++of_belt;
+            edges.insert({joint.block, joint.edge});
+          }
+        else if (!joint.within_bedrock())
+          ++between;
+      std::string text = counted(between, "joint") + " between them";
+      if (of_belt > 0)
+        text += ", a belt of " + counted(edges.size(), "edge");
+      if (of_belt > edges.size())
+        text += " in " + counted(of_belt, "joint") + " (parted at the nodes of the bedrock)";
+      return text;
     }
 
 
@@ -63,7 +85,6 @@ namespace hybrid::output
                   const continuum::Continuum   *continuum,
                   std::string                  &text)
     {
-      const std::size_t n_joints = blocks == nullptr ? 0 : joints_of_mass(*blocks);
       switch (r.part)
         {
           case ModelPart::continuum:
@@ -85,11 +106,9 @@ namespace hybrid::output
                               in_words(r).c_str());
             break;
           case ModelPart::mass:
-            text += card_line("Blocks     %d block%s, %zu joint%s, %s",
-                              blocks->n_mass(),
-                              blocks->n_mass() == 1 ? "" : "s",
-                              n_joints,
-                              n_joints == 1 ? "" : "s",
+            text += card_line("Blocks     %s, %s, %s",
+                              counted(blocks->n_mass(), "block").c_str(),
+                              joints_of_mass(*blocks).c_str(),
                               in_words(r).c_str());
         }
     }

@@ -36,7 +36,7 @@ namespace hybrid::output
       const EndText     text      = end_text(a_run(), scene);
       const std::string found =
         ", 15000 steps, 0 cuts, energy residual 5.0e-08"
-        "\n          crest  peak 16.1 mm along x, left -10.6 mm, peak acceleration 0.43 g along x = 1.49 x outcrop"
+        "\n          crest  peak -16.1 mm along x, -10.6 mm at the end, peak acceleration 0.43 g along x = 1.49 x outcrop"
         "\n          slip on the sliding surface: 10.1 mm left (largest 10.3 mm), 50 % of it slipped "
         "by more than 1 mm; no joint failed"
         "\n          shear strength of the sliding surface: 70 % mobilised at rest, at most 100 %, at "

@@ -65,6 +65,31 @@ namespace hybrid::output
     }
 
 
+    /// The same mass has the same counts on every bedrock.
+    TEST(SceneCard, CountsTheBeltByEdgesHoweverManyNodesTheBedrockHas)
+    {
+      scene::SceneParameters scene  = test::block_parameters(30.);
+      scene.bedrock                 = scene::rigid_bedrock();
+      scene.blocks.bonded           = true;
+      scene.blocks.belt_material    = "rock";
+      scene::SectionMesh mesh       = test::square_blocks(2, 2);
+      mesh.lines["sliding_surface"] = {{0, 1}, {1, 2}};
+      const auto card               = [&](const int pieces) {
+        const dda::Model model =
+          dda::build_model(mesh, scene, test::straight_foundation(0., 1., 3., pieces));
+        return make_scene_card(scene, {}, &model, nullptr).text;
+      };
+      const std::string counts = "Blocks     4 blocks, 4 joints between them, a belt of 2 edges";
+      EXPECT_NE(card(4).find(counts + ", size"), std::string::npos) << card(4);
+      EXPECT_NE(card(8).find(counts + " in 4 joints (parted at the nodes of the bedrock), size"),
+                std::string::npos)
+        << card(8);
+      scene.blocks.belt_material.clear();
+      EXPECT_NE(card(4).find("Blocks     4 blocks, 4 joints between them, size"),
+                std::string::npos);
+    }
+
+
     TEST(SceneCard, SaysWhatABeltHasAfterSlip)
     {
       scene::SceneParameters scene;
