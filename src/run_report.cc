@@ -10,6 +10,7 @@
 #include <hybrid/scene/checks/free_field_check.h>
 #include <hybrid/scene/checks/geometry_warnings.h>
 #include <hybrid/scene/checks/settings_without_effect.h>
+#include <hybrid/scene/checks/water_check.h>
 #include <hybrid/scene/mesh/unit_check.h>
 
 #include <algorithm>
@@ -89,7 +90,9 @@ namespace hybrid
       log.warning(warning);
     for (const std::string &warning : scene::doubtful_values(model.scene, input.motion))
       log.warning(warning);
-    for (const std::string &warning : scene::settings_without_effect(model.mesh, model.scene))
+    for (const std::string &warning : scene::settings_without_effect(model.scene))
+      log.warning(warning);
+    for (const std::string &warning : scene::water_warnings(model.mesh, model.scene))
       log.warning(warning);
     for (const std::string &warning : card.warnings)
       log.warning(warning);

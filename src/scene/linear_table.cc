@@ -68,6 +68,17 @@ namespace hybrid::scene
 
 
 
+  double LinearTable::highest_between(const double from, const double to) const
+  {
+    double found = std::max((*this)(from), (*this)(to));
+    for (const Vec2 &point : points)
+      if (point.x() > from && point.x() < to)
+        found = std::max(found, point.y());
+    return found;
+  }
+
+
+
   LinearTable
   read_linear_table(const std::string &file, const ColumnRange &place, const ColumnRange &value)
   {

@@ -25,6 +25,9 @@ namespace hybrid::scene
     /// From the first to the last place.
     double lowest() const;
     double highest() const;
+
+    /// Highest value from one place to another [@p from <= @p to].
+    double highest_between(double from, double to) const;
   };
 
 

@@ -268,36 +268,6 @@ namespace hybrid::scene
     }
 
 
-    /// Water as deep above the section as the section is high, and deep: perhaps of another datum.
-    void look_at_water(const SectionMesh        &mesh,
-                       const SceneParameters    &scene,
-                       std::vector<std::string> &warnings)
-    {
-      constexpr double             deep   = 100.; // [m]
-      const EnvironmentParameters &around = scene.environment;
-      if (!around.has_water() || mesh.nodes.empty())
-        return;
-      const double level      = around.highest_water();
-      const bool   has_tables = !around.water_tables.empty();
-      const Vec2  *top = &mesh.nodes[0], *bottom = top;
-      for (const Vec2 &x : mesh.nodes)
-        {
-          top    = x.y() > top->y() ? &x : top;
-          bottom = x.y() < bottom->y() ? &x : bottom;
-        }
-      if (!(level - top->y() > std::max(deep, top->y() - bottom->y())))
-        return;
-      std::ostringstream text;
-      text.precision(8);
-      text << (has_tables ? "the water, up to " : "Water/Level = ") << level
-           << (has_tables ? " m, is " : " m is ") << level - top->y()
-           << " m above the highest point of the section at " << at(*top)
-           << ": everything is under water";
-      warnings.push_back(text.str());
-    }
-
-
-
     /// Round-off of places grows with the distance from the origin, and motion that is chaotic
     /// with it.
     void look_at_origin(const SectionMesh &mesh, std::vector<std::string> &warnings)
@@ -340,7 +310,6 @@ namespace hybrid::scene
         if (const std::string text = partly_shared_edges(mesh); !text.empty())
           warnings.push_back(text);
       }
-    look_at_water(mesh, scene, warnings);
     look_at_origin(mesh, warnings);
     return warnings;
   }

@@ -33,49 +33,6 @@ namespace hybrid::scene
     }
 
 
-    /// The lowest node of the blocks, or nullptr without blocks.
-    const Vec2 *lowest_node(const SectionMesh &mesh)
-    {
-      const Vec2 *lowest = nullptr;
-      for (const auto &block : mesh.blocks)
-        for (const int node : block)
-          if (lowest == nullptr || mesh.nodes[node].y() < lowest->y())
-            lowest = &mesh.nodes[node];
-      return lowest;
-    }
-
-
-    void look_at_water(const SectionMesh        &mesh,
-                       const SceneParameters    &scene,
-                       std::vector<std::string> &warnings)
-    {
-      const EnvironmentParameters &around = scene.environment;
-      if (!around.has_water())
-        return;
-      const double       level = around.highest_water();
-      std::ostringstream text;
-      text.precision(8);
-      text << (around.water_tables.empty() ? "Water/Level = " : "the water (section Water), up to ")
-           << level << " m" << (around.water_tables.empty() ? "" : ",") << " has no effect, ";
-      const Vec2 *lowest = lowest_node(mesh);
-      if ((!scene.blocks.enabled && scene.has_continuum()) || lowest == nullptr)
-        text << "as water acts on blocks and there are none";
-      else if (level < lowest->y())
-        text << (scene.environment.water_method == WaterMethod::paper
-                   ? "as the lowest block begins above it at ("
-                   : "until blocks sink below it: the lowest begins at (")
-             << lowest->x() << ", " << lowest->y() << ") m";
-      else if (scene.environment.water_method == WaterMethod::paper &&
-               scene.blocks.saturated_material.empty() &&
-               scene.blocks.saturated_belt_material.empty())
-        text << "as with Water/Method = paper it only chooses materials: set Blocks/Saturated "
-                "material, or the method to submerged or pressures";
-      else
-        return;
-      warnings.push_back(text.str());
-    }
-
-
     void look_at_mesh(const MeshParameters &given, std::vector<std::string> &warnings)
     {
       if (given.left_out.empty())
@@ -121,12 +78,10 @@ namespace hybrid::scene
   } // namespace
 
 
-  std::vector<std::string> settings_without_effect(const SectionMesh     &mesh,
-                                                   const SceneParameters &scene)
+  std::vector<std::string> settings_without_effect(const SceneParameters &scene)
   {
     std::vector<std::string> warnings;
     look_at_motion(scene, warnings);
-    look_at_water(mesh, scene, warnings);
     look_at_mesh(scene.mesh, warnings);
     look_at_planes(scene, warnings);
     look_at_surface(scene, warnings);

@@ -185,6 +185,7 @@ namespace hybrid::scene
     constexpr double       farthest = 1e9, highest = 1e5; // [m, s], [m]
     EnvironmentParameters &around = scene.environment;
     WaterTables           &tables = around.water_tables;
+    around.water_method_is_set    = table.is_set("Water/Method");
     if (!tables.line_file.empty())
       tables.line = read_linear_table(tables.line_file, {"x [m]", farthest}, {"y [m]", highest});
     if (tables.level_file.empty())

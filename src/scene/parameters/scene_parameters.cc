@@ -14,17 +14,6 @@ namespace hybrid::scene
 
 
 
-  double EnvironmentParameters::highest_water() const
-  {
-    double highest = water_level;
-    for (const LinearTable *table : {&water_tables.line, &water_tables.level})
-      if (!table->empty())
-        highest = std::max(highest, table->highest());
-    return highest;
-  }
-
-
-
   bool SceneParameters::has_wet_planes() const
   {
     return bedding.slips && !bedding.names.empty() && environment.has_water() &&

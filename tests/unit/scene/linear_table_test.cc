@@ -52,6 +52,10 @@ TEST_F(LinearTableTest, IsLinearBetweenItsPointsAndConstantBeyond)
   EXPECT_EQ(table(9.), 4.);
   EXPECT_EQ(table.lowest(), 2.);
   EXPECT_EQ(table.highest(), 6.);
+  EXPECT_EQ(table.highest_between(-9., 9.), 6.);
+  EXPECT_EQ(table.highest_between(3., 9.), 5.);
+  EXPECT_EQ(table.highest_between(-9., 0.), 4.);
+  EXPECT_EQ(table.highest_between(7., 9.), 4.);
   EXPECT_EQ(LinearTable({{{3., 7.}}})(0.), 7.);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hybrid/scene/mesh/section_mesh.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 
 #include <string>
@@ -12,8 +11,7 @@ namespace hybrid::scene
   /**
    * What the user has asked for and will not get because another setting switches it off, one
    * sentence each: a motion below a fixed base, a record that the type of motion does not read,
-   * water that neither changes a material nor reaches a block, bedding planes in a rigid bedrock.
+   * bedding planes in a rigid bedrock.
    */
-  std::vector<std::string> settings_without_effect(const SectionMesh     &mesh,
-                                                   const SceneParameters &scene);
+  std::vector<std::string> settings_without_effect(const SceneParameters &scene);
 } // namespace hybrid::scene

@@ -29,9 +29,10 @@ namespace hybrid::scene
     int         lifts       = 10;     ///< of a mass that is placed in stages [-], 1..1000
     double      water_level = -1e300; ///< of the reservoir at the start [m]; none: below -1e299
     WaterTables water_tables;
-    WaterMethod water_method  = WaterMethod::paper;
-    WaterPlace  static_water  = WaterPlace::moved;
-    double      water_density = 1000.; ///< [kg/m3], > 0
+    WaterMethod water_method        = WaterMethod::paper;
+    bool        water_method_is_set = false; ///< by the user
+    WaterPlace  static_water        = WaterPlace::moved;
+    double      water_density       = 1000.; ///< [kg/m3], > 0
 
     bool has_level() const
     {
@@ -46,8 +47,6 @@ namespace hybrid::scene
     /// Elevation of the water at the start, the higher one of level and line [m]; below it the
     /// saturated materials hold (initial position of the block).
     double water_at(double x) const;
-
-    double highest_water() const; ///< at any place and time [m]
 
     /// The mass begins with the stress of being placed in lifts, one after another.
     bool is_staged() const

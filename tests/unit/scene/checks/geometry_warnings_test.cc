@@ -102,13 +102,4 @@ namespace hybrid::scene
       node.x() += 99100.;
     expect({"100010 m from the origin and is 10.19804 m across"});
   }
-
-
-  TEST_F(GeometryWarnings, WaterOfAnotherDatumIsNamed)
-  {
-    scene.environment.water_level = 3.; // half of the section's height above it
-    expect({});
-    scene.environment.water_level = 175.;
-    expect({"Water/Level = 175 m is 173 m above", "(2.5, 2) m"});
-  }
 } // namespace hybrid::scene

@@ -16,19 +16,16 @@ namespace hybrid::scene
     class SettingsWithoutEffect : public testing::Test
     {
     protected:
-      SectionMesh     mesh;
       SceneParameters scene;
 
       void SetUp() override
       {
-        mesh.nodes    = {{0., 5.}, {1., 5.}, {1., 6.}};
-        mesh.blocks   = {{0, 1, 2}};
         scene.bedrock = continuum_bedrock();
       }
 
       void expect(const std::vector<std::string> &words) const
       {
-        test::expect_warning(settings_without_effect(mesh, scene), words);
+        test::expect_warning(settings_without_effect(scene), words);
       }
     };
   } // namespace
@@ -110,22 +107,6 @@ namespace hybrid::scene
       }
     scene.motion.type = "ricker";
     expect({"Motion/Magnitude and Distance have no effect", "Motion/Type = ricker", "stochastic"});
-  }
-
-
-  TEST_F(SettingsWithoutEffect, WaterMustReachABlockAndDoSomething)
-  {
-    scene.environment.water_level = 5.5;
-    expect({"Water/Level = 5.5 m has no effect", "Blocks/Saturated material"});
-    scene.blocks.saturated_material = "clay";
-    expect({});
-    scene.blocks.saturated_material = {};
-    scene.environment.water_method  = WaterMethod::pressures;
-    expect({});
-    scene.environment.water_level = -100.;
-    expect({"Water/Level = -100 m has no effect", "(0, 5) m"});
-    scene.blocks.enabled = false;
-    expect({"acts on blocks and there are none"});
   }
 
 
