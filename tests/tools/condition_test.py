@@ -60,11 +60,27 @@ def test_a_block_slides_the_same_in_every_event_as_newmark_says(hybrid, tmp_path
     assert Events(run, found["period_s"]).event(2).failures == 0
 
 
+def test_a_scene_that_would_end_at_rest_comes_again(hybrid, tmp_path):
+    """Rest speed and an error target are those of one run."""
+    words = ("--quiet", "5", "--events", "2") + BLOCK_WORDS[4:] + ("-s", "Time/Rest speed=0.01", "-s", "Time/Error target=0.001 %")
+    result = hybrid("condition", BLOCK, *words, "--output", tmp_path / "out")
+    assert result.returncode == 0, result.stderr
+    run = Run(tmp_path / "out/run")
+    assert len(read(tmp_path / "out")["rows"]) == 2 and run.time[-1] == pytest.approx(14) and np.diff(run.time).max() == pytest.approx(0.002)
+
+
 def test_results_of_another_scene_are_not_replaced(hybrid, tmp_path):
     (tmp_path / "condition.json").write_text(json.dumps({"scene": "/elsewhere/scene.prm"}))
     result = hybrid("condition", SLAB, "--output", tmp_path)
     assert result.returncode == 2 and "holds results of '/elsewhere/scene.prm'" in result.stderr
     assert not (tmp_path / "run").exists()
+
+
+def test_a_level_in_time_is_refused(hybrid, tmp_path):
+    (tmp_path / "level.csv").write_text("time,level\n0,10\n2,0\n")
+    result = hybrid("condition", BLOCK, *BLOCK_WORDS, "-s", "Water/Level file=level.csv", "-s", "Water/Method=submerged", "--output", "out", cwd=tmp_path)
+    assert result.returncode == 2 and "would differ from event to event: Water/Level file" in result.stderr and result.stderr.count("\n") == 1
+    assert not (tmp_path / "out/run").exists()
 
 
 @pytest.mark.parametrize("words, part", [

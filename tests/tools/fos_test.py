@@ -234,6 +234,44 @@ def test_a_dam_does_not_slide_out_of_the_thrust_of_its_water(hybrid, tmp_path, m
     assert found["jump_of_displacement"] > 100 and "warning" not in result.stdout
 
 
+PUSH, FRICTION, DRY, WIDE = 0.2, np.tan(np.radians(30)), 8 * 10 * 2400, 8 * 1000  # weight [kg/m], buoyancy per level [kg/m2]
+
+
+@pytest.fixture
+def pushed_block(tmp_path):
+    """A rectangle of 8 x 10 m on level ground, pushed by 0.2 of its weight, in water that rises from 0 to 5 m in 10 s."""
+    scene = tmp_path / "pushed.prm"
+    scene.write_text((DAM % "submerged").replace("Line file = line.csv", "Level file = level.csv") + """subsection Gravity
+  set Horizontal coefficient = %g
+end
+subsection Motion
+  set Type = text
+  set File = along.txt
+  set Peak = 1 m/s2
+  set Vertical file = up.txt
+  set Vertical peak = 0.5 m/s2
+end
+""" % PUSH)
+    for name, rows in (("dam.csv", "block,x,y\n1,0,0\n1,8,0\n1,8,10\n1,0,10\n"), ("ground.csv", "x,y\n-50,0\n50,0\n"),
+                       ("level.csv", "time,level\n0,0\n10,5\n"), ("along.txt", "0 0\n0.1 1\n0.2 0\n"), ("up.txt", "0 0\n0.1 1\n0.2 0\n")):
+        (tmp_path / name).write_text(rows)
+    return scene
+
+
+@pytest.mark.parametrize("words, level, said", [
+    ([], 0, "level 0 m (Water/Level file at 0 s; --time tells it at another time), Method submerged"),
+    (["--time", "4"], 2, "level 2 m (Water/Level file at 4 s), Method submerged"),
+    (["--time", "99"], 5, "level 5 m (Water/Level file at 99 s), Method submerged"),
+    (["-s", "Water/Level file=", "-s", "Water/Level=3"], 3, "level 3 m, Method submerged")])
+def test_a_factor_is_of_the_level_at_a_time_and_tells_it(hybrid, pushed_block, tmp_path, words, level, said):
+    """A record of two components, which shakes nothing here, is in no one's way."""
+    result = hybrid("fos", pushed_block, *words, "--output", tmp_path / "out")
+    assert result.returncode == 0, result.stderr
+    found = read(tmp_path / "out", "fos")
+    assert_brackets(found, "fos", (DRY - WIDE * level) * FRICTION / (PUSH * DRY), 0.005)
+    assert "water    " + said + "\n" in result.stdout and found["water"]["level_m"] == level
+
+
 def test_a_slope_on_level_ground_is_pushed_downhill_and_a_wedge_on_it_both_ways(hybrid, tmp_path):
     """A triangle with a vertical back turns over its toe sooner than over its heel; a polygon has no mass_surface that falls."""
     wedge = DAM % "paper"
@@ -434,7 +472,8 @@ def test_a_block_that_may_slide_both_ways_drifts_by_the_difference():
 
 @pytest.mark.parametrize("words, part", [
     (["nowhere.prm"], "'nowhere.prm' is no parameter file"), ([SLAB, "--newmark"], "--newmark needs the output directory of a run"),
-    ([SLAB, "--tolerance", "0"], "--tolerance is 0"), ([SLAB, "--range", "2", "1"], "two rising factors"),
+    ([SLAB, "--tolerance", "0"], "--tolerance is 0"), ([SLAB, "--time", "-1"], "--time is -1"),
+    ([SLAB, "--time", "1"], "the water does not change in time"), ([SLAB, "--range", "2", "1"], "two rising factors"),
     ([SLAB, "-s", "Gravity/Acceleration=0"], "nothing settles: there is no gravity"),
     ([PLANES, "--yield"], "a scene without blocks has no sliding mass"),
     ([SLAB, "--range", "1.5", "2"], "fails at its lower end"), ([SLAB, "--range", "1", "1.1"], "stands at its upper end"),

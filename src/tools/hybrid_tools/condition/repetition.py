@@ -36,9 +36,13 @@ class Repetition:
             raise UserError("'%s' has no motion that could come again: Motion/Type is none" % scene)
         if values["Edge loads/Tractions"]:
             raise UserError("'%s' has edge loads, which would act in the first event only: Edge loads/Tractions" % scene)
+        if values["Water/Level file"]:
+            raise UserError("'%s' has a level of the water in time, which would differ from event to event: Water/Level file; give the level of all "
+                            "events, -s \"Water/Level file=\" -s \"Water/Level=...\"" % scene)
         step = float(values["Time/Time step"])
         self.period = step * round((float(values["Time/End time"]) + quiet) / step)  # [s]
-        self.fixed = {"Time/Error estimate": "one run", "Mesh/Error estimate": "one run", "Motion/Repetitions": events, "Motion/Repetition interval": "%.12g" % self.period}
+        self.fixed = {"Time/Error estimate": "one run", "Time/Error target": "none", "Mesh/Error estimate": "one run", "Time/Rest speed": "none",
+                      "Motion/Repetitions": events, "Motion/Repetition interval": "%.12g" % self.period}
         if values["Checkpoint/Step interval"] == values["Checkpoint/Wall interval"] == "0":
             self.fixed["Checkpoint/Wall interval"] = 600  # there has to be one to go on from
 

@@ -17,7 +17,9 @@ from hybrid_tools.fos.kinks import holding_kink
 from hybrid_tools.fos.other_equilibrium import warn_of_other_equilibrium
 from hybrid_tools.fos.search import factor_of_safety, yield_coefficient
 from hybrid_tools.fos.trial import Trials
+from hybrid_tools.fos.water import Water
 from hybrid_tools.results_place import default_directory, refuse_other_scene
+from hybrid_tools.study import program
 
 FACTOR = "Materials/Strength reduction factor"
 JUMP = 3.0  # of the largest displacement between the trial that stands and the one that fails, at least
@@ -25,6 +27,7 @@ APART = 0.1  # of the largest motion: blocks of the mass slide on each other
 COEFFICIENT = "Gravity/Horizontal coefficient"
 EXAMPLES = """  hybrid fos my.prm                      # factor of safety
   hybrid fos my.prm -s "Gravity/Horizontal coefficient=-0.1"     # the same, pseudo-static
+  hybrid fos my.prm --time 20            # with the level that Water/Level file has at 20 s
   hybrid fos my.prm --yield              # horizontal coefficient at which it fails
   hybrid fos output/slope --newmark      # displacements of that run's motion by simpler methods
 """
@@ -40,6 +43,7 @@ def read_words(words):
                            help="yield acceleration: the horizontal coefficient, pushing downhill, at which the slope fails")
     arguments.add_argument("--newmark", action="store_true",
                            help="of a run's directory: yield acceleration, then Newmark's rigid block and the decoupled displacement")
+    arguments.add_argument("--time", type=float, help="time of the level of the water, where Water/Level file moves it [s] (default: 0)")
     arguments.add_argument("--tolerance", type=float, default=0.005,
                            help="width of the bracket over the factor; a tenth of it for the coefficient (default 0.005)")
     arguments.add_argument("--range", nargs=2, type=float, metavar=("LOW", "HIGH"), help="factors between which to look")
@@ -48,6 +52,8 @@ def read_words(words):
     found = arguments.read(words)
     if not 1e-6 <= found.tolerance < 0.5:
         raise UserError("--tolerance is %g: between 1e-6 and 0.5 is allowed" % found.tolerance)
+    if found.time is not None and not 0 <= found.time <= 1e9:
+        raise UserError("--time is %g: 0 to 1e9 s are allowed" % found.time)
     if found.range and not 0 < found.range[0] < found.range[1]:
         raise UserError("--range is %g %g: two rising factors above 0 are allowed" % tuple(found.range))
     return found
@@ -204,12 +210,15 @@ def main(words):
     name = "yield" if found.coefficient or found.newmark else "fos"
     if not found.force:
         refuse_other_scene(directory, name, scene)
+    water = Water(program.parameters(scene, found.overrides), found.time)
     os.makedirs(directory, exist_ok=True)
-    trials = Trials(scene, found.overrides, directory, lambda line: print(line, flush=True))
+    trials = Trials(scene, found.overrides + water.overrides(), directory, lambda line: print(line, flush=True))
+    if water.words():
+        print("water    " + water.words(), flush=True)
     style.apply()
     bracket = find_yield(trials, found) if name == "yield" else find_factor(trials, found)
     results = {"scene": os.path.abspath(scene), "overrides": found.overrides,
-               name: bracket.value, "stands": bracket.stands.value, "fails": bracket.fails.value}
+               name: bracket.value, "stands": bracket.stands.value, "fails": bracket.fails.value, **water.results()}
     if bracket.towards is not None:
         results["towards"] = flanks.name_of(bracket.towards)
     if hasattr(bracket, "other_way"):

@@ -36,8 +36,8 @@ class Trials:
         self.done = []
 
     def settings(self, changes):
-        static = ["Time/Time step=" + STEP, "Time/End time=" + STEP, "Motion/Type=none", "Gravity/Static stage=equilibrium",
-                  "Water/Static place=drawn"]
+        static = ["Time/Time step=" + STEP, "Time/End time=" + STEP, "Time/Error target=none", "Motion/Type=none",
+                  "Gravity/Static stage=equilibrium", "Water/Static place=drawn"]
         return self.overrides + static + ["%s=%.12g" % change for change in changes.items()]
 
     def repeat_warnings(self, directory):
