@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 namespace hybrid::output
 {
@@ -122,13 +124,17 @@ namespace hybrid::output
     /// Which region of the mass is of what, and the strength at which blocks yield.
     void describe_mass_materials(const scene::SceneParameters &scene, std::string &text)
     {
-      for (const std::string &region : scene.blocks.material.regions())
+      std::vector<std::string> regions = scene.blocks.material.regions();
+      const std::string        others  = "*";
+      if (!regions.empty() && !scene.blocks.material.of(others).empty())
+        regions.push_back(others);
+      for (const std::string &region : regions)
         {
           const std::string &dry         = scene.blocks.material.of(region);
           const std::string &wet         = scene.mass_material(region, true).name;
           const bool         is_also_wet = scene.environment.has_water() && wet != dry;
           text += card_line("  material           on   %s: %s%s",
-                            region.c_str(),
+                            region == others ? "all other regions" : region.c_str(),
                             dry.c_str(),
                             is_also_wet ? (", below the water " + wet).c_str() : "");
         }

@@ -90,6 +90,23 @@ namespace hybrid::output
     }
 
 
+    TEST(SceneCard, NamesTheMaterialsOfRegions)
+    {
+      scene::SceneParameters scene;
+      for (const char *const name : {"rock", "soil", "mud"})
+        scene.materials[name].name = name;
+      scene.bedrock         = scene::rigid_bedrock();
+      scene.blocks.material = scene::RegionMaterials::parse("*: rock; sliding_mass_debris: soil");
+      scene.blocks.saturated_material = scene::RegionMaterials::parse("sliding_mass_debris: mud");
+      const auto        card   = [&] { return make_scene_card(scene, {}, nullptr, nullptr).text; };
+      const std::string debris = "  material           on   sliding_mass_debris: soil";
+      EXPECT_NE(card().find(debris + "\n  material           on   all other regions: rock\n"),
+                std::string::npos);
+      scene.environment.water_level = 3.;
+      EXPECT_NE(card().find(debris + ", below the water mud\n"), std::string::npos);
+    }
+
+
     TEST(SceneCard, SaysWhatABeltHasAfterSlip)
     {
       scene::SceneParameters scene;

@@ -17,7 +17,7 @@ def warn_of_other_equilibrium(name, bracket, trials, change, results):
         return
     softer = SOFTER * float(run.parameters[SHEAR_RATIO].split()[0])
     value = CLEARLY[name] * bracket.stands.value
-    other = trials("other_%.6g" % value, value, dict(change(value), **{SHEAR_RATIO: softer}))
+    other = trials("softer_%.6g" % value, value, dict(change(value), **{SHEAR_RATIO: softer}))
     trials.done.remove(other)  # of another scene
     results["stands_with_softer_shear"] = other.stands
     if not other.stands:
