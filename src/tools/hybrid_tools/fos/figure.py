@@ -32,11 +32,14 @@ def mechanism(bracket):
 
 
 def parting(bracket):
-    """Largest difference of the motions of blocks of the mass at a corner that they share, over the largest motion [-]: 0 if they move as one."""
+    """Largest difference of the motions of blocks of one material of the mass at a corner that they share, over the largest motion [-]: 0 if
+    they move as one. Where two materials meet the mass may have a plane to fail along."""
+    run = bracket.fails.run()
     points, motion, offsets = mechanism(bracket)
-    end = offsets[bracket.fails.run().blocks.mass.stop]
-    points, motion = points[:end], motion[:end]
-    _, corner = np.unique(np.round(points, 6), axis=0, return_inverse=True)
+    n_blocks = run.blocks.mass.stop
+    material = np.repeat(run.get("section/blocks_material")[:n_blocks], np.diff(offsets)[:n_blocks])
+    points, motion = points[:offsets[n_blocks]], motion[:offsets[n_blocks]]
+    _, corner = np.unique(np.c_[np.round(points, 6), material], axis=0, return_inverse=True)
     corner = np.ravel(corner)
     low, high = np.full((corner.max() + 1, 2), np.inf), np.full((corner.max() + 1, 2), -np.inf)
     np.minimum.at(low, corner, motion)
