@@ -5,6 +5,7 @@
 #include <hybrid/output/step_difference.h>
 #include <hybrid/output/told_errors.h>
 #include <hybrid/run_directory.h>
+#include <hybrid/scene/crash_guard.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/mesh/corner_cells.h>
 #include <hybrid/scene/parameters/corner_levels.h>
@@ -70,6 +71,7 @@ namespace hybrid
       {
         if (processes.from_first(interruption.is_requested() ? 1. : 0.) != 0.)
           return fail(was_interrupted);
+        leave_nothing();           // of the run before
         if (processes.count() > 1) // one that fails ends all
           return compute(scene_with(overrides, end), many, most_left);
         try
@@ -443,7 +445,12 @@ namespace hybrid
       }
     if (end_of_coarser > 0.)
       {
+        scene::CrashGuard::spoils_nothing(
+          "          of the mesh: not told, gmsh crashes on a coarser mesh\nResults   " +
+          run.directory +
+          " are complete; Mesh/Error estimate = one run leaves this out. The mesh is of ");
         const MeshRuns found = compute_meshes(own_mesh, end_of_coarser, runs, processes);
+        scene::CrashGuard::spoils_nothing("");
         processes.on_first([&] { tell_mesh_error(found, runs, run, log); });
       }
     runs.leave_nothing();

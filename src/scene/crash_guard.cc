@@ -18,6 +18,8 @@ namespace hybrid::scene
     std::string sentence;
     std::string memory_sentence; ///< where memory was the reason
 
+    std::string words_of_complete_run; ///< empty: a crash is an error
+
     std::vector<std::string> to_delete;
 
     struct sigaction earlier[4]; ///< handlers to be put back
@@ -30,7 +32,9 @@ namespace hybrid::scene
         if (unlink(path.c_str()) != 0)
           rmdir(path.c_str());
       const auto written = write(STDERR_FILENO, text.data(), text.size());
-      _exit(written < 0 ? 3 : 2);
+      if (written < 0)
+        _exit(3);
+      _exit(words_of_complete_run.empty() ? 2 : 0);
     }
 
 
@@ -65,7 +69,9 @@ namespace hybrid::scene
   {
     suspect("look for curve loops that do not close, for curves that cross or lie within a "
             "recombined surface (divide the surface along them) and for malformed lines");
-    memory_sentence         = "error: " + file + ": " + ReadingLimit::memory_sentence() + "\n";
+    memory_sentence         = words_of_complete_run.empty()
+                                ? "error: " + file + ": " + ReadingLimit::memory_sentence() + "\n"
+                                : sentence;
     struct sigaction action = {};
     action.sa_handler       = end_crash;
     for (int i = 0; i < 4; ++i)
@@ -82,9 +88,18 @@ namespace hybrid::scene
 
 
 
+  void CrashGuard::spoils_nothing(std::string words)
+  {
+    words_of_complete_run = std::move(words);
+  }
+
+
+
   void CrashGuard::suspect(const std::string &what)
   {
-    sentence = "error: " + file + ": gmsh crashes on this file: " + what + ".\n";
+    sentence = words_of_complete_run.empty()
+                 ? "error: " + file + ": gmsh crashes on this file: " + what + ".\n"
+                 : words_of_complete_run + file + "\n";
   }
 
 

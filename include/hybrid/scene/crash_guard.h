@@ -27,6 +27,10 @@ namespace hybrid::scene
     /// instead of those given before.
     static void delete_at_crash(std::vector<std::string> paths);
 
+    /// From now on a crash ends a run whose results are complete: with these words, after the
+    /// file's name, and exit code 0. Empty: it is an error again.
+    static void spoils_nothing(std::string words);
+
     /// Name what the crash will be due to, in place of a list of what it may be due to.
     /// @param what "bedding_1 lies within surface 1: divide the surface along it".
     void suspect(const std::string &what);
