@@ -160,16 +160,16 @@ namespace hybrid::output
     double                         softest = std::numeric_limits<double>::infinity(); // [Pa]
     for (const std::string &name : blocks.material.names())
       softest = std::min(softest, scene.material(name, "Blocks/Material").young_modulus);
-    std::vector<std::string> names = of_mass;
-    names.insert(names.end(), {blocks.belt_material, blocks.saturated_belt_material});
+    std::vector<std::string> names = of_mass, of_bonds = scene.bond_materials();
+    names.insert(names.end(), of_bonds.begin(), of_bonds.end());
     for (const std::string &name : names)
       {
         const auto is_this = [&](const Unresolved &other) { return other.name == name; };
-        if (name.empty() || std::any_of(found.begin(), found.end(), is_this))
+        if (std::any_of(found.begin(), found.end(), is_this))
           continue;
-        const bool   is_belt  = std::count(of_mass.begin(), of_mass.end(), name) == 0;
+        const bool   is_bond  = std::count(of_mass.begin(), of_mass.end(), name) == 0;
         const double strength = scene.material(name, "Blocks/Material").tensile_strength;
-        const double e = is_belt ? softest : scene.material(name, "Blocks/Material").young_modulus;
+        const double e = is_bond ? softest : scene.material(name, "Blocks/Material").young_modulus;
         const double size = e * blocks.fracture_energy / (strength * strength);
         if (strength > 0. && strength <= 0.05 * e && largest > (1. + round_off) * size)
           found.push_back({size, 0.5 * strength * strength * largest / e, name});

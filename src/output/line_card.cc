@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/line_card.h>
+#include <hybrid/scene/mesh/joint_lines.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -50,6 +51,36 @@ namespace hybrid::output
         scene.environment.has_water() && !blocks.saturated_belt_material.empty();
       return "bonded to blocks that share its edges, belt material " + blocks.belt_material +
              (has_wet_belt ? " (below the water " + blocks.saturated_belt_material + ")" : "");
+    }
+
+
+    /// "clay (phi 12 deg, c 0 Pa, tensile strength 0 Pa)"
+    std::string with_strength(const Material &m)
+    {
+      char text[120];
+      std::snprintf(text,
+                    sizeof(text),
+                    " (phi %g deg, c %g Pa, tensile strength %g Pa)",
+                    m.friction_angle,
+                    m.cohesion,
+                    m.tensile_strength);
+      return m.name + text;
+    }
+
+
+    std::string role_of_joints(const std::string &line, const SceneParameters &scene)
+    {
+      const scene::BlockParameters &blocks = scene.blocks;
+      if (!blocks.enabled)
+        return "not used, as there are no blocks";
+      const Material *dry = scene.joint_material(line, false);
+      if (dry == nullptr)
+        return "like all other edges of blocks, as Blocks/Joint materials does not list it";
+      const Material &wet = *scene.joint_material(line, true);
+      return (blocks.bonded ? "joints of " : "contacts of ") + with_strength(*dry) +
+             (scene.environment.has_water() && &wet != dry
+                ? ", below the water of " + with_strength(wet)
+                : "");
     }
 
 
@@ -134,6 +165,8 @@ namespace hybrid::output
         return "only drawn";
       if (name == "sliding_surface" && (scene.blocks.enabled || has_cells(scene)))
         return role_of_sliding_surface(scene);
+      if (scene::is_joint_line(name))
+        return role_of_joints(name, scene);
       if (!has_cells(scene))
         return name == "ground" ? "surface of the rigid base" : "not used, as the bedrock is rigid";
       if (name == "base")

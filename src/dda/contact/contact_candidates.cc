@@ -60,7 +60,8 @@ namespace hybrid::dda
   void ContactCandidates::set_skipped_pairs(const SkippedPairs &given)
   {
     if (given.bonded == skipped.bonded && given.surface == skipped.surface &&
-        given.scope == skipped.scope && given.held_off == skipped.held_off)
+        given.scope == skipped.scope && given.held_off == skipped.held_off &&
+        given.outline == skipped.outline)
       return;
     skipped = given;
     lookup  = given;

@@ -35,7 +35,7 @@ namespace hybrid::dda
 
 
   /// The side above a seam, seen from the row: the edge's end slides on a third body, and its
-  /// support goes on along one of the two edges of the vertex.
+  /// support goes on along one of the two edges of the vertex, or over the vertex as a tip.
   bool ContactDetection::is_above_seam(const Geometry &geometry, const std::size_t i) const
   {
     if (trials[i].history == ContactTrial::History::same_edge && trials[i].gap <= 0.)
@@ -56,14 +56,22 @@ namespace hybrid::dda
           return true;
         const Range support = trials_of(c.edge_body, end);
         for (auto k = support.first; k != support.second; ++k)
+          if (runs_over_tip(geometry, *k, c, p - q))
+            return true;
+        for (auto k = support.first; k != support.second; ++k)
           for (const int g : {edge_before(geometry, c.vertex_body, c.vertex),
                               edge_after(geometry, c.vertex_body, c.vertex)})
             {
               if (g < 0)
                 continue;
               const Vec2  &normal = frames.edge(c.vertex_body, g).normal;
-              const double height =
-                PairTolerances::narrower(tolerances, tolerances_of(k->contact)).seam_height(k->gap);
+              const double height = PairTolerances::narrower(tolerances, tolerances_of(k->contact))
+                                      .seam_height(k->gap) +
+                                    step_between(geometry,
+                                                 candidates.outline(),
+                                                 {k->contact.edge_body, k->contact.edge},
+                                                 {c.vertex_body, g},
+                                                 normal);
               if (!is_same_body(geometry, k->contact.edge_body, c.vertex_body) &&
                   -mine.dot(normal) < ContactTolerances::continuing_cosine &&
                   normal.dot(frames.edge(k->contact.edge_body, k->contact.edge).normal) >=
@@ -73,6 +81,29 @@ namespace hybrid::dda
             }
       }
     return false;
+  }
+
+
+
+  /// The line of what carries the end of an edge runs over the vertex, a tip below it.
+  /// @param way from the end to the vertex [m]
+  bool ContactDetection::runs_over_tip(const Geometry     &geometry,
+                                       const ContactTrial &support,
+                                       const Contact      &c,
+                                       const Vec2         &way) const
+  {
+    const Contact &on     = support.contact;
+    const Vec2    &normal = frames.edge(on.edge_body, on.edge).normal;
+    return !is_surface(geometry, c.vertex_body) &&
+           !is_same_body(geometry, on.edge_body, c.vertex_body) &&
+           falls_away(geometry,
+                      frames,
+                      c.vertex_body,
+                      c.vertex,
+                      normal,
+                      ContactTolerances::continuing_sine) &&
+           support.gap + normal.dot(way) <=
+             PairTolerances::narrower(tolerances_of(c), tolerances_of(on)).seam_height(support.gap);
   }
 
 

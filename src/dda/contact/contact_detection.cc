@@ -275,7 +275,7 @@ namespace hybrid::dda
     trials.clear();
     first_of_vertex.assign(geometry.vertices.size(), -1);
     first_of_node.assign(geometry.foundation_nodes.size(), -1);
-    selection.begin_step(geometry, frames);
+    selection.begin_step(geometry, frames, candidates.outline());
     auto  old = previous.begin();
     Group group;
     for (std::size_t i = 0; i < list.size(); i = group.end)
@@ -283,7 +283,8 @@ namespace hybrid::dda
         group          = group_at(i);
         const int body = list[i].vertex_body, vertex = list[i].vertex;
         char     &settled = StillnessCache::settled(rest, body, vertex);
-        if (frames.corner(body, vertex) != Corner::convex && !is_surface(geometry, body))
+        if (!is_surface(geometry, body) && (frames.corner(body, vertex) != Corner::convex ||
+                                            candidates.outline().covers_corner(geometry, vertex)))
           {
             settled = 1;
             continue;
@@ -355,7 +356,8 @@ namespace hybrid::dda
       selection.add_edge(body, candidate.edge);
     else
       for (int e = geometry.offset[body]; e < geometry.offset[body + 1]; ++e)
-        selection.add_edge(body, e);
+        if (!candidates.outline().covers(e))
+          selection.add_edge(body, e);
   }
 
 

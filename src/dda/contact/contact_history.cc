@@ -12,19 +12,22 @@ namespace hybrid::dda
 
 
 
-  void ContactHistory::set(const Geometry      &geometry,
+  void ContactHistory::set(const Geometry      &geometry_,
                            const OutlineFrames &frames_,
+                           const BondedOutline &outline_,
                            const Vec2          &point,
                            const Contact       *contacts,
                            const int            n)
   {
-    frames = &frames_;
+    geometry = &geometry_;
+    frames   = &frames_;
+    outline  = &outline_;
     entries.clear();
     for (int i = 0; i < n; ++i)
       {
         const Contact   &c     = contacts[i];
         const EdgeFrame &edge  = frames->edge(c.edge_body, c.edge);
-        const Vec2       r     = point - position(geometry, c.edge_body, c.edge);
+        const Vec2       r     = point - position(*geometry, c.edge_body, c.edge);
         const double     along = r.dot(edge.direction);
         entries.push_back({&c,
                            r.dot(edge.normal),
@@ -46,9 +49,9 @@ namespace hybrid::dda
 
 
 
-  int
-  ContactHistory::find_continued(const int edge_body, const Vec2 &normal, const double gap) const
+  int ContactHistory::find_continued(const int edge_body, const int edge, const double gap) const
   {
+    const Vec2 &normal = frames->edge(edge_body, edge).normal;
     for (std::size_t i = 0; i < entries.size(); ++i)
       {
         const Entry             &e = entries[i];
@@ -57,12 +60,30 @@ namespace hybrid::dda
           PairTolerances::narrower(pairs.of(c.vertex_body, c.edge_body),
                                    pairs.of(c.vertex_body, edge_body));
         const double height =
-          tolerances.seam_height(e.gap) + tolerances.continuing_sine * e.overhang;
+          tolerances.seam_height(e.gap) + tolerances.continuing_sine * e.overhang +
+          step_between(*geometry, *outline, {c.edge_body, c.edge}, {edge_body, edge}, normal);
         if (normal.dot(frames->edge(c.edge_body, c.edge).normal) >= tolerances.continuing_cosine &&
             e.overhang <= 0.5 * tolerances.reach && std::abs(gap - e.gap) <= height)
           return static_cast<int>(i);
       }
     return -1;
+  }
+
+
+
+  bool ContactHistory::runs_over_tip(const int body, const int corner, const Vec2 &way) const
+  {
+    return std::any_of(entries.begin(), entries.end(), [&](const Entry &e) {
+      const Contact           &c = *e.contact;
+      const ContactTolerances &tolerances =
+        PairTolerances::narrower(pairs.of(c.vertex_body, c.edge_body),
+                                 pairs.of(c.vertex_body, body));
+      const Vec2 &normal = frames->edge(c.edge_body, c.edge).normal;
+      return !is_same_body(*geometry, c.edge_body, body) && e.overhang <= 0.5 * tolerances.reach &&
+             falls_away(
+               *geometry, *frames, body, corner, normal, ContactTolerances::continuing_sine) &&
+             e.gap + normal.dot(way) <= tolerances.seam_height(e.gap);
+    });
   }
 
 

@@ -82,10 +82,13 @@ namespace hybrid::dda
 
 
 
-  void ContactSelection::begin_step(const Geometry &geometry_, const OutlineFrames &frames_)
+  void ContactSelection::begin_step(const Geometry      &geometry_,
+                                    const OutlineFrames &frames_,
+                                    const BondedOutline &outline_)
   {
     geometry   = &geometry_;
     frames     = &frames_;
+    outline    = &outline_;
     edge_tests = 0;
   }
 
@@ -105,7 +108,7 @@ namespace hybrid::dda
     to_next          = frames->edge(body, after < 0 ? before : after).direction;
     to_previous      = -frames->edge(body, before < 0 ? after : before).direction;
 
-    old.set(*geometry, *frames, point, old_contacts, n_old);
+    old.set(*geometry, *frames, *outline, point, old_contacts, n_old);
     trials.clear();
     body_begin = 0;
   }
@@ -148,7 +151,7 @@ namespace hybrid::dda
     if (!persists)
       {
         trial.contact.edge_position = along / frame.length;
-        trial.origin                = old.find_continued(body, frame.normal, gap);
+        trial.origin                = old.find_continued(body, edge, gap);
         if (trial.origin >= 0)
           trial.history = History::continuing;
       }
@@ -243,73 +246,6 @@ namespace hybrid::dda
   {
     const int end = end_place(*geometry, body, edge);
     return end < 0 ? -1 : edge_after(*geometry, body, end);
-  }
-
-
-
-  /// The side below a seam: the vertex slides on an edge that the neighbour of this edge continues.
-  /// A side that the vertex presses on has stood higher, and holds.
-  bool ContactSelection::is_below_seam(const ContactTrial &trial, const Support support) const
-  {
-    if (trial.history == History::same_edge && trial.gap <= 0.)
-      return false;
-    const int   body = trial.contact.edge_body, edge = trial.contact.edge;
-    const int   ends[2]{edge, end_place(*geometry, body, edge)};
-    const Vec2 &mine = frames->edge(body, trial.contact.edge).normal;
-    for (int i = 0; i < 2; ++i)
-      {
-        const int other = i == 0 ? edge_before(*geometry, body, edge) : edge_following(body, edge);
-        if (other < 0 || frames->corner(body, ends[i]) != Corner::convex)
-          continue;
-        const Vec2  &normal = frames->edge(body, other).normal;
-        const double gap    = normal.dot(point - position(*geometry, body, other));
-        if (normal.dot(mine) < ContactTolerances::continuing_cosine &&
-            (is_level_with_sole(body, ends[i], other) ||
-             (support == Support::before ? old.find_continued(body, normal, gap) >= 0
-                                         : is_level_with_trial(body, normal, gap))))
-          return true;
-      }
-    return false;
-  }
-
-
-
-  /// An edge of the vertex goes on along another one of @p body, which begins or ends at @p corner:
-  /// over a crack no edge of a row carries the vertex itself. They are level where the vertex is
-  /// and where the corner is: of two tips at one height neither is beside the other.
-  bool ContactSelection::is_level_with_sole(const int body, const int corner, const int other) const
-  {
-    const double level  = with(body).hysteresis();
-    const Vec2  &normal = frames->edge(body, other).normal;
-    const Vec2   way    = position(*geometry, body, corner) - point;
-    if (std::abs(normal.dot(way)) > level)
-      return false;
-    for (const int e :
-         {edge_before(*geometry, vertex_body, vertex), edge_after(*geometry, vertex_body, vertex)})
-      if (e >= 0)
-        {
-          const Vec2 &mine = frames->edge(vertex_body, e).normal;
-          if (-normal.dot(mine) >= ContactTolerances::continuing_cosine && mine.dot(way) >= -level)
-            return true;
-        }
-    return false;
-  }
-
-
-
-  /// One of the trials is an edge that goes on along another one of @p body, with this normal,
-  /// whose line is at this gap from the vertex.
-  bool
-  ContactSelection::is_level_with_trial(const int body, const Vec2 &normal, const double gap) const
-  {
-    return std::any_of(trials.begin(), trials.end(), [&](const ContactTrial &t) {
-      const Contact &c      = t.contact;
-      const double   height = PairTolerances::narrower(with(body), of(t)).seam_height(t.gap);
-      return !is_same_body(*geometry, c.edge_body, body) &&
-             normal.dot(frames->edge(c.edge_body, c.edge).normal) >=
-               ContactTolerances::continuing_cosine &&
-             std::abs(gap - t.gap) <= height;
-    });
   }
 
 
@@ -429,22 +365,6 @@ namespace hybrid::dda
     const int n = static_cast<int>(kept - body_begin);
     body_begin  = kept;
     return n;
-  }
-
-
-
-  /// Not a seam: two edges that the vertex had at different heights before, and that meet now. It
-  /// is pinched between them or touches both; dropped, a tip between them would pass unseen.
-  bool ContactSelection::is_same_seam(const ContactTrial &a, const ContactTrial &b) const
-  {
-    if (a.history == History::same_edge && b.history == History::same_edge)
-      return false;
-    const Vec2  &na = frames->edge(a.contact.edge_body, a.contact.edge).normal;
-    const Vec2  &nb = frames->edge(b.contact.edge_body, b.contact.edge).normal;
-    const double height =
-      PairTolerances::narrower(of(a), of(b)).seam_height(std::min(a.gap, b.gap));
-    return !is_same_body(*geometry, a.contact.edge_body, b.contact.edge_body) &&
-           na.dot(nb) >= ContactTolerances::continuing_cosine && std::abs(a.gap - b.gap) <= height;
   }
 
 

@@ -41,7 +41,7 @@ namespace hybrid::dda
 
       void build()
       {
-        name_blocks();
+        name_edges_of_mass();
         name_bedrock_edges();
         name_segments();
         name_belts();
@@ -65,6 +65,7 @@ namespace hybrid::dda
       {
         bedrock,
         mass,
+        joint,
         belt
       };
 
@@ -95,7 +96,7 @@ namespace hybrid::dda
       }
 
       int        bedrock_surface(const int region);
-      void       name_blocks();
+      void       name_edges_of_mass();
       void       name_bedrock_edges();
       void       name_segments();
       void       name_belts();
@@ -116,11 +117,25 @@ namespace hybrid::dda
 
 
 
-    void ContactLawBuilder::name_blocks()
+    void ContactLawBuilder::name_edges_of_mass()
     {
+      const Geometry &g = model.initial;
+      laws.edge.assign(g.vertices.size(), 0);
       for (int b = 0; b < model.n_mass(); ++b)
-        laws.block.push_back(
-          number_of(Kind::mass, &material.mass(model.blocks[b].region, model.blocks[b].saturated)));
+        {
+          const BlockProperties &p = model.blocks[b];
+          const int inner          = number_of(Kind::mass, &material.mass(p.region, p.saturated));
+          const std::vector<int> &nodes = mesh.blocks[b];
+          for (std::size_t k = 0; k < nodes.size(); ++k)
+            {
+              const int       v       = g.offset[b] + static_cast<int>(k);
+              const Vec2      middle  = 0.5 * (g.vertices[v] + g.vertices[g.next(v)]);
+              const Material *of_line = material.joint(nodes[k],
+                                                       nodes[(k + 1) % nodes.size()],
+                                                       material.below_water(middle));
+              laws.edge[v] = of_line == nullptr ? inner : number_of(Kind::joint, of_line);
+            }
+        }
     }
 
 
@@ -129,7 +144,6 @@ namespace hybrid::dda
     {
       const Geometry &g             = model.initial;
       const int       n_mass_region = static_cast<int>(mesh.block_region_names.size());
-      laws.edge.assign(g.vertices.size(), 0);
       for (int b = model.n_mass(); b < g.n_blocks(); ++b)
         for (int v = g.offset[b]; v < g.offset[b + 1]; ++v)
           laws.edge[v] = bedrock_surface(model.blocks[b].region - n_mass_region);
@@ -202,6 +216,8 @@ namespace hybrid::dda
       JointStrength strength = bonds.body.contact(own);
       if (surface.kind == Kind::belt)
         strength = bonds.belt.contact(*surface.made_of);
+      else if (surface.kind == Kind::joint)
+        strength = bonds.body.contact(*surface.made_of);
       else if (surface.made_of != nullptr)
         strength = strength.weaker_of(bonds.body.contact(*surface.made_of));
       if (surface.kind == Kind::bedrock)
@@ -219,8 +235,6 @@ namespace hybrid::dda
     const auto is_mass = [n_mass](const int body) {
       return body != foundation_body && body < n_mass;
     };
-    if (is_mass(other) && is_mass(owner))
-      return of[block[other]][owner];
     if (other == foundation_body)
       return of[segment[contact.edge]][owner];
     if (is_mass(owner))

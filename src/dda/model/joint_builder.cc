@@ -179,12 +179,14 @@ namespace hybrid::dda
                    {a, e});
       }
     else if (scene.blocks.bonded)
-      add_bond(joint,
-               material.bond(model.blocks[first.block].region,
-                             model.blocks[second.block].region,
-                             saturated),
-               (model.blocks[first.block].area + model.blocks[second.block].area) / length,
-               {a, e});
+      {
+        const BlockProperties &p = model.blocks[first.block], &q = model.blocks[second.block];
+        const Material        *of_line = material.joint(first.from, first.to, saturated);
+        add_bond(joint,
+                 of_line != nullptr ? *of_line : material.bond(p.region, q.region, saturated),
+                 (p.area + q.area) / length,
+                 {a, e});
+      }
   }
 
 

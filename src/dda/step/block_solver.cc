@@ -111,6 +111,7 @@ namespace hybrid::dda
   BlockSolver::BlockSolver(const Model &block_model)
     : model(block_model)
     , detection(detection_parameters(block_model))
+    , mesh_nodes(block_model.initial)
   {
     std::vector<int> offset{0}, list;
     for (const auto &neighbours : model.neighbours)
@@ -119,6 +120,9 @@ namespace hybrid::dda
         offset.push_back(static_cast<int>(list.size()));
       }
     detection.set_neighbours(offset, list);
+    for (const Joint &joint : model.joints)
+      if (joint.kind == JointKind::body)
+        mesh_nodes.bond(model.initial, joint.edge, joint.other_edge());
     detection.set_sizes(sizes_of(model));
     iteration.set_processes(model.processes.get());
   }
@@ -142,6 +146,7 @@ namespace hybrid::dda
     for (std::size_t b = 0; b < now.size(); ++b)
       if (!model.bonded[b])
         now[b] = ContactScope::to_all;
+    wake_around_nodes(state, now);
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       {
         const JointState &joint = state.joints[j];
@@ -161,6 +166,25 @@ namespace hybrid::dda
 
 
 
+  void BlockSolver::wake_around_nodes(const DdaState            &state,
+                                      std::vector<ContactScope> &scopes) const
+  {
+    const Geometry   &g = model.initial;
+    std::vector<char> is_open(g.vertices.size(), 0); // per node
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+      {
+        const Joint &joint = model.joints[j];
+        if (joint.kind == JointKind::body && state.joints[j].has_yielded)
+          is_open[mesh_nodes.node_of(joint.edge)] =
+            is_open[mesh_nodes.node_of(g.next(joint.edge))] = 1;
+      }
+    for (int v = 0; v < g.offset[model.n_mass()]; ++v)
+      if (is_open[mesh_nodes.node_of(v)] != 0)
+        scopes[g.block_of[v]] = std::max(scopes[g.block_of[v]], ContactScope::to_blocks);
+  }
+
+
+
   void BlockSolver::find_blocks_on_surface()
   {
     is_on_belt.assign(model.blocks.size(), 0);
@@ -168,6 +192,21 @@ namespace hybrid::dda
       if (!joint.within_bedrock() && is_surface(model.initial, joint.other))
         is_on_belt[joint.block] = 1;
     held_off = blocks_held_off(model, is_on_belt);
+  }
+
+
+
+  BondedOutline BlockSolver::bonded_outline(const DdaState &state) const
+  {
+    BondedOutline outline(model.initial);
+    for (std::size_t j = 0; j < model.joints.size(); ++j)
+      {
+        const Joint      &joint = model.joints[j];
+        const JointState &now   = state.joints[j];
+        if (joint.kind == JointKind::body && !now.has_yielded && now.failure == FailureKind::none)
+          outline.bond(model.initial, joint.edge, joint.other_edge());
+      }
+    return outline;
   }
 
 
@@ -188,6 +227,7 @@ namespace hybrid::dda
     SkippedPairs skipped;
     skipped.scope = scope = contact_scopes(state);
     skipped.held_off      = held_off;
+    skipped.outline       = bonded_outline(state);
     for (std::size_t j = 0; j < model.joints.size(); ++j)
       {
         const Joint &joint = model.joints[j];

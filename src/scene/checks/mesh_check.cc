@@ -3,10 +3,12 @@
 #include <hybrid/scene/checks/geometry_check.h>
 #include <hybrid/scene/checks/mesh_check.h>
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/mesh/joint_lines.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace hybrid::scene
@@ -157,7 +159,7 @@ namespace hybrid::scene
         {
           if (name.rfind("bedding_", 0) == 0)
             check_line(mesh, count, name, 2, "inside");
-          else if (name != "mass_surface")
+          else if (name != "mass_surface" && !is_joint_line(name))
             {
               check_line(mesh, count, name, 1, "on the boundary");
               for (const Edge &edge : edges)
@@ -217,26 +219,57 @@ namespace hybrid::scene
     }
 
 
-    /// A region that only a parameter knows is misspelt.
-    void check_regions(const std::vector<std::string> &known,
-                       const RegionMaterials          &materials,
-                       const std::string              &parameter)
+    /// A region or line that only a parameter knows is misspelt.
+    void check_names(const std::string              &what,
+                     const std::vector<std::string> &known,
+                     const RegionMaterials          &materials,
+                     const std::string              &parameter)
     {
       std::string list;
       for (const std::string &name : known)
         list += (list.empty() ? "" : ", ") + name;
-      for (const std::string &region : materials.regions())
-        if (std::count(known.begin(), known.end(), region) == 0)
-          throw InputError(parameter + ": the mesh has no region '" + region + "'; it has " + list +
-                           ".");
+      for (const std::string &name : materials.regions())
+        if (std::count(known.begin(), known.end(), name) == 0)
+          throw InputError(parameter + ": the mesh has no " + what + " '" + name + "'; it has " +
+                           (list.empty() ? "none" : list) + ".");
     }
 
 
     void check_regions_of_mass(const SectionMesh &mesh, const SceneParameters &scene)
     {
       const auto &known = mesh.block_region_names;
-      check_regions(known, scene.blocks.material, "Blocks/Material");
-      check_regions(known, scene.blocks.saturated_material, "Blocks/Saturated material");
+      check_names("region", known, scene.blocks.material, "Blocks/Material");
+      check_names("region", known, scene.blocks.saturated_material, "Blocks/Saturated material");
+    }
+
+
+    /// Joints of the mass: edges of blocks, each on one line.
+    void check_joint_lines(const SectionMesh &mesh, const SceneParameters &scene)
+    {
+      std::set<Edge> of_blocks;
+      for (const auto &block : mesh.blocks)
+        for (std::size_t k = 0; k < block.size(); ++k)
+          of_blocks.insert(sorted({block[k], block[(k + 1) % block.size()]}));
+      std::vector<std::string> known;
+      for (const auto &[name, edges] : mesh.lines)
+        {
+          if (!is_joint_line(name))
+            continue;
+          known.push_back(name);
+          for (const Edge &edge : edges)
+            if (of_blocks.count(sorted(edge)) == 0)
+              throw InputError("The line " + name + " at " + at(middle(mesh, edge)) +
+                               " must run along edges of blocks of the sliding mass; within a "
+                               "surface of gmsh that needs Curve{...} In Surface{...}.");
+        }
+      const JointLines each_edge_once(mesh);
+      check_names("line", known, scene.blocks.joint_materials, "Blocks/Joint materials");
+      check_names("line",
+                  known,
+                  scene.blocks.saturated_joint_materials,
+                  "Blocks/Saturated joint materials");
+      if (known.empty() && !scene.blocks.joint_materials.empty())
+        throw InputError("Blocks/Joint materials: the mesh has no line joint_<suffix>.");
     }
 
 
@@ -270,16 +303,20 @@ namespace hybrid::scene
     check_groups(mesh, scene);
     check_blocks(mesh);
     if (scene.blocks.enabled)
-      check_regions_of_mass(mesh, scene);
+      {
+        check_regions_of_mass(mesh, scene);
+        check_joint_lines(mesh, scene);
+      }
     if (needs_bedrock_cells(scene))
       {
         check_cells(mesh);
         check_bedrock_lines(mesh, scene);
         if (scene.environment.gravity > 0.) // without it a column may lie on its side
           check_sides(mesh);
-        check_regions(mesh.bedrock_region_names,
-                      scene.continuum.region_material,
-                      "Continuum/Materials");
+        check_names("region",
+                    mesh.bedrock_region_names,
+                    scene.continuum.region_material,
+                    "Continuum/Materials");
         if (scene.mesh.polygons_file.empty())
           check_shared_nodes(mesh);
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/input_error.h>
+#include <hybrid/scene/mesh/joint_lines.h>
 #include <hybrid/scene/mesh/polygon_reader.h>
 #include <hybrid/scene/text_table.h>
 
@@ -15,8 +16,9 @@ namespace hybrid::scene
   {
     struct Vertex
     {
-      int  line; ///< in the file
-      Vec2 x;    ///< [m]
+      int         line;  ///< in the file
+      Vec2        x;     ///< [m]
+      std::string joint; ///< line of the edge that begins here, or empty
     };
 
     struct Polygon
@@ -27,6 +29,32 @@ namespace hybrid::scene
     };
 
 
+    /// Of a row: "sliding_mass" where it names none.
+    std::string region_of(const TableRow &row, const std::string &file)
+    {
+      const std::string region =
+        row.fields.size() > 3 && !row.fields[3].empty() ? row.fields[3] : "sliding_mass";
+      if (region != "sliding_mass" && (region.rfind("sliding_mass_", 0) != 0 || region.size() < 14))
+        throw InputError(file,
+                         row.line,
+                         "the region '" + region +
+                           "' is not allowed; it must be sliding_mass or sliding_mass_<suffix>.");
+      return region;
+    }
+
+
+    /// Line of the edge that begins at a row's vertex; empty: none.
+    std::string joint_of(const TableRow &row, const std::string &file)
+    {
+      const std::string joint = row.fields.size() > 4 ? row.fields[4] : "";
+      if (!joint.empty() && !is_joint_line(joint))
+        throw InputError(file,
+                         row.line,
+                         "the joint '" + joint + "' is not allowed; it must be joint_<suffix>.");
+      return joint;
+    }
+
+
     std::vector<Polygon> collect_polygons(const std::string &file)
     {
       const std::vector<TableRow> rows = read_text_table(file);
@@ -35,18 +63,10 @@ namespace hybrid::scene
       std::set<std::string> names;
       for (const TableRow &row : rows)
         {
-          if (row.fields.size() < 3 || row.fields.size() > 4)
-            throw wrong_columns(row, "block, x, y and optionally region", file);
-          const std::string region =
-            row.fields.size() == 4 && !row.fields[3].empty() ? row.fields[3] : "sliding_mass";
-          if (region != "sliding_mass" &&
-              (region.rfind("sliding_mass_", 0) != 0 || region.size() < 14))
-            throw InputError(
-              file,
-              row.line,
-              "the region '" + region +
-                "' is not allowed; it must be sliding_mass or sliding_mass_<suffix>.");
-          const std::string &name = row.fields[0];
+          if (row.fields.size() < 3 || row.fields.size() > 5)
+            throw wrong_columns(row, "block, x, y and optionally region, joint", file);
+          const std::string  region = region_of(row, file);
+          const std::string &name   = row.fields[0];
           if (polygons.empty() || polygons.back().name != name)
             {
               if (!names.insert(name).second)
@@ -63,7 +83,8 @@ namespace hybrid::scene
           polygons.back().vertices.push_back(
             {row.line,
              Vec2(to_number(row.fields[1], "x [m]", file, row.line),
-                  to_number(row.fields[2], "y [m]", file, row.line))});
+                  to_number(row.fields[2], "y [m]", file, row.line)),
+             joint_of(row, file)});
         }
       if (polygons.empty())
         throw InputError(file, 0, "the file has no block.");
@@ -243,11 +264,17 @@ namespace hybrid::scene
     mesh.blocks.clear();
     mesh.block_region.clear();
     mesh.block_region_names.clear();
-    mesh.lines.erase("mass_surface");
+    for (auto line = mesh.lines.begin(); line != mesh.lines.end();)
+      if (line->first == "mass_surface" || is_joint_line(line->first))
+        line = mesh.lines.erase(line);
+      else
+        ++line;
     drop_unused_nodes(mesh);
 
     constexpr double same_place = 1e-6; ///< of the shortest edge [-]
     NodeFinder       finder(mesh.nodes);
+    std::set<std::pair<std::string, std::pair<int, int>>>
+      joints; ///< both blocks may name an edge's
     for (const Polygon &polygon : polygons)
       {
         check_simple(polygon, file);
@@ -261,6 +288,13 @@ namespace hybrid::scene
                            "block " + polygon.name + " runs clockwise from its first vertex" +
                              at(polygon.vertices.front().x) +
                              "; vertices must be listed counter-clockwise.");
+        for (std::size_t k = 0; k < block.size(); ++k)
+          {
+            const std::string &joint = polygon.vertices[k].joint;
+            const int          a = block[k], b = block[(k + 1) % block.size()];
+            if (!joint.empty() && joints.insert({joint, std::minmax(a, b)}).second)
+              mesh.lines[joint].push_back({a, b});
+          }
         mesh.blocks.push_back(block);
         mesh.block_names.push_back(polygon.name);
 

@@ -4,6 +4,7 @@
 #include <hybrid/scene/mesh/corner_cells.h>
 #include <hybrid/scene/mesh/curve_check.h>
 #include <hybrid/scene/mesh/edge_chain.h>
+#include <hybrid/scene/mesh/joint_lines.h>
 #include <hybrid/scene/mesh/mesh_file_check.h>
 #include <hybrid/scene/mesh/mesh_number.h>
 #include <hybrid/scene/mesh/mesh_size_limit.h>
@@ -29,7 +30,7 @@ namespace hybrid::scene
 
     const char *const allowed_groups =
       "surfaces bedrock, bedrock_<suffix>, sliding_mass, sliding_mass_<suffix>; "
-      "curves sliding_surface, bedding_<n>, base, left, right, ground, mass_surface";
+      "curves sliding_surface, bedding_<n>, joint_<suffix>, base, left, right, ground, mass_surface";
 
 
     /// gmsh, started for one file: quiet, on one thread, without configuration files.
@@ -157,8 +158,8 @@ namespace hybrid::scene
            {"sliding_surface", "base", "left", "right", "ground", "mass_surface"})
         if (name == line)
           return true;
-      return name.rfind("bedding_", 0) == 0 && name.size() > 8 &&
-             name.find_first_not_of("0123456789", 8) == std::string::npos;
+      return is_joint_line(name) || (name.rfind("bedding_", 0) == 0 && name.size() > 8 &&
+                                     name.find_first_not_of("0123456789", 8) == std::string::npos);
     }
 
 
@@ -189,7 +190,8 @@ namespace hybrid::scene
           read_group(dim, tag);
         number_used_nodes();
         for (auto &[name, edges] : mesh.lines)
-          edges = chain_edges(edges, mesh.nodes, name);
+          if (!is_joint_line(name))
+            edges = chain_edges(edges, mesh.nodes, name);
         return std::move(mesh);
       }
 

@@ -129,11 +129,12 @@ namespace hybrid::scene
                            const SceneParameters    &scene,
                            std::vector<std::string> &warnings)
     {
-      constexpr double         lowest = 50., highest = 1000.; // [Pa]
-      const double             size = typical_block(mesh);
-      std::vector<std::string> names;
-      std::vector<std::string> all = scene.mass_materials();
-      all.insert(all.end(), {scene.blocks.belt_material, scene.blocks.saturated_belt_material});
+      constexpr double               lowest = 50., highest = 1000.; // [Pa]
+      const double                   size = typical_block(mesh);
+      std::vector<std::string>       names;
+      std::vector<std::string>       all      = scene.mass_materials();
+      const std::vector<std::string> of_bonds = scene.bond_materials();
+      all.insert(all.end(), of_bonds.begin(), of_bonds.end());
       for (const std::string &name : all)
         if (scene.materials.count(name) > 0 && std::count(names.begin(), names.end(), name) == 0)
           names.push_back(name);

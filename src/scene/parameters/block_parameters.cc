@@ -40,6 +40,27 @@ namespace hybrid::scene
                    "The same below the water level; empty: as Belt material.");
     }
 
+    void declare_joints(ParameterSection &section, BlockParameters &blocks)
+    {
+      section.value(
+        "Joint materials",
+        "'line: material; line: material; ...', a material's name, or empty",
+        [&blocks](const std::string &text) {
+          blocks.joint_materials = RegionMaterials::parse(text);
+        },
+        "Strength of joints and contacts along lines joint_<suffix> within the mass, weaker or "
+        "stronger than its blocks: one name for all such lines, or one per line. Without cohesion "
+        "and tensile strength it is a parting that friction holds. On other edges, and on lines "
+        "without one, Material's.");
+      section.value(
+        "Saturated joint materials",
+        "'line: material; line: material; ...', a material's name, or empty",
+        [&blocks](const std::string &text) {
+          blocks.saturated_joint_materials = RegionMaterials::parse(text);
+        },
+        "The same below the water level; where it is empty: as Joint materials.");
+    }
+
     void declare_velocities(ParameterSection &section, BlockParameters &blocks)
     {
       section.value(
@@ -92,6 +113,7 @@ namespace hybrid::scene
   {
     ParameterSection section(table, {"Blocks"});
     declare_materials(section, blocks);
+    declare_joints(section, blocks);
     section.toggle(
       "Yielding",
       blocks.yielding,
@@ -162,7 +184,9 @@ namespace hybrid::scene
       {"Blocks/Material", blocks.material.names()},
       {"Blocks/Saturated material", blocks.saturated_material.names()},
       {"Blocks/Belt material", {blocks.belt_material}},
-      {"Blocks/Saturated belt material", {blocks.saturated_belt_material}}};
+      {"Blocks/Saturated belt material", {blocks.saturated_belt_material}},
+      {"Blocks/Joint materials", blocks.joint_materials.names()},
+      {"Blocks/Saturated joint materials", blocks.saturated_joint_materials.names()}};
     for (const auto &[path, names] : uses)
       for (const std::string &name : names)
         if (!name.empty())
@@ -170,5 +194,8 @@ namespace hybrid::scene
     if (blocks.belt_material.empty() && !blocks.saturated_belt_material.empty())
       throw table.error("Blocks/Saturated belt material",
                         "needs Blocks/Belt material for the part above water");
+    if (blocks.joint_materials.empty() && !blocks.saturated_joint_materials.empty())
+      throw table.error("Blocks/Saturated joint materials",
+                        "needs Blocks/Joint materials for the part above water");
   }
 } // namespace hybrid::scene

@@ -69,6 +69,36 @@ namespace hybrid::scene
 
 
 
+  const Material *SceneParameters::joint_material(const std::string &line,
+                                                  const bool         saturated) const
+  {
+    const std::string &wet = blocks.saturated_joint_materials.of(line);
+    if (saturated && !wet.empty())
+      return &material(wet, "Blocks/Saturated joint materials");
+    const std::string &dry = blocks.joint_materials.of(line);
+    return dry.empty() ? nullptr : &material(dry, "Blocks/Joint materials");
+  }
+
+
+
+  std::vector<std::string> SceneParameters::bond_materials() const
+  {
+    std::vector<std::string> names;
+    const auto               add = [&names](const std::string &name) {
+      if (!name.empty() && std::count(names.begin(), names.end(), name) == 0)
+        names.push_back(name);
+    };
+    add(blocks.belt_material);
+    add(blocks.saturated_belt_material);
+    for (const RegionMaterials *of_joints :
+         {&blocks.joint_materials, &blocks.saturated_joint_materials})
+      for (const std::string &name : of_joints->names())
+        add(name);
+    return names;
+  }
+
+
+
   const Material &SceneParameters::material(const std::string &name, const std::string &where) const
   {
     const auto found = materials.find(name);

@@ -22,6 +22,7 @@ WATER = "#3a8fc7"
 SLIP = "#7a3b10"
 TEXT = "#262626"
 BEDDING = "#8a5fa8"
+JOINTS = "#a03050"  # of the mass, with a material of their own
 MATERIALS = ("#f3dfb5", "#dfe6cf", "#cfdcea", "#ead3cf", "#ddd6ea", "#e4e0da", "#cfe6e3", "#f0e6c2")  # areas
 CURVES = ("#0072b2", "#d55e00", "#009e73", "#8c5fa8", "#e69f00", "#56b4e9", "#000000", "#7a3b10", "#cc79a7")  # after Okabe and Ito (2008)
 BELTS = (SLIP, "#c07a2c", "#4d6b1f", "#8c2f5f")  # lines

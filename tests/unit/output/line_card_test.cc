@@ -68,6 +68,34 @@ namespace hybrid::output
     }
 
 
+    TEST(LineCard, JointsOfTheMassHaveTheirStrength)
+    {
+      auto                   mesh = mesh_with({"joint_a", "joint_b"});
+      scene::SceneParameters scene;
+      scene.blocks.material                  = "rock";
+      scene.blocks.joint_materials           = scene::RegionMaterials::parse("joint_a: clay");
+      scene.blocks.saturated_joint_materials = "wet";
+      scene.materials["clay"].name           = "clay";
+      scene.materials["clay"].friction_angle = 12.;
+      scene.materials["clay"].cohesion       = 5e3;
+      scene.materials["wet"]                 = scene.materials["clay"];
+      scene.materials["wet"].name            = "wet";
+      std::string text                       = describe_lines(mesh, scene);
+      expect_row(text, "joint_a", "joints of clay (phi 12 deg, c 5000 Pa, tensile strength 0 Pa)");
+      expect_row(text, "joint_b", "like all other edges of blocks, as Blocks/Joint materials does");
+      EXPECT_EQ(text.find("wet"), std::string::npos);
+      scene.environment.water_level = 175.;
+      scene.blocks.bonded           = false;
+      text                          = describe_lines(mesh, scene);
+      expect_row(text, "joint_a", "contacts of clay (phi 12 deg");
+      expect_row(text, "joint_a", "below the water of wet (phi 12 deg");
+      scene.blocks.enabled = false;
+      expect_row(describe_lines(mesh, scene),
+                 "joint_a, joint_b",
+                 "not used, as there are no blocks");
+    }
+
+
     TEST(LineCard, FrictionBeyondTheBeltIsToldWhereItIsAnotherOne)
     {
       const auto             mesh = mesh_with({"sliding_surface"});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/contact/bonded_outline.h>
 #include <hybrid/dda/contact/contact_scope.h>
 #include <hybrid/dda/contact/pair_tolerances.h>
 #include <hybrid/dda/geometry/cell_grid.h>
@@ -62,6 +63,7 @@ namespace hybrid::dda
     std::vector<ContactScope> scope;   ///< per block; empty: all look at everything
     std::vector<char> held_off{}; ///< per block: does not look at a surface unless awake to all;
                                   ///< empty: none
+    BondedOutline outline{};      ///< of bonds between blocks of the mass that have not yielded
   };
 
 
@@ -103,6 +105,11 @@ namespace hybrid::dda
 
     /// The list is built again at the next update() only if @p skipped differs from the last one.
     void set_skipped_pairs(const SkippedPairs &skipped);
+
+    const BondedOutline &outline() const
+    {
+      return skipped.outline;
+    }
 
     /// Pairs that are in the list, awake, however far they are, sorted: contacts that lie deep
     /// behind an edge of an outline that lists its edges one by one.

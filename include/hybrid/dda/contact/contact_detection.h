@@ -29,12 +29,12 @@ namespace hybrid::dda
    *    smooth_angle, and every place of a surface (foundation, or outline of bedrock made of
    * blocks): a surface that bends touches a sole between the block's corners. By rule 2 a place
    *    where the surface is straight touches edges that lie along it only.
-   *    Reflex corners of blocks cannot touch first.
-   * 2. *An edge is a partner* if the vertex is at most reach in front of it or
-   *    max_depth behind it (a contact that persists is not lost for its depth
-   *    while the vertex is in the block, or within held_depth below a
-   *    surface), projects on it (a contact that persists may hang over by
-   *    reach / 100; at a valley more, see 4, within
+   *    Reflex corners of blocks cannot touch first, nor corners between two bonds (BondedOutline).
+   * 2. *An edge is a partner* if no bond lies along it (two blocks that are bonded are one body:
+   * what slides over both must not see the step that the joint's springs leave), if the vertex is
+   * at most reach in front of it or max_depth behind it (a contact that persists is not lost for
+   * its depth while the vertex is in the block, or within held_depth below a surface), projects on
+   * it (a contact that persists may hang over by reach / 100; at a valley more, see 4, within
    *    ContactTolerances::search_distance()), and both edges of the vertex lie
    *    on the outer side of its line up to 3 degrees (Shi 1988, entrance; 5
    *    degrees for a contact that persists). The angle test is what keeps
@@ -53,6 +53,7 @@ namespace hybrid::dda
    *    by its penetration, in front of the side of the next block, and that
    *    block's corner in front of the slider's side. So is one over a crack, whose sole alone is
    *    carried, and which is level with the next block, as that block's corner is with the sole.
+   *    So is one whose row has a block that only touches the row's line with a tip, as triangles have.
    *    At a valley an edge goes on below its neighbour: a vertex pressed into the foot of a wall is
    *    beside one edge or both.
    * 5. *One edge per vertex and body*: the edge it projects on, the edge in
@@ -214,6 +215,11 @@ namespace hybrid::dda
     }
 
     bool is_above_seam(const Geometry &geometry, std::size_t trial) const;
+
+    bool runs_over_tip(const Geometry     &geometry,
+                       const ContactTrial &support,
+                       const Contact      &contact,
+                       const Vec2         &way) const;
 
     bool meets_level(const Geometry &geometry, const Contact &contact, int end) const;
 

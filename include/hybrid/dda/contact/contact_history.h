@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/contact/bonded_outline.h>
 #include <hybrid/dda/contact/contact.h>
 #include <hybrid/dda/contact/pair_tolerances.h>
 #include <hybrid/dda/geometry/outline_frames.h>
@@ -23,6 +24,7 @@ namespace hybrid::dda
     /// @param contacts of the vertex at @p point, @p n of them; they must outlive the use.
     void set(const Geometry      &geometry,
              const OutlineFrames &frames,
+             const BondedOutline &outline,
              const Vec2          &point,
              const Contact       *contacts,
              int                  n);
@@ -36,11 +38,19 @@ namespace hybrid::dda
     int find(int edge_body, int edge) const;
 
     /**
-     * Number of the old contact whose edge goes on along an edge with outward
-     * @p normal on @p edge_body, whose line is at @p gap from the vertex, or -1. Both lines must
-     * pass the vertex at the same place: a step of a row is an obstacle, not a seam.
+     * Number of the old contact whose edge goes on along an edge of @p edge_body, whose line is at
+     * @p gap from the vertex, or -1. Both lines must pass the vertex at the same place: a step of a
+     * row is an obstacle, not a seam, unless it is that of a bond.
      */
-    int find_continued(int edge_body, const Vec2 &normal, double gap) const;
+    int find_continued(int edge_body, int edge, double gap) const;
+
+    /**
+     * True if the vertex was on an edge of another body whose line runs over this corner of
+     * @p body: both edges of the corner fall away from it. Such a tip stops nothing that slides on
+     * that line: of a row of triangles every other one has but a tip there.
+     * @param way from the vertex to the corner [m]
+     */
+    bool runs_over_tip(int body, int corner, const Vec2 &way) const;
 
     /// Mark an old contact as used; false if it was already.
     bool take(int number);
@@ -59,7 +69,9 @@ namespace hybrid::dda
     };
 
     const PairTolerances &pairs;
-    const OutlineFrames  *frames = nullptr;
+    const Geometry       *geometry = nullptr;
+    const OutlineFrames  *frames   = nullptr;
+    const BondedOutline  *outline  = nullptr;
     std::vector<Entry>    entries;
   };
 } // namespace hybrid::dda

@@ -46,7 +46,8 @@ namespace hybrid::dda
     /// @param pairs must outlive this
     explicit ContactSelection(const PairTolerances &pairs);
 
-    void begin_step(const Geometry &geometry, const OutlineFrames &frames);
+    void
+    begin_step(const Geometry &geometry, const OutlineFrames &frames, const BondedOutline &outline);
 
     /// @param old_contacts of this vertex, @p n_old of them
     void begin_vertex(int body, int vertex, const Contact *old_contacts, int n_old);
@@ -87,7 +88,8 @@ namespace hybrid::dda
     bool is_below_seam(const ContactTrial &trial, Support support) const;
 
     bool is_level_with_sole(int body, int corner, int other) const;
-    bool is_level_with_trial(int body, const Vec2 &normal, double gap) const;
+    bool is_level_with_trial(int body, int edge, double gap) const;
+    bool is_tip_of_row(int body, int corner, Support support) const;
 
     bool is_undecided(const ContactTrial &trial) const;
 
@@ -115,6 +117,7 @@ namespace hybrid::dda
     const PairTolerances &pairs;
     const Geometry       *geometry = nullptr;
     const OutlineFrames  *frames   = nullptr;
+    const BondedOutline  *outline  = nullptr;
 
     int                       vertex_body = 0, vertex = 0;
     Vec2                      point, to_next, to_previous; ///< of the vertex

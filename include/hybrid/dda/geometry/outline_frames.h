@@ -109,6 +109,19 @@ namespace hybrid::dda
              : vertex;
   }
 
+  /// True of a corner of a block whose edges both lead away below a line with this normal, at an
+  /// angle of more than that of this sine.
+  inline bool falls_away(const Geometry      &geometry,
+                         const OutlineFrames &frames,
+                         const int            block,
+                         const int            corner,
+                         const Vec2          &normal,
+                         const double         sine)
+  {
+    return normal.dot(frames.edge(block, corner).direction) < -sine &&
+           normal.dot(frames.edge(block, geometry.previous(corner)).direction) > sine;
+  }
+
   /// Second end of an edge: where it is.
   inline int second_end(const Geometry &geometry, const int body, const int edge)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/scene/mesh/joint_lines.h>
 #include <hybrid/scene/mesh/section_mesh.h>
 #include <hybrid/scene/parameters/scene_parameters.h>
 #include <hybrid/scene/types.h>
@@ -21,6 +22,7 @@ namespace hybrid::dda
     BlockMaterials(const scene::SectionMesh &section, const scene::SceneParameters &parameters)
       : mesh(section)
       , scene(parameters)
+      , joint_lines(section)
     {}
 
     /// Of a block. @param region see SectionMesh::block_region
@@ -39,6 +41,14 @@ namespace hybrid::dda
     /// What bonds blocks of two regions: where their materials differ, the smaller of each
     /// strength.
     Material bond(int region, int other, bool saturated) const;
+
+    /// Of joints and contacts on the edge between two nodes of the mesh; nullptr: those of the
+    /// blocks.
+    const Material *joint(const int node, const int other, const bool saturated) const
+    {
+      const std::string *line = joint_lines.of(node, other);
+      return line == nullptr ? nullptr : scene.joint_material(*line, saturated);
+    }
 
     /// Properties that scatter, each with numbers of its own.
     static constexpr int modulus_number = 0, body_strength_number = 1, belt_strength_number = 2,
@@ -62,5 +72,6 @@ namespace hybrid::dda
   private:
     const scene::SectionMesh     &mesh;
     const scene::SceneParameters &scene;
+    const scene::JointLines       joint_lines;
   };
 } // namespace hybrid::dda

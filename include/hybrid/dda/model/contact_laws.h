@@ -14,6 +14,7 @@ namespace hybrid::dda
    * - A contact that was never bonded has friction only: the smaller one of both materials
    * (residual where given). A bedrock whose material has no `Friction angle`, and a foundation
    * without material, leave it to the block.
+   * - Edges on a line joint_<suffix> that has a material have the residual friction of that.
    * - A surface that a belt bonded has the belt's residual friction for everything that touches it.
    * - Residual cohesion acts between blocks that a joint bonded, and on the area that a belt bonds
    *   (BondedArea).

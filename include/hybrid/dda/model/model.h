@@ -94,14 +94,13 @@ namespace hybrid::dda
 
   /**
    * Laws of contacts. What a block touches is a surface with a number: the mass's own materials,
-   * the bedrock's, the belts. See set_contact_laws().
+   * those of its joints, the bedrock's, the belts. See set_contact_laws().
    */
   struct ContactLaws
   {
     std::vector<std::vector<ContactLaw>> of;      ///< [surface][block]
-    std::vector<int>                     block;   ///< surface of each block of the mass
     std::vector<int>                     segment; ///< of each segment of the foundation
-    std::vector<int> edge; ///< per vertex: of the bedrock block's edge that begins there
+    std::vector<int> edge; ///< per vertex: of the block's edge that begins there
 
     std::vector<std::pair<int, int>>
       bonded; ///< blocks of the mass that a joint bonded, the lower first; sorted

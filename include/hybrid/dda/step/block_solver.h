@@ -90,6 +90,7 @@ namespace hybrid::dda
     double               solved_dt = 0.;    ///< its size [s]
     bool                 is_asleep = false; ///< it was not computed
     bool                 searched  = false; ///< contacts were searched in it
+    BondedOutline        mesh_nodes;        ///< of all joints of the mass, as drawn
     BeltParting          belt_parting;
     std::vector<Contact> contacts_before; ///< of the last step, for the loads
     std::vector<char>    is_on_belt;      ///< per block: bonded to a surface
@@ -104,6 +105,14 @@ namespace hybrid::dda
 
     /// Sets is_on_belt and held_off.
     void find_blocks_on_surface();
+
+    /// Blocks look at all their neighbours around a node where a joint has yielded: the chain of
+    /// joints that held them beside each other (held_neighbours.h) is broken, though their own may
+    /// hold.
+    void wake_around_nodes(const DdaState &state, std::vector<ContactScope> &scopes) const;
+
+    /// See SkippedPairs.
+    BondedOutline bonded_outline(const DdaState &state) const;
 
     /// @return whether joints have yielded, failed or been released since the last call.
     bool update_skipped_pairs(const DdaState &state);

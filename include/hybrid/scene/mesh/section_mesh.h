@@ -15,7 +15,8 @@ namespace hybrid::scene
    *
    * Bedrock cells and blocks share the nodes along the sliding surface (same
    * node index on both sides). Node lists of cells and blocks run counter-clockwise.
-   * Lines are the named physical groups: sliding_surface, bedding_<n>, base, left, right, ground.
+   * Lines are the named physical groups: sliding_surface, bedding_<n>, joint_<suffix>, base, left,
+   * right, ground.
    */
   struct SectionMesh
   {

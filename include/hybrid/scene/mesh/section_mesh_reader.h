@@ -16,12 +16,13 @@ namespace hybrid::scene
    * Physical groups carry the meaning:
    *   surfaces  bedrock, bedrock_<suffix>            quadrilaterals only
    *             sliding_mass, sliding_mass_<suffix>  every triangle or quadrilateral is a block
-   *   curves    sliding_surface, bedding_<n>, base, left, right, ground, mass_surface
+   *   curves    sliding_surface, bedding_<n>, joint_<suffix>, base, left, right, ground,
+   *             mass_surface
    *
-   * Cells and blocks come out counter-clockwise. The edges of every line are chained: each
-   * connected path is consecutive and runs from its end with the smaller x (at equal x, y),
-   * so level lines run left to right and vertical ones upwards. Nodes that nothing uses are
-   * dropped; the numbering depends on the file and the numbers only.
+   * Cells and blocks come out counter-clockwise. The edges of every line are chained
+   * (but for joints, which may branch): each connected path is consecutive and runs from its end
+   * with the smaller x (at equal x, y), so level lines run left to right and vertical ones upwards.
+   * Nodes that nothing uses are dropped; the numbering depends on the file and the numbers only.
    *
    * @param before_meshing told, before the surfaces of a geometry are meshed, which number of cells
    * they get at most.

@@ -18,12 +18,15 @@ namespace hybrid::scene
     std::string     belt_material; ///< joints on the sliding surface; empty: unbonded frictional
                                    ///< contact of the block material
     std::string
-           saturated_belt_material; ///< same below the water level; empty: same as belt_material
-    bool   yielding        = false; ///< blocks yield inside at the strength of their joints
-    bool   bonded          = true;  ///< edges shared by blocks are artificial joints
-    double penalty_ratio   = 40.;   ///< alpha: joint stiffness k_n = alpha E / h [-], > 1
-    double shear_ratio     = 1.;    ///< k_s / k_n [-], (0, 1]
-    double fracture_energy = 10.;   ///< G_f [N/m] (J/m2), >= 0; 0 is brittle
+      saturated_belt_material;       ///< same below the water level; empty: same as belt_material
+    RegionMaterials joint_materials; ///< of joints and contacts on lines joint_<suffix> of the
+                                     ///< mass, by line; where empty: those of the blocks
+    RegionMaterials saturated_joint_materials; ///< same below; where empty: same as joint_materials
+    bool            yielding      = false; ///< blocks yield inside at the strength of their joints
+    bool            bonded        = true;  ///< edges shared by blocks are artificial joints
+    double          penalty_ratio = 40.;   ///< alpha: joint stiffness k_n = alpha E / h [-], > 1
+    double          shear_ratio   = 1.;    ///< k_s / k_n [-], (0, 1]
+    double          fracture_energy = 10.; ///< G_f [N/m] (J/m2), >= 0; 0 is brittle
     double softening_slip = 0.1; ///< slip over which shear strength falls to its residual [m], >= 0
     double damping_ratio  = 0.;  ///< stiffness-proportional damping of blocks and joints [-]
     double damping_frequency = 2.; ///< frequency at which it holds [Hz], > 0

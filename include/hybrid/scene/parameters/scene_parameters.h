@@ -268,6 +268,13 @@ namespace hybrid::scene
     /// Of the belt. @throws InputError if it has none.
     const Material &belt_material(bool saturated) const;
 
+    /// Of joints and contacts along a line joint_<suffix> of the mass; nullptr: those of the
+    /// blocks.
+    const Material *joint_material(const std::string &line, bool saturated) const;
+
+    /// Names of those of joints and belts, each once.
+    std::vector<std::string> bond_materials() const;
+
     /// @throws InputError naming section and parameter @p where if @p name is not in the table.
     const Material &material(const std::string &name, const std::string &where) const;
   };

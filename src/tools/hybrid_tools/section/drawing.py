@@ -51,7 +51,8 @@ class Scene:
 
     def shown_lines(self):
         """A rigid bedrock has the lines that blocks stand on alone."""
-        return self.lines if self.has_bedrock else {n: e for n, e in self.lines.items() if n in ("sliding_surface", "ground", "mass_surface")}
+        on_rigid = ("sliding_surface", "ground", "mass_surface")
+        return {n: e for n, e in self.lines.items() if self.has_bedrock or n in on_rigid or n.startswith("joint_")}
 
 
 def draw_areas(scene, axes, edge):
@@ -82,6 +83,9 @@ def draw_lines(scene, axes):
         edges = [e for n, e in lines.items() if n.startswith("bedding_") and (n in scene.planes) == words]
         if edges:
             add(np.vstack(edges), "bedding plane: " + name, colors=style.BEDDING, lw=1.3 if words else 0.8, linestyles="--" if words else ":")
+    joints = [edges for name, edges in lines.items() if name.startswith("joint_")]
+    if joints:
+        add(np.vstack(joints), "joints with a material of their own", colors=style.JOINTS, lw=1.3)
     if len(scene.belt_material):
         for k, number in enumerate(np.unique(scene.belt_material)):
             add(scene.belt[scene.belt_material == number], "sliding surface, belt: " + scene.materials[number],

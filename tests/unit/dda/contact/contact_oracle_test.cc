@@ -70,6 +70,33 @@ namespace
     return false;
   }
 
+  /// The line of what carries a vertex runs over a tip of another block, from which both edges lead
+  /// away.
+  bool runs_over_tip(const Geometry &g, const Found &support, const int tip)
+  {
+    const int    block = g.block_of[tip];
+    const Edge   after = edge_of(g, block, tip), before = edge_of(g, block, g.previous(tip));
+    const double height = support.gap + support.n.dot(after.a - g.vertices[support.c.vertex]);
+    return support.c.edge_body != block && support.n.dot(after.d) < -0.1736 &&
+           support.n.dot(before.d) > 0.1736 && height <= seam_height(support.gap);
+  }
+
+  /// Rule 4: a side below a row that carries the vertex.
+  bool is_side_below(const Geometry &g, const Found &f, const Found &support)
+  {
+    return runs_over_tip(g, support, f.c.edge) || runs_over_tip(g, support, g.next(f.c.edge));
+  }
+
+  /// Rule 4: a tip below a row that carries the end of the edge.
+  bool is_tip_below(const Geometry &g, const Found &f, const Found &support)
+  {
+    const Edge edge = edge_of(g, f.c.edge_body, f.c.edge);
+    const Vec2 way  = g.vertices[f.c.vertex] - g.vertices[support.c.vertex];
+    return (support.c.vertex == f.c.edge || support.c.vertex == g.next(f.c.edge)) &&
+           std::abs(edge.d.dot(way)) <= 0.1 * parameters.reach &&
+           runs_over_tip(g, support, f.c.vertex);
+  }
+
   /// All pairs of new contacts between triangles, straight from rules 1 to 7 of the header.
   Contacts all_pairs_between_blocks(const Geometry &g)
   {
@@ -106,7 +133,8 @@ namespace
                                     return std::any_of(touched.begin(),
                                                        touched.end(),
                                                        [&](const Found &support) {
-                                                         return goes_on_level(g, f, support);
+                                                         return goes_on_level(g, f, support) ||
+                                                                is_side_below(g, f, support);
                                                        });
                                   }),
                    here.end());
@@ -125,10 +153,11 @@ namespace
     Contacts result;
     for (const Found &f : found)
       if (std::none_of(found.begin(), found.end(), [&](const Found &o) {
-            return f.gap < 0. && o.gap < 0. && o.gap > f.gap && o.c.edge_body == f.c.vertex_body &&
-                   (o.c.vertex == f.c.edge || o.c.vertex == g.next(f.c.edge)) &&
-                   (o.c.edge == f.c.vertex || g.next(o.c.edge) == f.c.vertex) &&
-                   -o.n.dot(f.n) < 0.9848;
+            return is_tip_below(g, f, o) ||
+                   (f.gap < 0. && o.gap < 0. && o.gap > f.gap && o.c.edge_body == f.c.vertex_body &&
+                    (o.c.vertex == f.c.edge || o.c.vertex == g.next(f.c.edge)) &&
+                    (o.c.edge == f.c.vertex || g.next(o.c.edge) == f.c.vertex) &&
+                    -o.n.dot(f.n) < 0.9848);
           }))
         result.push_back(f.c);
     std::sort(result.begin(), result.end(), [](const Contact &a, const Contact &b) {

@@ -101,4 +101,35 @@ namespace
               }
           }
   }
+
+
+  // A square slides on a triangle towards one that touches the row's line with its tip alone, and
+  // presses its corner in by what the contact springs give way.
+  TEST(ContactTips, ATipBelowARowStopsNothing)
+  {
+    for (const double height : {0., 0.01})
+      {
+        Geometry         g = blocks({{{1., 0.}, {0., 0.}, {0.5, -1.}},
+                                     {{1., height}, {0.6, -1.}, {1.4, -1.}},
+                                     {{2., 0.}, {1., 0.}, {1.5, -1.}},
+                                     square(0., -1e-5, 0.9)});
+        ContactDetection detection(parameters);
+        Contacts         contacts;
+        int              n_stops = 0, n_carried = 0;
+        for (int k = 0; k < 60; ++k)
+          {
+            move_block(g, 3, Vec2(0.005, 0.));
+            detection.update(g, contacts);
+            for (const Contact &c : contacts)
+              {
+                const bool of_tip =
+                  (c.vertex == 3 && c.edge_body == 3) || (c.vertex_body == 3 && c.edge_body == 1);
+                n_stops += of_tip && c.edge != 9 ? 1 : 0; // edge 9 is the sole
+                n_carried += c.vertex == 10 && (c.edge == 0 || c.edge == 6) ? 1 : 0;
+              }
+          }
+        EXPECT_EQ(n_stops > 0, height > 0.) << height;
+        EXPECT_GE(n_carried, height > 0. ? 1 : 58);
+      }
+  }
 } // namespace

@@ -38,9 +38,9 @@ namespace
       now.points[1].gap = -0.5 * overlap;
       state.joints.push_back(now);
       model.blocks.resize(2);
-      model.contacts.block = {0, 0};
-      model.contacts.of    = {
-           std::vector<ContactLaw>(2, {JointLaw(strength, stiffness, stiffness), 0.5})};
+      model.contacts.edge.assign(8, 0);
+      model.contacts.of = {
+        std::vector<ContactLaw>(2, {JointLaw(strength, stiffness, stiffness), 0.5})};
       press();
     }
 

@@ -87,6 +87,16 @@ namespace
     return nullptr;
   }
 
+  /// Law of a vertex of a block on an edge of another block, or of the ground.
+  const JointLaw &
+  law_on(const Model &model, const int vertex_body, const int edge_body, const int edge)
+  {
+    const int first = edge_body == foundation_body ? 0 : model.initial.offset[edge_body];
+    return model.contacts
+      .law(model.initial, {vertex_body, 0, edge_body, first + edge}, model.n_mass())
+      .law;
+  }
+
   /// Friction coefficient and cohesion of a law.
   Vec2 strength(const JointLaw &law)
   {
@@ -133,7 +143,7 @@ TEST(ContactLaws, a_pair_has_the_smaller_friction_whichever_has_the_vertex)
   p.environment.water_level         = 1.;
   const Model model    = build_model(square_blocks(1, 3), p, straight_foundation(0., 1., 2.));
   const auto  friction = [&](const int vertex_body, const int edge_body) {
-    return strength(model.contacts.law(model.initial, {vertex_body, 0, edge_body, 0}, 3).law)[0];
+    return strength(law_on(model, vertex_body, edge_body, 0))[0];
   };
   EXPECT_NEAR(friction(0, 1), tan_deg(20.), 1e-6);
   EXPECT_NEAR(friction(1, 0), tan_deg(20.), 1e-6);
@@ -162,7 +172,7 @@ TEST(ContactLaws, regions_of_the_mass_bring_their_materials)
   EXPECT_NEAR(model.blocks[1].mass, 2220., 1e-9);
   EXPECT_NEAR(model.blocks[2].mass, 1800., 1e-9);
   const auto friction = [&](const int vertex_body, const int edge_body) {
-    return strength(model.contacts.law(model.initial, {vertex_body, 0, edge_body, 0}, 3).law)[0];
+    return strength(law_on(model, vertex_body, edge_body, 0))[0];
   };
   EXPECT_NEAR(friction(0, 1), tan_deg(30.), 1e-6);
   EXPECT_NEAR(friction(1, 2), tan_deg(20.), 1e-6);
@@ -173,6 +183,51 @@ TEST(ContactLaws, regions_of_the_mass_bring_their_materials)
   EXPECT_NEAR(model.joints[1].law.normal_stiffness() / model.joints[0].law.normal_stiffness(),
               0.2,
               1e-12); // of the softer side
+}
+
+
+
+// Three squares on each other: the lower joint is of clay, and so is the right side of the upper
+// block.
+TEST(ContactLaws, joints_of_the_mass_bring_their_material_to_their_edges)
+{
+  scene::SceneParameters p     = block_parameters(30.);
+  p.materials["rock"].cohesion = p.materials["rock"].residual_cohesion = 1e6;
+  p.materials["clay"]                                                  = p.materials["rock"];
+  p.materials["clay"].name                                             = "clay";
+  p.materials["clay"].friction_angle                                   = 40.;
+  p.materials["clay"].cohesion = p.materials["clay"].residual_cohesion = 2e4;
+  p.materials["wet"]                                                   = p.materials["clay"];
+  p.materials["wet"].name                                              = "wet";
+  p.materials["wet"].friction_angle                                    = 10.;
+  p.blocks.bonded                                                      = true;
+  p.blocks.joint_materials           = scene::RegionMaterials::parse("joint_a: clay");
+  p.blocks.saturated_joint_materials = "wet";
+  scene::SectionMesh mesh            = square_blocks(1, 3);
+  mesh.lines["joint_a"]              = {{3, 2}, {5, 7}};
+  mesh.lines["joint_b"]              = {{4, 5}}; // has no material
+  for (const bool is_wet : {false, true})
+    {
+      p.environment.water_level = is_wet ? 1.5 : -1.;
+      const Model  model        = build_model(mesh, p, straight_foundation(0., 1., 2.));
+      const double angle        = is_wet ? 10. : 40.;
+      ASSERT_EQ(model.joints.size(), 2u);
+      EXPECT_NEAR(strength(model.joints[0].law)[0], tan_deg(angle), 1e-6);
+      EXPECT_NEAR(strength(model.joints[0].law)[1], 2e4, 1e-6);
+      EXPECT_NEAR(strength(model.joints[1].law)[0], tan_deg(30.), 1e-6);
+      EXPECT_NEAR(strength(model.joints[1].law)[1], 1e6, 1e-3);
+      EXPECT_NEAR(strength(law_on(model, 0, 1, 0))[0],
+                  tan_deg(angle),
+                  1e-6); // bottom of the middle
+      EXPECT_NEAR(strength(law_on(model, 1, 0, 2))[0], tan_deg(angle), 1e-6); // top of the lowest
+      EXPECT_NEAR(strength(law_on(model, 2, 0, 2))[0],
+                  tan_deg(angle),
+                  1e-6); // whatever block slides there
+      EXPECT_NEAR(strength(law_on(model, 0, 2, 1))[0], tan_deg(40.), 1e-6); // above the water
+      EXPECT_NEAR(strength(law_on(model, 1, 2, 0))[0], tan_deg(30.), 1e-6);
+      EXPECT_NEAR(strength(law_on(model, 0, 1, 1))[0], tan_deg(30.), 1e-6);
+      EXPECT_NEAR(strength(law_on(model, 1, foundation_body, 0))[0], tan_deg(30.), 1e-6);
+    }
 }
 
 

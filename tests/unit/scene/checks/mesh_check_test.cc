@@ -143,6 +143,25 @@ namespace hybrid::scene::test
   }
 
 
+  TEST(MeshCheck, JointsRunAlongEdgesOfBlocks)
+  {
+    SceneParameters scene;
+    SectionMesh     mesh  = small_section();
+    mesh.lines["joint_a"] = {{7, 3}};
+    EXPECT_NO_THROW(check_section_mesh(mesh, scene));
+    scene.blocks.joint_materials = "clay";
+    EXPECT_NO_THROW(check_section_mesh(mesh, scene));
+    scene.blocks.joint_materials = RegionMaterials::parse("joint_b: clay");
+    expect_part(error_of(mesh, scene),
+                "Blocks/Joint materials: the mesh has no line 'joint_b'; it has joint_a");
+    scene.blocks.joint_materials = "clay";
+    expect_part(error_of(small_section(), scene), "the mesh has no line joint_<suffix>");
+    mesh.lines["joint_a"] = {{1, 4}};
+    expect_part(error_of(mesh, scene),
+                "The line joint_a at (1, 0.5) m must run along edges of blocks of the sliding");
+  }
+
+
   TEST(MeshCheck, BoundaryEdgesNeedALine)
   {
     SectionMesh mesh = small_section();

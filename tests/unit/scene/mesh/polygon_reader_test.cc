@@ -49,6 +49,21 @@ namespace hybrid::scene::test
   }
 
 
+  TEST_F(PolygonReader, EdgesAreOnTheJointOfTheirFirstVertex)
+  {
+    const std::string left = "a,0,0\na,1,0,,joint_steep\na,1,1\na,0,1\n";
+    SectionMesh       mesh =
+      polygons(left + "b,1,0,sliding_mass,joint_flat\nb,2,0\nb,2,1\nb,1,1,,joint_steep\n");
+    ASSERT_EQ(mesh.lines.size(), 2u);
+    EXPECT_EQ(mesh.lines.at("joint_steep"), (std::vector<SectionMesh::Edge>{{1, 2}})); // once
+    EXPECT_EQ(mesh.lines.at("joint_flat"), (std::vector<SectionMesh::Edge>{{1, 4}}));
+    read_polygons(write("others.csv", "a,0,0\na,1,0\na,1,1\n"), mesh);
+    EXPECT_TRUE(mesh.lines.empty());
+    expect_part(polygon_error("a,0,0\na,1,0,,steep\na,1,1\n"),
+                "blocks.csv:2: the joint 'steep' is not allowed; it must be joint_<suffix>");
+  }
+
+
   // 0.1 + 0.2 is not 0.3 in the last digit; 0.001 m is no rounding.
   TEST_F(PolygonReader, RoundedCornersAreOneNode)
   {

@@ -309,7 +309,7 @@ namespace hybrid::scene::test
     expect_part(unknown, "'rock' of dimension 2 is not known");
     expect_part(
       unknown,
-      "sliding_mass_<suffix>; curves sliding_surface, bedding_<n>, base, left, right, ground");
+      "sliding_mass_<suffix>; curves sliding_surface, bedding_<n>, joint_<suffix>, base, left, right, ground");
 
     expect_part(message("Physical Curve(\"bedding_a\") = {1};\n"),
                 "'bedding_a' of dimension 1 is not known");
@@ -319,6 +319,24 @@ namespace hybrid::scene::test
         "Physical Surface(\"sliding_mass\") = {1}; Physical Surface(\"sliding_mass_b\") = {1};\n"),
       "in two physical groups, sliding_mass and sliding_mass_b");
     expect_part(message("Physical Surface(\"sliding_mass\") = {2};\n Foo\n"), "square.geo");
+  }
+
+
+  TEST_F(SectionMeshReader, JointsOfTheMassMayCrossAndBranch)
+  {
+    const SectionMesh mesh   = read(write(
+      "square.geo",
+      square("Point(11) = {0.5, 0.5, 0}; Point(12) = {0.2, 0.2, 0}; Point(13) = {0.8, 0.2, 0};\n"
+               "Point(14) = {0.5, 0.8, 0};\n"
+               "Line(11) = {12, 11}; Line(12) = {13, 11}; Line(13) = {11, 14};\n"
+               "Curve{11, 12, 13} In Surface{1};\n"
+               "Physical Surface(\"sliding_mass\") = {1}; Physical Curve(\"joint_a\") = {11, 12};\n"
+               "Physical Curve(\"joint_b\") = {13};\n")));
+    double            length = 0.;
+    for (const auto &edge : mesh.lines.at("joint_a"))
+      length += (mesh.nodes[edge[1]] - mesh.nodes[edge[0]]).norm();
+    EXPECT_NEAR(length, 2. * 0.3 * std::sqrt(2.), 1e-12);
+    EXPECT_FALSE(mesh.lines.at("joint_b").empty());
   }
 
 
