@@ -30,6 +30,15 @@ def measures(run):
     return found
 
 
+def joint_edges(run):
+    """Edges of the mass on lines that have a material of their own (Blocks/Joint materials), as drawn [m], n x 2 x 2."""
+    given = run.parameters.get("Blocks/Joint materials", "")
+    named = {pair.split(":")[0].strip() for pair in given.split(";")} if ":" in given else None
+    found = [run.get("section/lines/" + line).reshape(-1, 2, 2) for line in run.names("section/lines")
+             if given and line.startswith("joint_") and (named is None or named & {line, "*"})]
+    return np.concatenate(found) if found else np.zeros((0, 2, 2))
+
+
 def bedrock_model(run):
     """Model/Bedrock of the scene; "" where it is not known."""
     try:

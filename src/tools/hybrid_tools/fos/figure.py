@@ -6,8 +6,11 @@ import os
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 from hybrid_run import MissingData
+from hybrid_run.geometry import joint_edges
 from hybrid_tools import style
 
 NAMES = {"fos": ("strength reduction factor", "Factor of safety %.3f"),
@@ -31,16 +34,35 @@ def mechanism(bracket):
     return points, motion / largest if largest > 0 else motion, offsets
 
 
-def parting(bracket):
-    """Largest difference of the motions of blocks of one material of the mass at a corner that they share, over the largest motion [-]: 0 if
-    they move as one. Where two materials meet the mass may have a plane to fail along."""
-    run = bracket.fails.run()
-    points, motion, offsets = mechanism(bracket)
+def corners_in_one_piece(run, points, offsets):
+    """A number for each corner of a block of the mass: the same for corners in one place whose blocks share edges there, of one material and
+    not on a joint with a material of its own."""
     n_blocks = run.blocks.mass.stop
-    material = np.repeat(run.get("section/blocks_material")[:n_blocks], np.diff(offsets)[:n_blocks])
-    points, motion = points[:offsets[n_blocks]], motion[:offsets[n_blocks]]
-    _, corner = np.unique(np.c_[np.round(points, 6), material], axis=0, return_inverse=True)
-    corner = np.ravel(corner)
+    count = np.diff(offsets)[:n_blocks]
+    first = np.arange(offsets[n_blocks])
+    last = np.roll(first, -1)
+    last[np.cumsum(count) - 1] = offsets[:n_blocks]
+    material = np.repeat(run.get("section/blocks_material")[:n_blocks], count)
+    joints = joint_edges(run)
+    _, place = np.unique(np.round(np.vstack([points[:len(first)], joints.reshape(-1, 2)]), 6), axis=0, return_inverse=True)
+    place, ends = np.split(np.ravel(place), [len(first)])
+    of_joints = {tuple(sorted(pair)) for pair in ends.reshape(-1, 2)}
+    beside, links = {}, []
+    for a, b in zip(first, last):
+        edge = tuple(sorted((place[a], place[b])))
+        other = beside.setdefault(edge, (a, b))
+        if other != (a, b) and material[a] == material[other[0]] and edge not in of_joints:
+            links += [(a, other[1]), (b, other[0])]
+    rows, columns = np.array(links, int).reshape(-1, 2).T
+    return connected_components(coo_array((np.ones(len(rows)), (rows, columns)), shape=(len(first), len(first))), directed=False)[1]
+
+
+def parting(bracket):
+    """Largest difference of the motions of blocks at a corner where the mass is one piece, over the largest motion [-]: 0 if they move as one.
+    Where two materials meet, or on joints of their own, the mass may have a plane to fail along."""
+    points, motion, offsets = mechanism(bracket)
+    corner = corners_in_one_piece(bracket.fails.run(), points, offsets)
+    motion = motion[:len(corner)]
     low, high = np.full((corner.max() + 1, 2), np.inf), np.full((corner.max() + 1, 2), -np.inf)
     np.minimum.at(low, corner, motion)
     np.maximum.at(high, corner, motion)

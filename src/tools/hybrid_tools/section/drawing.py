@@ -7,7 +7,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hybrid_run.geometry import chains
+from hybrid_run.geometry import chains, joint_edges
 from hybrid_tools import style
 from hybrid_tools.plot import water
 
@@ -83,9 +83,8 @@ def draw_lines(scene, axes):
         edges = [e for n, e in lines.items() if n.startswith("bedding_") and (n in scene.planes) == words]
         if edges:
             add(np.vstack(edges), "bedding plane: " + name, colors=style.BEDDING, lw=1.3 if words else 0.8, linestyles="--" if words else ":")
-    joints = [edges for name, edges in lines.items() if name.startswith("joint_")]
-    if joints:
-        add(np.vstack(joints), "joints with a material of their own", colors=style.JOINTS, lw=1.3)
+    if len(joints := joint_edges(scene.run)):
+        add(joints, "joints with a material of their own", colors=style.JOINTS, lw=1.3)
     if len(scene.belt_material):
         for k, number in enumerate(np.unique(scene.belt_material)):
             add(scene.belt[scene.belt_material == number], "sliding surface, belt: " + scene.materials[number],
