@@ -102,6 +102,23 @@ def falls_freely(case, variant, run):
     case.true("%s: a block is %.1f m below the end of the slope" % (variant, -1.5 - lowest), lowest < -3)
 
 
+def moved_until_it_touched(case, variant, run):
+    """The block has crossed the 5 cm before the wall; the toe of the wedge is on the bench."""
+    drawn, final = (run.get("section/" + name) for name in ("blocks_points", "blocks_points_final"))
+    if variant == "bench":
+        case.below("%s: toe below the bench" % variant, 2 - final[7, 1], 0.02, "m")  # the joint wakes its blocks after 1/400 of 6 m
+    else:
+        case.below("%s: distance from the wall" % variant, abs(final[8, 0] - final[6, 0]), 1e-3, "m")
+    case.true("%s: it moved" % variant, np.linalg.norm(final - drawn, axis=1).max() > (0.01 if variant == "bench" else 0.04))
+
+
+def stands_on_its_tread(case, variant, run):
+    """All blocks where they were drawn, but for the elastic settlement of the largest one in mud: 0.2 % of its size."""
+    drawn, final = (run.get("section/" + name) for name in ("blocks_points", "blocks_points_final"))
+    size = np.repeat([np.sqrt(area(corners)) for corners in drawn.reshape(-1, 4, 2)], 4)
+    case.below("%s: way of a corner, of the block's size" % variant, (np.linalg.norm(final - drawn, axis=1) / size).max(), 4e-3)
+
+
 def same_as_alone(case, variant, run):
     if variant == "scene":
         case.together = run
@@ -217,6 +234,11 @@ CASES = {
                             for name, numbers in (("1", "Angle = 20"), ("1x2", "Angle = 20; Rows = 2"))
                             for dt in (0.1, 1, 2)}, residual=0.001, more=rests(1e-6)),
     "second_block": Wanted({"scene": [], "alone": ["Mesh/Polygons file=" + str(HARD / "sliding_alone.csv")]}, more=same_as_alone),
+    "ledge": Wanted({"scene": [], "4 ms": ["Time/Time step=0.004"],
+                     "bench": ["Mesh/Polygons file=" + str(HARD / "plane_and_bench.csv"), "Materials/joint/Friction angle=25",
+                               "Gravity/Horizontal coefficient=0", "Time/End time=2.5"]}, more=moved_until_it_touched),
+    "stairs": Wanted({"scene": [], "mud": ["Blocks/Material=mud"], "dropped": ["Gravity/Static stage=none"]},
+                     residual=0.001, more=stands_on_its_tread),
     "pebble": Wanted({"scene": [], "8 ms": ["Time/Time step=0.008"],
                       "presses": ["Mesh/Polygons file=" + str(HARD / "square_and_grain.csv"), "Time/Time step=0.0002"],
                       "soft": ["Mesh/Polygons file=" + str(HARD / "soft_square_and_pebble.csv"), "Materials/rock/Young modulus=1e7",

@@ -12,7 +12,7 @@ def deepest(run):
     largest, when = 0.0, 0.0
     for time, picture in pictures(run.directory, "blocks"):
         blocks = polygons(picture)
-        depth = max(between_blocks(blocks), into_ground(blocks, ground_line(run, time)))
+        depth = max(between_blocks(convex_parts(blocks)), into_ground(blocks, ground_line(run, time)))
         if depth > largest:
             largest, when = depth, time
     return largest, when
@@ -26,6 +26,32 @@ def polygons(picture):
 def area(corners):
     x, y = corners.T
     return 0.5 * (x @ np.roll(y, -1) - y @ np.roll(x, -1))
+
+
+def convex_parts(blocks):
+    """The blocks, those that are not convex as triangles (counter-clockwise)."""
+    parts = []
+    for corners in blocks:
+        corners = list(corners)
+        while len(corners) > 3 and any(turn(corners, k) < 0 for k in range(len(corners))):
+            ear = next(k for k in range(len(corners)) if turn(corners, k) > 0 and is_ear(corners, k))
+            parts.append(np.array([corners[ear - 1], corners[ear], corners[(ear + 1) % len(corners)]]))
+            del corners[ear]
+        parts.append(np.array(corners))
+    return [part for part in parts if area(part) > 0]
+
+
+def turn(corners, k):
+    """Positive: the corner is convex [m2]."""
+    (ax, ay), (bx, by) = corners[k] - corners[k - 1], corners[(k + 1) % len(corners)] - corners[k]
+    return ax * by - ay * bx
+
+
+def is_ear(corners, k):
+    """No other corner is in the triangle that it makes with its neighbours."""
+    ear = [corners[k - 1], corners[k], corners[(k + 1) % len(corners)]]
+    others = [c for c in corners if not any(c is e for e in ear)]
+    return not any(all(turn([ear[i], ear[(i + 1) % 3], c], 1) >= 0 for i in range(3)) for c in others)
 
 
 def between_blocks(blocks):

@@ -59,15 +59,16 @@ namespace hybrid::dda
 
   void ContactCandidates::set_skipped_pairs(const SkippedPairs &given)
   {
-    if (given.bonded == skipped.bonded && given.surface == skipped.surface &&
-        given.scope == skipped.scope && given.held_off == skipped.held_off &&
-        given.outline == skipped.outline)
+    if (given.bonded == skipped.bonded && given.joint_edges == skipped.joint_edges &&
+        given.surface == skipped.surface && given.scope == skipped.scope &&
+        given.held_off == skipped.held_off && given.outline == skipped.outline)
       return;
     skipped = given;
     lookup  = given;
     for (const auto &[a, b] : given.bonded)
       lookup.bonded.emplace_back(b, a);
     std::sort(lookup.bonded.begin(), lookup.bonded.end());
+    std::sort(lookup.joint_edges.begin(), lookup.joint_edges.end());
     std::sort(lookup.surface.begin(), lookup.surface.end());
     is_outdated = true;
   }
@@ -283,8 +284,9 @@ namespace hybrid::dda
               n       = geometry.offset[any_edge.edge_body + 1] - first;
     const auto before = candidates.size();
     for (int e = first; e < first + n; ++e)
-      add({any_edge.vertex_body, any_edge.vertex, any_edge.edge_body, e},
-          distance_to_segment(geometry.vertices[e], geometry.vertices[geometry.next(e)], point));
+      if (!is_joint_edge(any_edge.vertex_body, any_edge.edge_body, e))
+        add({any_edge.vertex_body, any_edge.vertex, any_edge.edge_body, e},
+            distance_to_segment(geometry.vertices[e], geometry.vertices[geometry.next(e)], point));
     if (candidates.size() == before && contains(&geometry.vertices[first], n, point))
       add(any_edge, 0.);
   }
@@ -335,6 +337,15 @@ namespace hybrid::dda
         }
     return std::max(was_awake[body], was_awake[other]) < ContactScope::to_blocks &&
            are_neighbours(body, other);
+  }
+
+
+
+  bool ContactCandidates::is_joint_edge(const int block, const int body, const int edge) const
+  {
+    return !lookup.joint_edges.empty() && std::binary_search(lookup.joint_edges.begin(),
+                                                             lookup.joint_edges.end(),
+                                                             BondedEdge{block, body, edge});
   }
 
 

@@ -85,7 +85,8 @@ namespace hybrid::dda
 
 
 
-  /// The line of what carries the end of an edge runs over the vertex, a tip below it.
+  /// The line of what carries the end of an edge runs over the vertex, a tip below it. The edge is
+  /// a side of the slider then: a tip that stands on what slides, or on the ground, is held by it.
   /// @param way from the end to the vertex [m]
   bool ContactDetection::runs_over_tip(const Geometry     &geometry,
                                        const ContactTrial &support,
@@ -94,8 +95,11 @@ namespace hybrid::dda
   {
     const Contact &on     = support.contact;
     const Vec2    &normal = frames.edge(on.edge_body, on.edge).normal;
-    return !is_surface(geometry, c.vertex_body) &&
+    return !is_surface(geometry, c.vertex_body) && !is_surface(geometry, c.edge_body) &&
            !is_same_body(geometry, on.edge_body, c.vertex_body) &&
+           -frames.edge(c.edge_body, c.edge).normal.dot(normal) <
+             ContactTolerances::continuing_cosine &&
+           support.overhang <= tolerances_of(on).extension() &&
            falls_away(geometry,
                       frames,
                       c.vertex_body,

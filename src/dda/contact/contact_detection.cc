@@ -112,7 +112,7 @@ namespace hybrid::dda
           if (trials[i].history == ContactTrial::History::none &&
               candidates.is_first_activation(contact.vertex_body, contact.edge_body))
             contact.stress_free_gap =
-              std::min(0., trials[i].gap - tolerances_of(contact).extension());
+              std::min(0., trials[i].gap - tolerances_of(contact).hysteresis());
           contacts.push_back(contact);
         }
     settle(contacts, rest);
@@ -356,7 +356,8 @@ namespace hybrid::dda
       selection.add_edge(body, candidate.edge);
     else
       for (int e = geometry.offset[body]; e < geometry.offset[body + 1]; ++e)
-        if (!candidates.outline().covers(e))
+        if (!candidates.outline().covers(e) &&
+            !candidates.is_joint_edge(candidate.vertex_body, body, e))
           selection.add_edge(body, e);
   }
 

@@ -79,7 +79,7 @@ namespace hybrid::dda
         PairTolerances::narrower(pairs.of(c.vertex_body, c.edge_body),
                                  pairs.of(c.vertex_body, body));
       const Vec2 &normal = frames->edge(c.edge_body, c.edge).normal;
-      return !is_same_body(*geometry, c.edge_body, body) && e.overhang <= 0.5 * tolerances.reach &&
+      return !is_same_body(*geometry, c.edge_body, body) && e.overhang <= tolerances.extension() &&
              falls_away(
                *geometry, *frames, body, corner, normal, ContactTolerances::continuing_sine) &&
              e.gap + normal.dot(way) <= tolerances.seam_height(e.gap);

@@ -91,6 +91,7 @@ namespace hybrid::dda
     return std::any_of(trials.begin(), trials.end(), [&](const ContactTrial &t) {
       const Vec2 &normal = frames->edge(t.contact.edge_body, t.contact.edge).normal;
       return !is_same_body(*geometry, t.contact.edge_body, body) &&
+             t.overhang <= with(body).extension() &&
              falls_away(
                *geometry, *frames, body, corner, normal, ContactTolerances::continuing_sine) &&
              t.gap + normal.dot(way) <=

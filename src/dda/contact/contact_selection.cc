@@ -41,8 +41,9 @@ namespace hybrid::dda
     };
 
 
-    /// The edge below the vertex, then the edge it came through, then the side of a tip by which it
-    /// has passed the tip (the other side has no depth), then the gap. Gaps nearer than
+    /// The edge below the vertex, then the edge it came through, then one that is below it without
+    /// the help of a valley (a step's upper tread, not the lower one), then the side of a tip by
+    /// which it has passed the tip (the other side has no depth), then the gap. Gaps nearer than
     /// @p same [m] are equal: then the edge that the sole runs along, then the lower one.
     bool better(const ContactTrial &a, const ContactTrial &b, const Carries rule, const double same)
     {
@@ -50,6 +51,8 @@ namespace hybrid::dda
         return a.is_inside;
       if (a.history != b.history)
         return a.history > b.history;
+      if (a.by_valley != b.by_valley)
+        return b.by_valley;
       if (a.has_passed != b.has_passed)
         return a.has_passed;
       if (std::abs(a.gap - b.gap) > same)
@@ -133,7 +136,8 @@ namespace hybrid::dda
     if ((gap < -tolerances.max_depth || apart > tolerances.search_distance()) &&
         !is_held(body, edge, gap))
       return;
-    if (trial.overhang > 0. && is_below_valley(trial.contact, along))
+    trial.by_valley = trial.overhang > 0. && is_below_valley(trial.contact, along);
+    if (trial.by_valley)
       trial.overhang = 0.;
     trial.origin = old.find(body, edge);
     if (trial.origin >= 0)

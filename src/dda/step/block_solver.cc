@@ -79,6 +79,22 @@ namespace hybrid::dda
 
 
 
+    /// No corner of the block turns inward.
+    bool is_convex(const Geometry &g, const int block)
+    {
+      for (int v = g.offset[block]; v < g.offset[block + 1]; ++v)
+        {
+          const Vec2 before = g.vertices[v] - g.vertices[g.previous(v)],
+                     after  = g.vertices[g.next(v)] - g.vertices[v];
+          if (cross(before, after) <
+              -ContactTolerances::smooth_angle * before.norm() * after.norm())
+            return false;
+        }
+      return true;
+    }
+
+
+
     /// Blocks that do not look at a surface unless they are awake to all: those on a belt, and
     /// bonded ones that only touch it with corners, as their neighbours hold them.
     std::vector<char> blocks_held_off(const Model &model, const std::vector<char> &is_on_belt)
@@ -124,6 +140,8 @@ namespace hybrid::dda
       if (joint.kind == JointKind::body)
         mesh_nodes.bond(model.initial, joint.edge, joint.other_edge());
     detection.set_sizes(sizes_of(model));
+    for (int b = 0; b < model.initial.n_blocks(); ++b)
+      is_convex_block.push_back(is_convex(model.initial, b) ? 1 : 0);
     iteration.set_processes(model.processes.get());
   }
 
@@ -211,6 +229,13 @@ namespace hybrid::dda
 
 
 
+  bool BlockSolver::touches_beside(const Joint &joint) const
+  {
+    return !is_convex_block[joint.block] || !is_convex_block[joint.other];
+  }
+
+
+
   bool BlockSolver::update_skipped_pairs(const DdaState &state)
   {
     if (held_off.empty())
@@ -234,7 +259,14 @@ namespace hybrid::dda
         if (state.joints[j].released)
           continue;
         if (joint.other != foundation_body && !model.is_bedrock(joint.other))
-          skipped.bonded.push_back({joint.block, joint.other});
+          {
+            if (state.joints[j].has_yielded && touches_beside(joint))
+              skipped.joint_edges.insert(skipped.joint_edges.end(),
+                                         {{joint.block, joint.other, joint.other_edge()},
+                                          {joint.other, joint.block, joint.edge}});
+            else
+              skipped.bonded.push_back({joint.block, joint.other});
+          }
         else if (!model.is_bedrock(joint.block))
           skipped.surface.push_back({joint.block,
                                      joint.other,

@@ -58,12 +58,15 @@ namespace hybrid::dda
   struct SkippedPairs
   {
     std::vector<std::pair<int, int>>
-      bonded; ///< blocks of the mass with an unreleased joint between them: never candidates
+      bonded; ///< blocks of the mass with an unreleased joint between them: never candidates, but
+              ///< for those with joint_edges
     std::vector<BondedEdge>   surface; ///< with an unreleased joint: never candidates
     std::vector<ContactScope> scope;   ///< per block; empty: all look at everything
     std::vector<char> held_off{}; ///< per block: does not look at a surface unless awake to all;
                                   ///< empty: none
     BondedOutline outline{};      ///< of bonds between blocks of the mass that have not yielded
+    std::vector<BondedEdge> joint_edges{}; ///< of blocks that may touch beside the joint between
+                                           ///< them, which has yielded: along these it acts alone
   };
 
 
@@ -76,7 +79,8 @@ namespace hybrid::dda
    * when the list was built: while no point has moved by more than m, it is at
    * least d - 2 m, so a pair with d - 2 m above the distance is asleep: no
    * contact can arise there. Pairs of one block with itself are left out, and
-   *   - bonded pairs of blocks: their joint carries the load;
+   *   - bonded pairs of blocks: their joint carries the load (of blocks that are not convex, which
+   *     may touch elsewhere, only the edges along which it lies, once it has yielded);
    *   - blocks that joints hold beside each other (held_neighbours.h), unless one of them is
    *     awake: an intact mass has thousands of these, all at distance zero;
    *   - edges (and their ends) of a surface to which a block is bonded;
@@ -130,6 +134,9 @@ namespace hybrid::dda
     /// For a pair of the list: true if neighbours of the mesh, or a block that was held off and a
     /// surface, look at each other for the first time.
     bool is_first_activation(int body, int other) const;
+
+    /// A joint acts along this edge of @p body with @p block, not contacts.
+    bool is_joint_edge(int block, int body, int edge) const;
 
     /// Pairs of the list that are not asleep, sorted: all that are within the distance, and some
     /// more.

@@ -24,6 +24,7 @@ namespace hybrid::dda
     bool    is_inside; ///< the vertex projects on the edge
     History history;
     int     origin;             ///< number of the old contact that it continues or repeats, or -1
+    bool    by_valley  = false; ///< it is beside the end of the edge, which a valley lets go on
     bool    has_passed = false; ///< the vertex has passed the tip in which the edge ends
 
     /// Which of two edges at one height acts where their ends meet is decided by where they lie,

@@ -95,6 +95,7 @@ namespace hybrid::dda
     std::vector<Contact> contacts_before; ///< of the last step, for the loads
     std::vector<char>    is_on_belt;      ///< per block: bonded to a surface
     std::vector<char>    held_off;        ///< per block, see SkippedPairs
+    std::vector<char>    is_convex_block; ///< per block
     int changes = -1; ///< yielded, failed and released joints when the skip lists were made
     std::vector<ContactScope> scope;              ///< per block, now
     std::vector<Vec2>         node_displacements; ///< of the foundation in a solved step [m], work
@@ -102,6 +103,9 @@ namespace hybrid::dda
     SearchSummary search_summary;
 
     std::vector<ContactScope> contact_scopes(const DdaState &state) const;
+
+    /// The blocks of a joint may touch elsewhere, too: one of them is not convex.
+    bool touches_beside(const Joint &joint) const;
 
     /// Sets is_on_belt and held_off.
     void find_blocks_on_surface();

@@ -75,4 +75,29 @@ namespace
     detection.update(g, contacts);
     EXPECT_EQ(count_vertex(contacts, 0), 1);
   }
+
+  TEST(ContactValleys, ABlockOnTheUpperTreadOfALowStepIsHeldByItsTread)
+  {
+    // The corner is behind the riser by less than the reach: the lower tread, which goes on below
+    // the riser, is not what it stands on. As surface and as the steps of a block.
+    for (const double riser : {0.01, 0.06})
+      for (const double from_riser : {0.01, 0.08})
+        for (const double overlap : {0., 1e-6, 5e-3})
+          {
+            Geometry ground = blocks({square(-1. - from_riser, -overlap)}), stepped = ground;
+            ground.foundation_nodes = {{-5., 0.}, {0., 0.}, {0., -riser}, {5., -riser}};
+            add_block(stepped,
+                      {{-5., -1.}, {5., -1.}, {5., -riser}, {0., -riser}, {0., 0.}, {-5., 0.}});
+            for (Geometry *g : {&ground, &stepped})
+              {
+                const int upper_body = g == &ground ? foundation_body : 1;
+                const int upper_edge = g == &ground ? 0 : 8; // of the block: that which ends it
+                Contacts  contacts;
+                ContactDetection(parameters).update(*g, contacts);
+                EXPECT_NE(find(contacts, 1, upper_body, upper_edge), nullptr)
+                  << "riser " << riser << ", " << from_riser << " from it, overlap " << overlap;
+                EXPECT_EQ(count_vertex(contacts, 1), 1);
+              }
+          }
+  }
 } // namespace
