@@ -24,11 +24,23 @@ namespace hybrid
 
 
 
+  void Simulation::tell_of_overlap(output::RunRecorder &recorder) const
+  {
+    const std::string text = recorder.overlap_warning();
+    if (!text.empty())
+      log.warning(text);
+  }
+
+
+
   void Simulation::start_recording(Run &run)
   {
     collect({true, true});
     if (run.recorder)
-      run.recorder->start(state);
+      {
+        run.recorder->start(state);
+        tell_of_overlap(*run.recorder);
+      }
     if (run.shared_pictures)
       run.shared_pictures->write(state.continuum, "");
     if (run.shared_peaks)
@@ -45,7 +57,10 @@ namespace hybrid
     const auto needs =
       collect(run.recorder ? run.recorder->needs(state.time, dt) : output::RunRecorder::Needs());
     if (run.recorder)
-      run.recorder->record_step(state, result, dt, wall_time);
+      {
+        run.recorder->record_step(state, result, dt, wall_time);
+        tell_of_overlap(*run.recorder);
+      }
     if (run.shared_pictures && needs.picture)
       run.shared_pictures->write(state.continuum, "");
     if (!run.shared_peaks)

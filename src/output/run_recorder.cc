@@ -232,6 +232,8 @@ namespace hybrid::output
   {
     const double now = last_picture = state.time;
     pictures.add(state);
+    if (parts.blocks != nullptr)
+      overlaps.look(state.blocks.geometry, now);
     slip.record_profile(state.blocks, now, file);
     if (interface_time < 0)
       return;
@@ -449,6 +451,7 @@ namespace hybrid::output
       {
         write_joints(state);
         slip.finish(state.blocks, file, summary);
+        summary.deepest_overlap = {overlaps.deepest(), overlaps.time_of_deepest()};
         summary.blocks_off_base = blocks_off_base(*parts.blocks, state.blocks);
         count_failed_joints(*parts.blocks, state.blocks, summary);
       }

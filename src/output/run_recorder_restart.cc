@@ -11,6 +11,7 @@ namespace hybrid::output
   {
     archive(
       file, pictures, probes, ledger, slip, lines, peaks, reference_centroids, peak_displacement);
+    archive(overlaps);
     archive(next_picture, next_audit, last_picture, last_audit);
     for (MonitorSeries &point : watched_motion)
       for (std::vector<double> &history : point.histories)

@@ -6,6 +6,7 @@
 #include <hybrid/output/energy_ledger.h>
 #include <hybrid/output/history_file.h>
 #include <hybrid/output/line_recorder.h>
+#include <hybrid/output/overlap_watch.h>
 #include <hybrid/output/peak_fields.h>
 #include <hybrid/output/pictures.h>
 #include <hybrid/output/probes.h>
@@ -96,6 +97,12 @@ namespace hybrid::output
       return ledger;
     }
 
+    /// What is to be said of overlaps now, once; empty: nothing.
+    std::string overlap_warning()
+    {
+      return overlaps.warning();
+    }
+
     /// Pictures before the checkpoint whose files are gone, relative to the directory.
     std::vector<std::string> missing_pictures() const
     {
@@ -139,6 +146,7 @@ namespace hybrid::output
     LineRecorder    lines;
     PeakFields      peaks;
     EnergyLedger    ledger;
+    OverlapWatch    overlaps;
     std::vector<MonitorSeries> monitors;
     WatchedPoints              watched;        ///< without monitors, for the error alone
     std::vector<MonitorSeries> watched_motion; ///< of these; no series of run.h5
