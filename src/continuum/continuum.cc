@@ -37,6 +37,29 @@ namespace hybrid::continuum
       return faces;
     }
 
+    /// Faces of a side that hang together, from below: planes that end there part it.
+    std::vector<std::vector<RockFace>> parts_of_side(const RockMesh       &rock,
+                                                     std::vector<RockFace> faces)
+    {
+      for (RockFace &face : faces)
+        if (rock.nodes[face.a].y() > rock.nodes[face.b].y())
+          std::swap(face.a, face.b);
+      std::sort(faces.begin(), faces.end(), [&](const RockFace &f, const RockFace &g) {
+        return rock.nodes[f.a].y() + rock.nodes[f.b].y() <
+               rock.nodes[g.a].y() + rock.nodes[g.b].y();
+      });
+      std::vector<std::vector<RockFace>> parts;
+      for (const RockFace &face : faces)
+        {
+          if (parts.empty() || parts.back().back().b != face.a)
+            parts.emplace_back();
+          parts.back().push_back(face);
+        }
+      return parts;
+    }
+
+
+
     std::vector<int> nodes_of_faces(const ElementNodes &nodes, const std::vector<RockFace> &faces)
     {
       std::set<int> result;
@@ -133,6 +156,9 @@ namespace hybrid::continuum
     left_nodes  = nodes_of_faces(*nodes, faces_of_lines(rock, mesh, {"left"}));
     right_nodes = nodes_of_faces(*nodes, faces_of_lines(rock, mesh, {"right"}));
     base_nodes  = nodes_of_faces(*nodes, faces_of_lines(rock, mesh, {"base"}));
+    for (const auto &[name, outward] : {std::pair("left", -1.), std::pair("right", 1.)})
+      for (const auto &part : parts_of_side(rock, faces_of_lines(rock, mesh, {name})))
+        side_parts.push_back({nodes_of_faces(*nodes, part), outward});
     if (scene.environment.has_initial_stress())
       initial_stress = std::make_unique<InitialRockStress>(
         scene::InitialStress(mesh, scene), cell_region, rock, *nodes, joint_stiffness);

@@ -76,6 +76,34 @@ namespace hybrid::continuum
 
 
 
+  void Continuum::Implementation::find_pull(const std::vector<double> &forces,
+                                            StaticSlip                &result) const
+  {
+    constexpr double    told = 1e-4; // of the rock's weight
+    std::vector<double> inner(n_dofs());
+    matrices.multiply_stiffness(static_displacement.data(), inner.data());
+    double weight = 0.;
+    for (std::size_t k = 1; k < forces.size(); k += 2)
+      weight += std::abs(forces[k]);
+    for (const SidePart &part : side_parts)
+      {
+        double pull = 0.;
+        Vec2   middle(0., 0.);
+        for (const int node : part.nodes)
+          {
+            pull += part.outward * (inner[2 * node] - forces[2 * node]);
+            middle += nodes->positions[node] / static_cast<double>(part.nodes.size());
+          }
+        if (pull > std::max(result.pull, told * weight))
+          {
+            result.pull   = pull;
+            result.pulled = middle;
+          }
+      }
+  }
+
+
+
   StaticSlip Continuum::Implementation::solve_static_waves(const std::vector<double> &forces)
   {
     const std::vector<char> supported = static_supports();
@@ -157,6 +185,7 @@ namespace hybrid::continuum
       return {};
 
     // Planes that gravity alone brings to their limit slip until the rest can carry it.
+    std::vector<double>   all        = load;
     const Eigen::MatrixXd relaxation = m.slip_relaxation(number, system, *factor);
     if (m.initial_stress != nullptr)
       m.slip->add_rest(m.initial_stress->plane_tractions());
@@ -170,6 +199,8 @@ namespace hybrid::continuum
           break;
         load.assign(load.size(), 0.);
         m.slip->add_load_change(load);
+        for (std::size_t i = 0; i < load.size(); ++i)
+          all[i] += load[i];
         for (std::size_t s = 0; s < dofs.size(); ++s)
           b[s] += load[dofs[s]];
         system.forward(*factor, b, none);
@@ -183,6 +214,8 @@ namespace hybrid::continuum
         m.static_displacement = elastic;
         m.slip->begin_rest();
       }
+    if (result.equilibrium && (result.slipping > 0 || horizontal != 0.))
+      m.find_pull(all, result);
     m.slip->keep_rest(m.static_displacement);
     if (!result.equilibrium)
       {

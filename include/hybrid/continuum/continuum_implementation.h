@@ -24,6 +24,14 @@ namespace hybrid::continuum
 {
   class ImplicitWaves;
 
+  /// Nodes of a side that hang together, and where rock is not: -1 left of them, 1 right.
+  struct SidePart
+  {
+    std::vector<int> nodes;
+    double           outward;
+  };
+
+
   /// Inside of Continuum. Unknowns: "dof" is 2 node + component; "system" is the numbering of the
   /// factored matrix, without supported unknowns, the surface last.
   struct Continuum::Implementation
@@ -53,8 +61,9 @@ namespace hybrid::continuum
     std::vector<int>  surface_slots; ///< where a state has them (HeldNodes)
     std::vector<double>
       surface_shares; ///< per two of them: what the first bears of a uniform load between them [-]
-    std::vector<Facing> facing;
-    std::vector<int>    left_nodes, right_nodes, base_nodes;
+    std::vector<Facing>   facing;
+    std::vector<int>      left_nodes, right_nodes, base_nodes;
+    std::vector<SidePart> side_parts;
     std::vector<double>
       static_displacement; ///< of the restrained model [m], empty before solve_static_state(); of
                            ///< this rank's unknowns where ranks share them
@@ -62,6 +71,8 @@ namespace hybrid::continuum
     // the static model (continuum_static.cc)
     bool              has_weight = false;      ///< the scene has a static stage
     std::vector<char> static_supports() const; ///< per unknown: held at rest
+    /// Fills pull and pulled. @param forces all that act on nodes at rest [N/m]
+    void find_pull(const std::vector<double> &forces, StaticSlip &result) const;
     /// Without a matrix. All ranks call it.
     StaticSlip solve_static_waves(const std::vector<double> &forces);
     bool       knows_rest() const; ///< static_displacement; all ranks call it

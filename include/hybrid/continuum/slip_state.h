@@ -36,8 +36,11 @@ namespace hybrid::continuum
     double largest     = 0.; ///< largest slip [m]
     Vec2   where{0., 0.};    ///< its place; without equilibrium where shear in elastic planes is
                              ///< farthest beyond the strength [m]
-    int  plane  = -1;        ///< there, among the scene's names; -1: none
-    bool solved = true;      ///< the static displacement of the rock is known
+    int    plane  = -1;      ///< there, among the scene's names; -1: none
+    bool   solved = true;    ///< the static displacement of the rock is known
+    double pull   = 0.;      ///< with which the rollers of a side hold rock back that would slide
+                             ///< away from them, above or between planes [N/m]; 0: they press
+    Vec2 pulled{0., 0.};     ///< the middle of that part of the side [m]
   };
 
 

@@ -2,6 +2,7 @@
 #include <hybrid/scene/checks/geometry_check.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/mesh/unit_check.h>
+#include <hybrid/scene/parameters/parameter_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -333,6 +334,29 @@ namespace hybrid::scene
                            ": no block has this edge; where the bedrock is bare it belongs to the "
                            "line ground.");
     }
+    /// The upgoing wave enters all of a compliant base at the same instant.
+    void check_level_base(const SectionMesh &mesh, const SceneParameters &scene)
+    {
+      constexpr double level = 1e-3; // height over width
+      const auto       base  = mesh.lines.find("base");
+      if (base == mesh.lines.end() || base->second.empty() || scene.motion.type == "none" ||
+          !scene.continuum.base.is_compliant || !scene.continuum.base.takes_motion)
+        return;
+      Vec2 lower = mesh.nodes[base->second.front()[0]], upper = lower;
+      for (const Edge &edge : base->second)
+        for (const int node : edge)
+          {
+            lower = lower.cwiseMin(mesh.nodes[node]);
+            upper = upper.cwiseMax(mesh.nodes[node]);
+          }
+      if (upper.y() - lower.y() > level * (upper.x() - lower.x()))
+        throw InputError(
+          "Continuum/Base = compliant needs a level base, as the wave enters all of it "
+          "at the same instant; this one lies between y = " +
+          number_text(lower.y()) + " and " + number_text(upper.y()) +
+          " m. Draw it level (the rock may be layered as it likes above), or set "
+          "Continuum/Base = rigid.");
+    }
   } // namespace
 
 
@@ -344,6 +368,7 @@ namespace hybrid::scene
       {
         check_connected(mesh);
         check_bedding_planes(mesh);
+        check_level_base(mesh, scene);
       }
     if (!scene.blocks.enabled)
       return;

@@ -82,6 +82,27 @@ TEST(BeddingSlip, static_tractions_are_within_the_strength_and_stay)
 }
 
 
+TEST(BeddingSlip, sides_that_hold_rock_back_are_told)
+{
+  // What friction does not hold hangs on the left side and leans on the right one, above the plane.
+  Continuum  weak(section(), parameters(0.), {}, MPI_COMM_WORLD);
+  const auto pushed = weak.solve_static_state(push(weak), 9.81);
+  ASSERT_TRUE(pushed.equilibrium);
+  EXPECT_GT(pushed.pull, 1e7);
+  EXPECT_LT(pushed.pull, 7 * 3e7);
+  EXPECT_EQ(pushed.pulled.x(), 0.);
+  EXPECT_NEAR(pushed.pulled.y(), 30., 1e-9);
+
+  // Rock under its weight alone presses; along the slope of the ground (0.1 g) it hangs on one
+  // side.
+  Continuum             strong(section(), parameters(1e12), {}, MPI_COMM_WORLD);
+  const Eigen::VectorXd none = 0. * push(strong);
+  EXPECT_EQ(strong.solve_static_state(none, 9.81).pull, 0.);
+  EXPECT_EQ(strong.solve_static_state(none, 9.81, 0.01).pull, 0.); // the weight's pressure is more
+  EXPECT_GT(strong.solve_static_state(none, 9.81, 9.81).pull, 0.);
+}
+
+
 TEST(BeddingSlip, what_has_slipped_at_rest_stays_whatever_the_weight)
 {
   // Points that are torn and bear nothing have tractions of round-off alone.

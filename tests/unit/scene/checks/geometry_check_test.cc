@@ -49,6 +49,22 @@ namespace hybrid::scene::test
   } // namespace
 
 
+  TEST(GeometryCheck, ACompliantBaseIsLevel)
+  {
+    SectionMesh     mesh  = small_section();
+    SceneParameters scene = SceneParameters();
+    mesh.lines["base"]    = {{0, 1}, {1, 2}};
+    scene.motion.type     = "sine";
+    ASSERT_TRUE(scene.continuum.base.is_compliant && scene.continuum.base.takes_motion);
+    EXPECT_NO_THROW(check_geometry(mesh, scene));
+    mesh.nodes[1].y() = -0.1;
+    expect_part(error_of(mesh, scene), "needs a level base");
+    expect_part(error_of(mesh, scene), "between y = -0.1 and 0 m");
+    scene.motion.type = "none"; // it only absorbs
+    EXPECT_NO_THROW(check_geometry(mesh, scene));
+  }
+
+
   TEST(GeometryCheck, SoundSectionPasses)
   {
     SectionMesh mesh = small_section();
