@@ -14,6 +14,7 @@ namespace hybrid::scene
   namespace
   {
     constexpr double standard_gravity     = 9.80665; // [m/s2]
+    constexpr double foot                 = 0.3048;  // [m]
     constexpr double largest_acceleration = 1e4;     // [m/s2]: a thousand g
 
 
@@ -114,6 +115,15 @@ namespace hybrid::scene
             header.unit = 0.01;
           else if (has_word(line, "M/S"))
             header.unit = 1.;
+          else if (has_word(line, "FT/S"))
+            header.unit = foot;
+          if (has_word(line, "UNITS") && !has_word(line, "ACCELERATION"))
+            for (const char *other : {"VELOCITY", "DISPLACEMENT"})
+              if (has_word(line, other))
+                throw InputError(file,
+                                 number,
+                                 "this is no record of acceleration: its header says '" + line +
+                                   "'. PEER's files of acceleration end in .AT2.");
           if (parse_points_and_step(line, file, number, header))
             return header;
         }

@@ -70,7 +70,9 @@ namespace hybrid::scene
        {"none", StaticStage::none}},
       "Before the dynamic stage: equilibrium lets the blocks settle with their strengths active, and "
       "the run ends if they cannot stand or fall elsewhere; equilibrium or move goes on where they are then; held has "
-      "unlimited friction and bonds (for masses that cannot stand), none starts unloaded.");
+      "unlimited friction and bonds (for masses that cannot stand), none starts "
+      "unloaded. This is of blocks: bedding planes of finite elements that slip bear the weight of "
+      "the rock from the start.");
     gravity.toggle("Reset softening",
                    environment.reset_softening,
                    "Strengths are those of today's slope: slip while it settles takes nothing of "

@@ -214,12 +214,19 @@ namespace hybrid::scene::test
       }
     EXPECT_DOUBLE_EQ(at2("ACCELERATION IN CM/S2\nNPTS= 2, DT= .01\n 100 200\n").samples()[0], 1.);
     EXPECT_DOUBLE_EQ(at2("ACCELERATION IN M/S/S\nNPTS= 2, DT= .01\n 100 200\n").samples()[1], 200.);
+    EXPECT_DOUBLE_EQ(at2("ACCELERATION IN FT/S/S\nNPTS= 2, DT= .01\n 1 2\n").samples()[1], 0.6096);
   }
 
 
   TEST_F(MotionReader, BadAt2RecordsAreRefused)
   {
     expect_part(at2_error(""), "no header line with NPTS and DT");
+    for (const char *what :
+         {"VELOCITY TIME SERIES IN UNITS OF CM/S", "DISPLACEMENT TIME SERIES IN UNITS OF CM"})
+      expect_part(at2_error(std::string("PEER\n") + what + "\nNPTS= 2, DT= .01\n1 2\n"),
+                  std::string(
+                    "record.at2:2: this is no record of acceleration: its header says '") +
+                    what + "'");
     expect_part(at2_error("0 0\n0.01 1\n"), "set Motion/Type = text");
     expect_part(at2_error("1 2 3\n4 5 6\n"), "no header line with NPTS and DT");
     expect_part(at2_error("title\nNPTS= many\n"), "record.at2:2: the header line");
