@@ -225,6 +225,7 @@ def test_how_amplification_depends_on_a_parameter(hybrid, run, bar):
 
 @pytest.mark.parametrize("words, part", [
     (["--lines", "grund"], "no line 'grund' (did you mean 'ground'?)"), (["--component", "z"], "invalid choice: 'z'"),
+    (["--component", "y"], "is along x alone"),
     (["--bandwidth", "0"], "--bandwidth is 0"), (["--hlep"], "did you mean '--help'")])
 def test_mistakes_are_one_line(hybrid, level_ground, words, part):
     result = hybrid("amplification", level_ground, *words)

@@ -9,7 +9,7 @@ from conftest import ROOT
 
 from hybrid_run import Run
 from hybrid_run.newmark import rate_on_slope, rigid_block
-from hybrid_tools.fos.kinks import holding_kink
+from hybrid_tools.fos.kinks import holding_kink, kink_of_blocks
 from hybrid_tools.fos.sliding import lost_strength
 
 SLAB = ROOT / "parameters/verification/bonded_slab.prm"  # belt of 25 degrees on a slope of 20
@@ -368,6 +368,20 @@ def test_a_kink_that_holds_a_corner_is_found(mirror):
     across = np.array([[15, 11.25], [20, 15], [24, 20], [15, 25]]) * flip
     assert holding_kink(surface, [lower, across], -mirror)[0] == pytest.approx([20 * mirror, 15])
     assert holding_kink(surface[:2], [lower], -mirror) is None
+
+
+@pytest.mark.parametrize("mirror", (1, -1))
+def test_a_kink_in_the_outline_of_a_block_is_found(mirror):
+    """A plane of 35 degrees that ends at a bench, both edges of one block."""
+    def drawn(points):
+        corners = np.array(points, dtype=float) * [mirror, 1]
+        return corners if mirror > 0 else corners[::-1]  # counter-clockwise
+    rock = drawn([(0, 0), (40, 0), (40, 9), (20, 9), (10, 2), (0, 2)])
+    wedge, cut = drawn([(10, 2), (20, 9), (13, 9)]), drawn([(10.5, 2.35), (20, 9), (13, 9)])
+    point, bend = kink_of_blocks([wedge, rock], -mirror)
+    assert point == pytest.approx([10 * mirror, 2]) and bend == pytest.approx(np.degrees(np.arctan2(7, 10)))
+    assert kink_of_blocks([rock, cut], -mirror) is None
+    assert kink_of_blocks([wedge, wedge + [40, 0]], -mirror) is None  # none of them has an inward corner
 
 
 TOPPLING = """

@@ -78,6 +78,8 @@ class Study:
         if not self.outcrop_peaks.max() > 0:
             raise MissingData("'%s' has no input motion: amplification is relative to that of an outcrop" % run.directory)
         self.component = int(np.argmax(self.outcrop_peaks)) if component is None else component
+        if not self.outcrop_peak > REST * self.outcrop_peaks.max():
+            raise UserError("--component %s: the outcrop motion of '%s' is along %s alone" % (self.letter, run.directory, "yx"[self.component]))
         self.resolved = resolved_frequency(run)
         self.frequency, self.is_clear = self._frequencies()
         self.sides = [Side(self, line, side) for line in self.lines for side in line.sides]

@@ -13,7 +13,7 @@ from hybrid_run import UserError
 from hybrid_tools import style
 from hybrid_tools.arguments import Arguments
 from hybrid_tools.fos import figure, flanks, sliding
-from hybrid_tools.fos.kinks import holding_kink
+from hybrid_tools.fos.kinks import holding_kink, kink_of_blocks
 from hybrid_tools.fos.other_equilibrium import warn_of_other_equilibrium
 from hybrid_tools.fos.search import factor_of_safety, yield_coefficient
 from hybrid_tools.fos.trial import Trials
@@ -170,20 +170,22 @@ def resting(run, polygons, towards):
 
 
 def warn_of_kink(bracket, results):
-    """Loose blocks are rigid where they meet a kink; a bonded mass that fails through itself is warned of by its edges."""
+    """Loose blocks are rigid where they meet a kink; a bonded mass that fails through itself is warned of by its edges. A block whose outline
+    has the kink holds bonded ones as well."""
     run = bracket.stands.run()
-    if is_bonded(bracket) or not run.has("section/surface"):
-        return
     points, _, offsets = figure.moved(bracket.stands)
     polygons = np.split(points, offsets[1:-1])[run.blocks.mass]
     ways = (1.0, -1.0) if run.is_on_both_flanks and bracket.towards is None else (bracket.towards or run.downhill,)
-    found = [holding_kink(line, resting(run, polygons, towards), towards) for line in run.surface for towards in ways]
-    if any(found):
-        (x, y), bend = max(filter(None, found), key=lambda kink: kink[1])
+    on_surface = [] if is_bonded(bracket) or not run.has("section/surface") else [
+        holding_kink(line, resting(run, polygons, towards), towards) for line in run.surface for towards in ways]
+    found = [("the sliding surface", kink) for kink in on_surface] + [("the outline of a block", kink_of_blocks(polygons, way)) for way in ways]
+    found = [(what, kink) for what, kink in found if kink]
+    if found:
+        what, ((x, y), bend) = max(found, key=lambda of: of[1][1])
         results["kink"] = {"point_m": [x, y], "bend_degrees": bend}
-        print("warning: the sliding surface flattens by %.0f degrees at (%.6g, %.6g) m, where the corner of a loose block holds it whatever\n"
+        print("warning: %s flattens by %.0f degrees at (%.6g, %.6g) m, where the corner of another block holds it whatever\n"
               "  its strength: this may be far too strong (for two wedges twice and more); cut that corner off by a few percent of the block" % (
-                  bend, x, y))
+                  what, bend, x, y))
 
 
 def warn_of_no_jump(bracket, trials, results):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Kinks of the sliding surface that hold loose blocks whatever their strength: rock would crush there, blocks do not."""
+"""Kinks of the sliding surface, or of blocks, that hold blocks whatever their strength: rock would crush there, blocks do not."""
 
 import numpy as np
 
@@ -26,6 +26,22 @@ def holding_kink(surface, polygons, downhill):
         if any(rests_beyond(np.asarray(polygon), line[k], direction) for polygon in polygons):
             return line[k], float(bend)
     return None
+
+
+def kink_of_blocks(polygons, downhill):
+    """The same of the sharpest kink in the outline of a block, in which another one that rests on it has a corner."""
+    found = []
+    for k, outline in enumerate(polygons):
+        ring = np.asarray(outline)[::-1]  # from left to right along its upper side
+        if not is_convex(ring):
+            found.append(holding_kink(np.vstack([ring, ring[:2]]), polygons[:k] + polygons[k + 1 :], downhill))
+    return max(filter(None, found), key=lambda kink: kink[1], default=None)
+
+
+def is_convex(clockwise):
+    along = np.roll(clockwise, -1, axis=0) - clockwise
+    after = np.roll(along, -1, axis=0)
+    return (along[:, 0] * after[:, 1] - along[:, 1] * after[:, 0] <= 1e-9 * np.linalg.norm(along, axis=1) * np.linalg.norm(after, axis=1)).all()
 
 
 def rests_beyond(polygon, corner, direction):
