@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/error_runs.h>
 #include <hybrid/output/end_text.h>
+#include <hybrid/output/formatted.h>
 #include <hybrid/output/mesh_difference.h>
 #include <hybrid/output/step_difference.h>
 #include <hybrid/output/told_errors.h>
@@ -8,13 +9,13 @@
 #include <hybrid/scene/crash_guard.h>
 #include <hybrid/scene/input_error.h>
 #include <hybrid/scene/mesh/corner_cells.h>
+#include <hybrid/scene/mesh/thin_layers.h>
 #include <hybrid/scene/parameters/corner_levels.h>
 #include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/scene/parameters/scene_reader.h>
 #include <hybrid/voice.h>
 
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <limits>
 
@@ -37,9 +38,7 @@ namespace hybrid
     /// Of a time step: 0.0005 s.
     std::string step_text(const double step)
     {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.6g s", step);
-      return text;
+      return output::formatted("%.6g s", step);
     }
 
 
@@ -113,6 +112,12 @@ namespace hybrid
         return corners_of_last;
       }
 
+      /// Of its cells, by surfaces [m].
+      const std::map<int, double> &cell_thickness() const
+      {
+        return thickness_of_last;
+      }
+
       void leave_nothing() const
       {
         processes.on_first([&] { forget_further_runs(directory); });
@@ -129,6 +134,7 @@ namespace hybrid
       bool                           none_failed = true;
 
       std::vector<scene::ReentrantCorner> corners_of_last;
+      std::map<int, double>               thickness_of_last;
 
       std::optional<output::StepRecord> fail(const std::string &why)
       {
@@ -171,6 +177,7 @@ namespace hybrid
             return fail(std::string("the further run failed: ") + error.what());
           }
         corners_of_last   = simulation->corners_of_bedrock();
+        thickness_of_last = simulation->cell_thickness();
         const double left = simulation->mesh_count();
         count_of_last     = left;
         if (left > most_left * many)
@@ -245,6 +252,7 @@ namespace hybrid
       double                              most_left; ///< of them in a mesh twice as coarse
       std::string                         coarser[2];
       std::vector<scene::ReentrantCorner> corners;
+      std::map<int, double>               thickness; ///< of cells, by surfaces [m]
       /// Cells at corners smaller, steps as they are; empty: the run's integrator would cut these,
       /// or there are blocks, whose constant strain leaves more.
       std::vector<std::string> smaller_at_corners;
@@ -254,6 +262,7 @@ namespace hybrid
         , most_left(run.n_blocks() > 0 ? most_blocks_left : most_unknowns_left)
         , coarser{run.coarser_mesh(2.), run.coarser_mesh(4.)}
         , corners(run.corners_of_bedrock())
+        , thickness(run.cell_thickness())
       {
         const int levels = run.corner_levels() + output::corner_halvings;
         if (!run.takes_explicit_steps() && run.n_blocks() == 0 &&
@@ -271,6 +280,7 @@ namespace hybrid
       double                            time          = 0.;    ///< of the first of them [s]
       double                            count         = 0.;    ///< of its unknowns or blocks
       bool                              keeps_corners = false; ///< their cells are as large in all
+      bool                              keeps_layers  = false; ///< some are one cell thick in all
       std::optional<output::StepRecord> smaller_at_corners;
     };
 
@@ -282,9 +292,10 @@ namespace hybrid
                             const Processes &processes)
     {
       MeshRuns   found;
-      auto       corners  = mesh.corners;
-      double     many     = mesh.count;
-      const auto from_all = [&](const bool of_first) {
+      auto       corners   = mesh.corners;
+      auto       thickness = mesh.thickness;
+      double     many      = mesh.count;
+      const auto from_all  = [&](const bool of_first) {
         return processes.from_first(of_first ? 1. : 0.) != 0.;
       };
       for (const std::string &numbers : mesh.coarser)
@@ -301,8 +312,12 @@ namespace hybrid
           found.coarser.push_back(record.value_or(output::StepRecord()));
           found.keeps_corners =
             found.keeps_corners || scene::keeps_corner_cells(corners, runs.corners());
-          corners = runs.corners();
+          found.keeps_layers =
+            found.keeps_layers || scene::keeps_thin_layers(thickness, runs.cell_thickness());
+          corners   = runs.corners();
+          thickness = runs.cell_thickness();
         }
+      found.keeps_layers  = from_all(found.keeps_layers);
       found.keeps_corners = from_all(found.keeps_corners);
       if (found.keeps_corners && !mesh.smaller_at_corners.empty())
         found.smaller_at_corners =
@@ -326,6 +341,7 @@ namespace hybrid
           output::measure_mesh_error(run.record, found.coarser, run.mesh_orders, error);
         }
       error.keeps_corners = found.keeps_corners;
+      error.keeps_layers  = found.keeps_layers;
       if (found.smaller_at_corners && error.reason.empty())
         {
           found.smaller_at_corners->least_motion = run.record.least_motion;

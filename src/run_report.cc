@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/end_text.h>
+#include <hybrid/output/formatted.h>
 #include <hybrid/output/line_card.h>
 #include <hybrid/output/memory_estimate.h>
 #include <hybrid/output/monitor_card.h>
@@ -9,13 +10,13 @@
 #include <hybrid/scene/checks/doubtful_values.h>
 #include <hybrid/scene/checks/free_field_check.h>
 #include <hybrid/scene/checks/geometry_warnings.h>
+#include <hybrid/scene/checks/joint_line_warnings.h>
 #include <hybrid/scene/checks/settings_without_effect.h>
 #include <hybrid/scene/checks/water_check.h>
 #include <hybrid/scene/mesh/unit_check.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace hybrid
 {
@@ -25,9 +26,7 @@ namespace hybrid
     {
       if (settled.steps == 0)
         return "not settled";
-      char text[60];
-      std::snprintf(text, sizeof(text), "relative residual %.1e", settled.residual);
-      return text;
+      return output::formatted("relative residual %.1e", settled.residual);
     }
 
 
@@ -39,13 +38,10 @@ namespace hybrid
       const std::string text = "; the dynamic stage starts from rest there";
       if (settled.largest_displacement < told)
         return text;
-      char moved[200];
-      std::snprintf(moved,
-                    sizeof(moved),
-                    ", up to %.3g m from where the blocks were drawn: displacements count from "
-                    "there, and the speed that this way would have given them is not in them",
-                    settled.largest_displacement);
-      return text + moved;
+      return text + output::formatted(
+                      ", up to %.3g m from where the blocks were drawn: displacements count from "
+                      "there, and the speed that this way would have given them is not in them",
+                      settled.largest_displacement);
     }
   } // namespace
 
@@ -86,6 +82,8 @@ namespace hybrid
       log.warning(warning);
     for (const std::string &warning : scene::geometry_warnings(model.mesh, model.scene))
       log.warning(warning);
+    for (const std::string &warning : scene::joint_line_warnings(model.mesh, model.scene))
+      log.warning(warning);
     for (const std::string &warning : scene::free_field_warnings(model.mesh, model.scene))
       log.warning(warning);
     for (const std::string &warning : scene::doubtful_values(model.scene, input.motion))
@@ -116,17 +114,13 @@ namespace hybrid
 
   void RunReport::lifts(const dda::LiftResult &result) const
   {
-    char text[200];
-    std::snprintf(
-      text,
-      sizeof(text),
+    log.info(output::formatted(
       "Lifts: %d with blocks; largest displacement of a block since its lift was placed "
       "%.3g m, at (%.2f, %.2f)",
       result.lifts,
       result.largest_displacement,
       result.place.x(),
-      result.place.y());
-    log.info(text);
+      result.place.y()));
   }
 
 
@@ -144,19 +138,16 @@ namespace hybrid
         tensile += joint.failure == dda::FailureKind::tensile ? 1 : 0;
         shear += joint.failure == dda::FailureKind::shear ? 1 : 0;
       }
-    char text[300];
-    std::snprintf(text,
-                  sizeof(text),
-                  "Static stage: %s after %d steps (%d iterations), largest displacement %.3g m; "
-                  "joints failed: %d tensile, %d shear; largest slip of a joint %.3g m",
-                  residual_text(settled).c_str(),
-                  settled.steps,
-                  settled.iterations,
-                  settled.largest_displacement,
-                  tensile,
-                  shear,
-                  slip);
-    log.info(text);
+    log.info(output::formatted(
+      "Static stage: %s after %d steps (%d iterations), largest displacement %.3g m; "
+      "joints failed: %d tensile, %d shear; largest slip of a joint %.3g m",
+      residual_text(settled).c_str(),
+      settled.steps,
+      settled.iterations,
+      settled.largest_displacement,
+      tensile,
+      shear,
+      slip));
     if (settled.equilibrium)
       {
         fallen_blocks(settled, state, has_failed);
@@ -169,13 +160,10 @@ namespace hybrid
     if (settled.moving_block >= 0)
       {
         const Vec2 &c = state.blocks[settled.moving_block].centroid;
-        std::snprintf(text,
-                      sizeof(text),
-                      ", most of all block %s at (%.2f, %.2f)",
-                      model.mesh.block_name(settled.moving_block).c_str(),
-                      c.x(),
-                      c.y());
-        where += text;
+        where += output::formatted(", most of all block %s at (%.2f, %.2f)",
+                                   model.mesh.block_name(settled.moving_block).c_str(),
+                                   c.x(),
+                                   c.y());
       }
     log.warning(
       std::string(
@@ -198,11 +186,8 @@ namespace hybrid
   {
     if (settled.fallen_block < 0)
       return;
-    const Vec2 &c = state.blocks[settled.fallen_block].centroid;
-    char        text[300];
-    std::snprintf(
-      text,
-      sizeof(text),
+    const Vec2       &c    = state.blocks[settled.fallen_block].centroid;
+    const std::string text = output::formatted(
       "the mass does not stand as it was drawn: block %s has moved by %.3g m and turned by %.3g "
       "degrees before it came to rest at (%.2f, %.2f)",
       model.mesh.block_name(settled.fallen_block).c_str(),
@@ -225,16 +210,12 @@ namespace hybrid
   {
     if (settled.slid_block < 0 || settled.fallen_block >= 0)
       return;
-    char text[300];
-    std::snprintf(
-      text,
-      sizeof(text),
+    log.warning(output::formatted(
       "blocks have moved by up to %.3g m (block %s) before they came to rest, elasticity explains "
       "at most about %.2g m: they slid or turned; is this the slope that you drew?",
       settled.slid_by,
       model.mesh.block_name(settled.slid_block).c_str(),
-      settled.elastic_settlement);
-    log.warning(text);
+      settled.elastic_settlement));
   }
 
 
@@ -246,24 +227,29 @@ namespace hybrid
                   "only");
     if (!model.scene.bedding.slips || model.scene.bedding.names.empty())
       return;
-    char text[200];
-    std::snprintf(text,
-                  sizeof(text),
-                  "Bedding planes at rest: %d points slip, %d are open",
-                  planes.slipping,
-                  planes.open);
-    std::string found = text;
+    std::string found = output::formatted("Bedding planes at rest: %d points slip, %d are open",
+                                          planes.slipping,
+                                          planes.open);
     if (planes.equilibrium)
-      {
-        std::snprintf(text, sizeof(text), ", largest slip %.3g m", planes.largest);
-        found += text;
-      }
+      found += output::formatted(", largest slip %.3g m", planes.largest);
     log.info(found);
+    if (model.scene.environment.horizontal != 0. && model.continuum != nullptr)
+      log.warning("Gravity/Horizontal coefficient: at rest the sides of the bedrock, which are on "
+                  "rollers, bear a part of the push that planes would bear in a wider section");
+    if (planes.pull > 0.)
+      log.warning(output::formatted(
+        "the side of the section near (%.2f, %.2f) holds the rock there back at rest, by a pull of %.3g N/m: "
+        "sides are on rollers, which do not let go, so that what would slide on a plane hangs on them. "
+        "Name that part of the side ground if nothing holds it there (a crack), or let the planes and "
+        "the section go on to where the rock stands by itself",
+        planes.pulled.x(),
+        planes.pulled.y(),
+        planes.pull));
     if (planes.equilibrium)
       return;
-    std::snprintf(text, sizeof(text), " near (%.2f, %.2f)", planes.where.x(), planes.where.y());
     log.warning("the bedding planes cannot carry their load at rest, most of all " +
-                model.scene.bedding.names[planes.plane] + text +
+                model.scene.bedding.names[planes.plane] +
+                output::formatted(" near (%.2f, %.2f)", planes.where.x(), planes.where.y()) +
                 ": what lies on them slides from the start");
   }
 
@@ -271,28 +257,22 @@ namespace hybrid
 
   void RunReport::resumed(const double time, const long steps, const bool at_end) const
   {
-    char text[200];
-    std::snprintf(text,
-                  sizeof(text),
-                  "Resumed from the checkpoint at t = %.6g s, after %ld steps%s",
-                  time,
-                  steps,
-                  at_end ? ", the end of the run (a later one: -s \"Time/End time=...\")" : "");
-    log.info(text);
+    log.info(output::formatted("Resumed from the checkpoint at t = %.6g s, after %ld steps%s",
+                               time,
+                               steps,
+                               at_end
+                                 ? ", the end of the run (a later one: -s \"Time/End time=...\")"
+                                 : ""));
   }
 
 
 
   void RunReport::at_rest(const double time) const
   {
-    char text[200];
-    std::snprintf(
-      text,
-      sizeof(text),
+    log.info(output::formatted(
       "At rest    at t = %.4g s: no corner of a block was faster than %g m/s for a second",
       time,
-      model.scene.time.rest_speed);
-    log.info(text);
+      model.scene.time.rest_speed));
   }
 
 
@@ -312,44 +292,34 @@ namespace hybrid
 
   void RunReport::no_convergence(const dda::StepResult &result, const double time) const
   {
-    char text[400];
     if (result.is_passed)
       {
-        std::snprintf(
-          text,
-          sizeof(text),
+        log.warning(output::formatted(
           "stopped at t = %.6g s: in the smallest step %.3g s a corner would go into a body "
           "before it has a contact; a shorter Time/Time step or more Time/Maximum halvings do",
           time,
-          std::ldexp(model.scene.time.time_step, -model.scene.time.maximum_halvings));
-        log.warning(text);
+          std::ldexp(model.scene.time.time_step, -model.scene.time.maximum_halvings)));
         return;
       }
-    std::snprintf(
-      text,
-      sizeof(text),
+    log.warning(output::formatted(
       "stopped at t = %.6g s: the open-close iteration does not settle at the smallest step %.3g s "
       "(relative residual %.2e after %d iterations, largest displacement ratio %.3g)",
       time,
       std::ldexp(model.scene.time.time_step, -model.scene.time.maximum_halvings),
       result.residual,
       result.iterations,
-      result.displacement_ratio);
-    log.warning(text);
+      result.displacement_ratio));
   }
 
 
 
   void RunReport::search_stopped(const double time, const double time_step) const
   {
-    char text[240];
-    std::snprintf(text,
-                  sizeof(text),
-                  "Stopped at t = %.6g s while the stiffness of the surface was found for steps of "
-                  "%.4g s: all steps before are kept, and a run that goes on finds it anew",
-                  time,
-                  time_step);
-    log.info(text);
+    log.info(output::formatted(
+      "Stopped at t = %.6g s while the stiffness of the surface was found for steps of "
+      "%.4g s: all steps before are kept, and a run that goes on finds it anew",
+      time,
+      time_step));
   }
 
 

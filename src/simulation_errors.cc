@@ -2,6 +2,7 @@
 #include <hybrid/output/mesh_orders.h>
 #include <hybrid/output/watched_points.h>
 #include <hybrid/scene/mesh/corner_cells.h>
+#include <hybrid/scene/mesh/thin_layers.h>
 #include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/simulation.h>
 
@@ -60,6 +61,13 @@ namespace hybrid
   {
     return model.continuum != nullptr ? scene::corners_of_bedrock(model.mesh)
                                       : std::vector<scene::ReentrantCorner>();
+  }
+
+
+
+  std::map<int, double> Simulation::cell_thickness() const
+  {
+    return model.continuum != nullptr ? scene::cell_thickness(model.mesh) : std::map<int, double>();
   }
 
 

@@ -15,6 +15,7 @@
 #include <hybrid/scene_model.h>
 #include <hybrid/step_choice.h>
 
+#include <map>
 #include <optional>
 
 namespace hybrid
@@ -86,6 +87,9 @@ namespace hybrid
     /// Inward corners of a bedrock of finite elements, whose cells another run can halve.
     std::vector<scene::ReentrantCorner> corners_of_bedrock() const;
 
+    /// Of cells of such a bedrock, by surfaces of the geometry (thin_layers.h) [m].
+    std::map<int, double> cell_thickness() const;
+
     /// Mesh/Corner levels
     int corner_levels() const
     {
@@ -149,6 +153,9 @@ namespace hybrid
 
     /// From the state before the first step on.
     void start_recording(Run &run);
+
+    /// A warning where blocks are deep in each other or in the ground.
+    void tell_of_overlap(output::RunRecorder &recorder) const;
 
     /// Peaks of a bedrock that processes share, at the end.
     void write_shared_peaks(Run &run) const;

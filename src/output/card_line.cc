@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/card_line.h>
-
-#include <cstdarg>
-#include <cstdio>
+#include <hybrid/output/formatted.h>
 
 namespace hybrid::output
 {
   std::string card_line(const char *format, ...)
   {
-    char    buffer[512];
     va_list arguments;
     va_start(arguments, format);
-    std::vsnprintf(buffer, sizeof(buffer), format, arguments);
+    const std::string text = formatted_arguments(format, arguments);
     va_end(arguments);
-    return std::string(buffer) + "\n";
+    return text + "\n";
   }
 } // namespace hybrid::output

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/card_line.h>
 #include <hybrid/output/effects_card.h>
+#include <hybrid/output/formatted.h>
 #include <hybrid/output/resolution.h>
 #include <hybrid/scene/maxwell_body.h>
 #include <hybrid/scene/motion/motion_measures.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -17,9 +17,7 @@ namespace hybrid::output
   {
     std::string shape_in_words(const double shape)
     {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%g", shape);
-      return shape > 0. ? text : "none";
+      return shape > 0. ? formatted("%g", shape) : "none";
     }
 
 
@@ -84,14 +82,10 @@ namespace hybrid::output
     /// "phi 8 deg, c 0 Pa" that a belt has after slip.
     std::string residual(const Material &belt)
     {
-      char         text[80];
       const double phi = belt.residual_friction_angle, c = belt.residual_cohesion;
-      std::snprintf(text,
-                    sizeof(text),
-                    "phi %g deg, c %g Pa",
-                    phi < 0. ? belt.friction_angle : phi,
-                    c < 0. ? belt.cohesion : c);
-      return text;
+      return formatted("phi %g deg, c %g Pa",
+                       phi < 0. ? belt.friction_angle : phi,
+                       c < 0. ? belt.cohesion : c);
     }
 
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/end_text.h>
+#include <hybrid/output/formatted.h>
+#include <hybrid/output/overlap_watch.h>
+#include <hybrid/output/progress.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 namespace hybrid::output
@@ -18,31 +20,12 @@ namespace hybrid::output
 
 
 
-    template <typename... Values>
-    std::string format(const char *form, const Values... values)
-    {
-      char text[300];
-      std::snprintf(text, sizeof(text), form, values...);
-      return text;
-    }
-
-
-
     /// 3 digits, in millimetres below one metre.
     std::string length_text(const double value)
     {
       const double rounded = std::abs(value) < 1e-8 ? 0. : value;
-      return std::abs(value) < 1. ? format("%.3g mm", 1e3 * rounded) : format("%.3g m", value);
-    }
-
-
-
-    /// 4:07, or 1:02:03.
-    std::string duration_text(const double seconds)
-    {
-      const long s = std::lround(seconds);
-      return s < 3600 ? format("%ld:%02ld", s / 60, s % 60)
-                      : format("%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
+      return std::abs(value) < 1. ? formatted("%.3g mm", 1e3 * rounded)
+                                  : formatted("%.3g m", value);
     }
 
 
@@ -90,9 +73,10 @@ namespace hybrid::output
       std::string text =
         "peak " + length_text(monitor.peak_displacement[u]) + axes[u] + ", " +
         length_text(monitor.final_displacement[u]) + " at the end" +
-        format(", peak acceleration %.2g g", std::abs(monitor.peak_acceleration[a]) / g) + axes[a];
+        formatted(", peak acceleration %.2g g", std::abs(monitor.peak_acceleration[a]) / g) +
+        axes[a];
       if (std::isfinite(monitor.amplification[a]))
-        text += format(" = %.3g x outcrop", monitor.amplification[a]);
+        text += formatted(" = %.3g x outcrop", monitor.amplification[a]);
       return text;
     }
 
@@ -111,7 +95,8 @@ namespace hybrid::output
       for (const NamedMonitor &monitor : summary.monitors)
         moving += monitor.first != base ? 1 : 0;
       if (moving > told.size() && !told.empty())
-        text += indent + format("%zu more monitors shook less: summary.json", moving - told.size());
+        text +=
+          indent + formatted("%zu more monitors shook less: summary.json", moving - told.size());
       return text;
     }
 
@@ -122,11 +107,11 @@ namespace hybrid::output
       const long all = failed.tensile + failed.shear;
       if (all == 0)
         return "no joint failed";
-      return format("%ld joint%s failed (%ld tensile, %ld shear)",
-                    all,
-                    all == 1 ? "" : "s",
-                    failed.tensile,
-                    failed.shear);
+      return formatted("%ld joint%s failed (%ld tensile, %ld shear)",
+                       all,
+                       all == 1 ? "" : "s",
+                       failed.tensile,
+                       failed.shear);
     }
 
 
@@ -135,10 +120,11 @@ namespace hybrid::output
     {
       return blocks == 0
                ? ""
-               : indent + format("%d %s the surface no more at the end: how far %s counts as slip",
-                                 blocks,
-                                 blocks == 1 ? "block touches" : "blocks touch",
-                                 blocks == 1 ? "it has moved" : "they have moved");
+               : indent +
+                   formatted("%d %s the surface no more at the end: how far %s counts as slip",
+                             blocks,
+                             blocks == 1 ? "block touches" : "blocks touch",
+                             blocks == 1 ? "it has moved" : "they have moved");
     }
 
 
@@ -150,7 +136,7 @@ namespace hybrid::output
         return joints_text(summary.joints);
       return "slip on the sliding surface: " + length_text(slip.mean_left) + " left (largest " +
              length_text(slip.largest_left) +
-             format("), %.3g %% of it slipped by more than ", 100. * slip.part) +
+             formatted("), %.3g %% of it slipped by more than ", 100. * slip.part) +
              length_text(slip.threshold) + "; " + joints_text(summary.joints) +
              (slip.downhill == "both ways" ? indent + "slides lie on both flanks: the slip of each "
                                                       "is positive its own way downhill"
@@ -173,7 +159,7 @@ namespace hybrid::output
           text += indent + name + "  ";
           if (slips)
             text += "has slipped by " + length_text(std::abs(slip.largest_left)) + " at most, at " +
-                    format("(%.4g, %.4g) m", slip.where[0], slip.where[1]);
+                    formatted("(%.4g, %.4g) m", slip.where[0], slip.where[1]);
           if (opens)
             text += (slips ? "; it is open by " : "is open by ") + length_text(slip.opening_left) +
                     " at most";
@@ -187,9 +173,18 @@ namespace hybrid::output
     {
       return blocks == 0
                ? ""
-               : indent + format("%d %s beyond the end of the base, where nothing is below",
-                                 blocks,
-                                 blocks == 1 ? "block is" : "blocks are");
+               : indent + formatted("%d %s beyond the end of the base, where nothing is below",
+                                    blocks,
+                                    blocks == 1 ? "block is" : "blocks are");
+    }
+
+
+
+    std::string deep_overlap_text(const Summary::DeepestOverlap &seen)
+    {
+      return seen.of.part <= OverlapWatch::warned ? ""
+                                                  : indent + "overlap: " + overlap_text(seen.of) +
+                                                      formatted(", at t = %.4g s", seen.time);
     }
 
 
@@ -198,7 +193,7 @@ namespace hybrid::output
     {
       constexpr double round_off = 1e-6;
       const auto       percent   = [](const double share) {
-        return format("%.3g %%", std::abs(share) < round_off ? 0. : 100. * share);
+        return formatted("%.3g %%", std::abs(share) < round_off ? 0. : 100. * share);
       };
       if (std::isnan(base.mobilised_left))
         return "";
@@ -218,7 +213,7 @@ namespace hybrid::output
     {
       if (!(part < 0.995))
         return std::isnan(part) ? "-" : "over 100";
-      return part < 5e-4 ? "below 0.05" : format("%.2g", 100. * part);
+      return part < 5e-4 ? "below 0.05" : formatted("%.2g", 100. * part);
     }
 
 
@@ -245,9 +240,9 @@ namespace hybrid::output
     {
       if (std::isnan(until))
         return "";
-      return format(failed_in_other ? ", until a joint failed in the other run at %.3g s"
-                                    : ", until a joint failed at %.3g s",
-                    until);
+      return formatted(failed_in_other ? ", until a joint failed in the other run at %.3g s"
+                                       : ", until a joint failed at %.3g s",
+                       until);
     }
 
 
@@ -289,8 +284,8 @@ namespace hybrid::output
       if (!summary.probable_error.runs_would_do)
         return "";
       if (summary.probable_error.second_step > 0.)
-        return format("; the scene once more in steps of %.4g s tells it, below",
-                      summary.probable_error.second_step);
+        return formatted("; the scene once more in steps of %.4g s tells it, below",
+                         summary.probable_error.second_step);
       return summary.blocks == 0 ? "; Time/Error target finds it by runs in shorter steps"
                                  : "; hybrid accuracy tells it from a run with twice the step, "
                                    "Time/Error target from runs with shorter ones";
@@ -327,7 +322,7 @@ namespace hybrid::output
         error.blocks_strike ? "; blocks strike each other, runs in other steps may go another way"
                             : "";
       const std::string source =
-        of_runs ? format("by the run in steps of %.4g s", error.measured_from) : "probably";
+        of_runs ? formatted("by the run in steps of %.4g s", error.measured_from) : "probably";
       return begin + ", " + source + until + ": " + peaks_text(error.step) +
              half_text(error.step, error.left_by_half(), "step", as_much) + strikes;
     }
@@ -373,7 +368,7 @@ namespace hybrid::output
           is_as_much(error.step, error.left_by_half()))
         return "";
       return " for at most " +
-             format(error.cost < 100. ? "%.2g s" : "%.0f s", std::max(error.cost, 0.1)) +
+             formatted(error.cost < 100. ? "%.2g s" : "%.0f s", std::max(error.cost, 0.1)) +
              " more of processor time";
     }
 
@@ -418,10 +413,11 @@ namespace hybrid::output
       std::string(error.order_is_seen ? "" : ", roughly: no order is seen in these meshes") +
       (error.keeps_corners && !error.of_corners
          ? "; at least, as cells at inward corners are as large in all of them (Mesh/Corner levels)"
-         : "");
+         : "") +
+      (error.keeps_layers ? "; at least, as a layer is one cell thick in all of them" : "");
     const std::string cost = std::isfinite(error.cost) && error.size.part != error.half_size.part
                                ? " in at least " +
-                                   format(error.cost < 100. ? "%.2g s" : "%.0f s", error.cost) +
+                                   formatted(error.cost < 100. ? "%.2g s" : "%.0f s", error.cost) +
                                    " of processor time"
                                : "";
     return {text + cost + note, text + note};
@@ -433,18 +429,19 @@ namespace hybrid::output
   {
     const std::string reached =
       summary.finished
-        ? format("Finished  %.4g s", summary.simulated_time)
-        : format("Stopped   at %.4g s of %.4g s", summary.simulated_time, scene.time.end_time);
-    std::string found = format(", %ld steps, %ld cuts, energy residual %.1e",
-                               summary.steps,
-                               summary.wasted.cuts,
-                               summary.energy_residual);
+        ? formatted("Finished  %.4g s", summary.simulated_time)
+        : formatted("Stopped   at %.4g s of %.4g s", summary.simulated_time, scene.time.end_time);
+    std::string found = formatted(", %ld steps, %ld cuts, energy residual %.1e",
+                                  summary.steps,
+                                  summary.wasted.cuts,
+                                  summary.energy_residual);
     if (summary.steps > 0)
       {
         found += monitors_text(summary, scene.monitors.base_monitor) + planes_text(summary);
         if (summary.blocks > 0)
           found += indent + slip_text(summary) + shear_text(summary.base_shear) +
-                   off_base_text(summary.blocks_off_base);
+                   off_base_text(summary.blocks_off_base) +
+                   deep_overlap_text(summary.deepest_overlap);
       }
     const std::string &place = scene.output.directory;
     const std::string  mesh  = mesh_text(summary);
@@ -452,7 +449,7 @@ namespace hybrid::output
     for (std::string *text : {&error.on_screen, &error.in_file})
       if (!text->empty())
         text->insert(0, "\n");
-    return {reached + " in " + duration_text(summary.wall_time) + found + error.on_screen + mesh +
+    return {reached + " in " + format_duration(summary.wall_time) + found + error.on_screen + mesh +
               block_mesh_text(summary, place) + "\nResults   " + place + "   next: hybrid plot " +
               place,
             reached + found + error.in_file + mesh};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/formatted.h>
 #include <hybrid/output/line_card.h>
 #include <hybrid/scene/mesh/joint_lines.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <tuple>
@@ -57,14 +57,10 @@ namespace hybrid::output
     /// "clay (phi 12 deg, c 0 Pa, tensile strength 0 Pa)"
     std::string with_strength(const Material &m)
     {
-      char text[120];
-      std::snprintf(text,
-                    sizeof(text),
-                    " (phi %g deg, c %g Pa, tensile strength %g Pa)",
-                    m.friction_angle,
-                    m.cohesion,
-                    m.tensile_strength);
-      return m.name + text;
+      return m.name + formatted(" (phi %g deg, c %g Pa, tensile strength %g Pa)",
+                                m.friction_angle,
+                                m.cohesion,
+                                m.tensile_strength);
     }
 
 
@@ -95,9 +91,7 @@ namespace hybrid::output
     /// " (rock: 30 deg)"
     std::string with_angle(const std::string &name, const Material &material)
     {
-      char angle[40];
-      std::snprintf(angle, sizeof(angle), ": %g deg)", residual_angle(material));
-      return " (" + name + angle;
+      return " (" + name + formatted(": %g deg)", residual_angle(material));
     }
 
 
@@ -265,8 +259,7 @@ namespace hybrid::output
     std::string text = rows.empty() ? "" : "Lines of the mesh";
     for (const Row &row : rows)
       {
-        char length[40];
-        std::snprintf(length, sizeof(length), "%.4g m  ", row.length);
+        const std::string length = formatted("%.4g m  ", row.length);
         const std::string space(row.names.size() < 18 ? 18 - row.names.size() : 0, ' ');
         text += "\n  " + row.names + space + " " + length + row.role;
       }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/step/memory_estimate.h>
+#include <hybrid/output/formatted.h>
 #include <hybrid/output/line_recorder.h>
 #include <hybrid/output/memory_estimate.h>
 #include <hybrid/output/peak_fields.h>
 #include <hybrid/output/watched_points.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <malloc.h>
 #include <sys/resource.h>
@@ -116,27 +116,20 @@ namespace hybrid::output
   std::string describe(const MemoryEstimate &estimate, const int processes)
   {
     const std::string of_each = processes > 1 ? " for each process" : "";
-    char              text[250];
-    std::snprintf(text,
-                  sizeof(text),
-                  "Memory     about %.0f MB%s: program and model %.0f, bedrock %.0f, blocks %.0f, "
-                  "histories %.0f",
-                  estimate.total() / megabyte,
-                  of_each.c_str(),
-                  estimate.built / megabyte,
-                  estimate.continuum / megabyte,
-                  estimate.blocks / megabyte,
-                  estimate.histories / megabyte);
-    std::string line = text;
+    std::string       text =
+      formatted("Memory     about %.0f MB%s: program and model %.0f, bedrock %.0f, blocks %.0f, "
+                "histories %.0f",
+                estimate.total() / megabyte,
+                of_each.c_str(),
+                estimate.built / megabyte,
+                estimate.continuum / megabyte,
+                estimate.blocks / megabyte,
+                estimate.histories / megabyte);
     if (estimate.sliding > 0.)
       {
-        std::snprintf(text,
-                      sizeof(text),
-                      "; once joints slide %.0f more",
-                      estimate.sliding / megabyte);
-        line += text;
+        text += formatted("; once joints slide %.0f more", estimate.sliding / megabyte);
       }
-    return line;
+    return text;
   }
 
 
@@ -153,15 +146,11 @@ namespace hybrid::output
     const std::string advice =
       processes > 1 ? "fewer processes, of several threads each (Time/Threads), or a coarser mesh"
                     : "a coarser mesh";
-    char text[250];
-    std::snprintf(text,
-                  sizeof(text),
-                  "%s about %.0f MB of memory, this machine has %.0f MB; %s %s less",
-                  who.c_str(),
-                  needed / megabyte,
-                  available / megabyte,
-                  advice.c_str(),
-                  processes > 1 ? "need" : "needs");
-    return text;
+    return formatted("%s about %.0f MB of memory, this machine has %.0f MB; %s %s less",
+                     who.c_str(),
+                     needed / megabyte,
+                     available / megabyte,
+                     advice.c_str(),
+                     processes > 1 ? "need" : "needs");
   }
 } // namespace hybrid::output

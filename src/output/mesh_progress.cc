@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/formatted.h>
 #include <hybrid/output/mesh_progress.h>
 #include <hybrid/output/terminal.h>
 #include <hybrid/scene/mesh/section_mesh_reader.h>
 
-#include <cstdio>
 #include <iostream>
 
 namespace hybrid::output
@@ -30,12 +30,7 @@ namespace hybrid::output
     return scene::read_section_mesh(parameters, [&](const double cells) {
       if (cells < many_to_mesh)
         return;
-      char text[100];
-      std::snprintf(text,
-                    sizeof(text),
-                    "Meshing: up to %.2g million cells, this takes a while",
-                    1e-6 * cells);
-      log.info(text);
+      log.info(formatted("Meshing: up to %.2g million cells, this takes a while", 1e-6 * cells));
       heartbeat = beat("Meshing");
     });
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/formatted.h>
 #include <hybrid/output/progress.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 namespace hybrid::output
 {
@@ -95,20 +95,15 @@ namespace hybrid::output
 
   std::vector<std::string> Progress::status() const
   {
-    const auto format = [](const char *form, const auto... values) {
-      char text[100];
-      std::snprintf(text, sizeof(text), form, values...);
-      return std::string(text);
-    };
     const double percent =
       end_time > start_time ? 100. * (time - start_time) / (end_time - start_time) : 100.;
     const std::string        left  = speed > 0. ? format_duration((end_time - time) / speed) : "?";
-    std::vector<std::string> parts = {format("%5.1f %%", std::clamp(percent, 0., 100.)),
-                                      format("t = %.3f of %g s", time, end_time),
+    std::vector<std::string> parts = {formatted("%5.1f %%", std::clamp(percent, 0., 100.)),
+                                      formatted("t = %.3f of %g s", time, end_time),
                                       "left " + left,
-                                      format("%.3g steps/s", step_rate)};
+                                      formatted("%.3g steps/s", step_rate)};
     if (iterations > 0) // none in waves alone
-      parts.push_back(format("%.1f iterations/step", static_cast<double>(iterations) / steps));
+      parts.push_back(formatted("%.1f iterations/step", static_cast<double>(iterations) / steps));
     return parts;
   }
 
@@ -135,12 +130,7 @@ namespace hybrid::output
   std::string format_duration(const double seconds)
   {
     const long total = std::lround(std::clamp(seconds, 0., 3.6e8));
-    char       text[32];
-    if (total < 3600)
-      std::snprintf(text, sizeof(text), "%ld:%02ld", total / 60, total % 60);
-    else
-      std::snprintf(
-        text, sizeof(text), "%ld:%02ld:%02ld", total / 3600, total / 60 % 60, total % 60);
-    return text;
+    return total < 3600 ? formatted("%ld:%02ld", total / 60, total % 60)
+                        : formatted("%ld:%02ld:%02ld", total / 3600, total / 60 % 60, total % 60);
   }
 } // namespace hybrid::output

@@ -278,7 +278,7 @@ namespace hybrid::output
       scene.time.newmark.corrected_step > 0. && !scene.continuum.is_explicit;
     if (fourth_order && !scene.bedding.names.empty())
       return "elastic bedding planes have errors of their own under fourth order";
-    if (scene.environment.static_stage == scene::StaticStage::none &&
+    if (scene.blocks.enabled && scene.environment.static_stage == scene::StaticStage::none &&
         scene.environment.gravity != 0.)
       return "the weight acts at once";
     const double friction = part_of_friction(ledger);

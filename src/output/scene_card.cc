@@ -2,10 +2,10 @@
 #include <hybrid/output/advice.h>
 #include <hybrid/output/card_line.h>
 #include <hybrid/output/effects_card.h>
+#include <hybrid/output/formatted.h>
 #include <hybrid/output/scene_card.h>
 
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <thread>
 
@@ -35,15 +35,11 @@ namespace hybrid::output
     /// What a part of blocks is cut into, and what it resolves.
     std::string in_words(const Resolution &r)
     {
-      char text[120];
-      std::snprintf(text,
-                    sizeof(text),
-                    "size %.3g to %.3g m; slowest S wave %.4g m/s: resolves %.3g Hz",
-                    r.smallest,
-                    r.largest,
-                    r.slowest_s_wave,
-                    r.resolved);
-      return text;
+      return formatted("size %.3g to %.3g m; slowest S wave %.4g m/s: resolves %.3g Hz",
+                       r.smallest,
+                       r.largest,
+                       r.slowest_s_wave,
+                       r.resolved);
     }
 
 

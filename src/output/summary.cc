@@ -103,6 +103,18 @@ namespace hybrid::output
     }
 
 
+    Json overlap(const Summary::DeepestOverlap &seen)
+    {
+      const dda::Overlap &of = seen.of;
+      return {{"part_of_size", of.part},
+              {"depth_m", of.depth},
+              {"block_size_m", of.size},
+              {"with", of.other == dda::foundation_body ? "ground" : "block"},
+              {"place_m", {of.place.x(), of.place.y()}},
+              {"time_s", seen.time}};
+    }
+
+
     Json probable_error(const Summary::ProbableError &error)
     {
       if (!error.reason.empty())
@@ -128,6 +140,7 @@ namespace hybrid::output
               {"order_is_seen", error.order_is_seen},
               {"coarsened_part", error.coarsened},
               {"smaller_cells_at_corners", error.of_corners},
+              {"keeps_thin_layers", error.keeps_layers},
               {"until_s", error.until},
               {"mesh", error_part(error.size)},
               {"half_the_size", error_part(error.half_size)}};
@@ -170,6 +183,7 @@ namespace hybrid::output
                          {"energy_residual", summary.energy_residual},
                          {"energy_J_per_m", summary.energy},
                          {"static_stage", static_stage(summary.static_stage)},
+                         {"deepest_overlap", overlap(summary.deepest_overlap)},
                          {"blocks_off_base", summary.blocks_off_base},
                          {"joints", joints(summary)},
                          {"slip_m", slip(summary.slip)},

@@ -75,12 +75,14 @@ namespace hybrid::output
            order_is_seen,
            coarsened,
            keeps_corners,
+           keeps_layers,
            of_corners,
            size,
            half_size,
            cost] = error;
     archive(runs_would_do, follows, never, reason, meshes, until, failed_in_other);
-    archive(order_is_seen, coarsened, keeps_corners, of_corners, size, half_size, cost);
+    archive(
+      order_is_seen, coarsened, keeps_corners, keeps_layers, of_corners, size, half_size, cost);
   }
 
 

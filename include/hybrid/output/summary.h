@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <hybrid/dda/geometry/overlap.h>
+
 #include <array>
 #include <limits>
 #include <map>
@@ -89,6 +91,13 @@ namespace hybrid::output
       double lifts_moved  = 0.; ///< largest, of a block since its lift was placed [m]; 0: no lifts
     };
 
+    /// Of blocks with each other or with the ground, in the pictures of a run.
+    struct DeepestOverlap
+    {
+      dda::Overlap of;
+      double       time = 0.; ///< when it was seen [s]
+    };
+
     /// Work of the dynamic stage that came to nothing: steps that were rolled back.
     struct Wasted
     {
@@ -162,6 +171,7 @@ namespace hybrid::output
       bool        order_is_seen = false; ///< in three meshes; if not, half the size is told roughly
       double      coarsened = 1.; ///< part of the cells that are larger in the first of them [-]
       bool        keeps_corners = false; ///< cells at inward corners are as large in all of them
+      bool        keeps_layers  = false; ///< of which some are one cell thick in all of them
       bool        of_corners    = false; ///< a run with smaller cells at corners tells it, too
       ErrorPart   size;
       ErrorPart   half_size;                 ///< what would be left with half the size
@@ -183,13 +193,14 @@ namespace hybrid::output
     std::map<std::string, double> resolved_by_part;      ///< by name of the part [Hz]
     double                        motion_frequency = 0.; ///< 95 % of the energy of what shakes lie
                                                          ///< below [Hz]; 0: nothing shakes
-    double       energy_residual = 0.; ///< |sum of all terms| / largest exchanged energy [-]
-    FailedJoints joints;               ///< in the dynamic stage: earthquake damage
-    int          blocks_off_base = 0;  ///< beyond the end of the base, nothing is below them
-    FailedJoints static_joints;        ///< while the body settled under gravity
-    StaticStage  static_stage;
-    Slip         slip;
-    BaseShear    base_shear;
+    double         energy_residual = 0.; ///< |sum of all terms| / largest exchanged energy [-]
+    FailedJoints   joints;               ///< in the dynamic stage: earthquake damage
+    DeepestOverlap deepest_overlap;      ///< of blocks with each other or the ground
+    int            blocks_off_base = 0;  ///< beyond the end of the base, nothing is below them
+    FailedJoints   static_joints;        ///< while the body settled under gravity
+    StaticStage    static_stage;
+    Slip           slip;
+    BaseShear      base_shear;
     std::map<std::string, PlaneSlip> planes; ///< bedding planes that may slip, by name
     double        first_failure_time = MonitorSummary::unknown; ///< of the dynamic stage [s]
     double        first_loss_time    = MonitorSummary::unknown; ///< of a joint that loses strength
