@@ -239,9 +239,9 @@ namespace hybrid
     if (planes.pull > 0.)
       log.warning(output::formatted(
         "the side of the section near (%.2f, %.2f) holds the rock there back at rest, by a pull of %.3g N/m: "
-        "sides are on rollers, which do not let go, so that what would slide on a plane hangs on them. "
-        "Name that part of the side ground if nothing holds it there (a crack), or let the planes and "
-        "the section go on to where the rock stands by itself",
+        "sides are on rollers, which do not let go, and what slides away on a plane, or is let go by an "
+        "initial stress, hangs on them. Name that part of the side ground if nothing holds it there (a "
+        "crack), or let the planes and the section go on to where the rock stands by itself",
         planes.pulled.x(),
         planes.pulled.y(),
         planes.pull));

@@ -79,7 +79,7 @@ namespace hybrid::continuum
   void Continuum::Implementation::find_pull(const std::vector<double> &forces,
                                             StaticSlip                &result) const
   {
-    constexpr double    told = 1e-4; // of the rock's weight
+    constexpr double    told = 1e-3; // of the rock's weight
     std::vector<double> inner(n_dofs());
     matrices.multiply_stiffness(static_displacement.data(), inner.data());
     double weight = 0.;

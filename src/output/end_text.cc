@@ -13,7 +13,7 @@ namespace hybrid::output
   namespace
   {
     constexpr std::size_t most_monitors = 4;
-    constexpr double      g             = 9.81; ///< [m/s2]
+    constexpr double      g             = 9.80665; ///< [m/s2]
     const std::string     indent        = "\n          ";
 
     using NamedMonitor = std::pair<const std::string, MonitorSummary>;
@@ -414,7 +414,9 @@ namespace hybrid::output
       (error.keeps_corners && !error.of_corners
          ? "; at least, as cells at inward corners are as large in all of them (Mesh/Corner levels)"
          : "") +
-      (error.keeps_layers ? "; at least, as a layer is one cell thick in all of them" : "");
+      (error.keeps_layers
+         ? "; at least, as the coarser ones have cells as thick in a part of the rock (a layer of one cell)"
+         : "");
     const std::string cost = std::isfinite(error.cost) && error.size.part != error.half_size.part
                                ? " in at least " +
                                    formatted(error.cost < 100. ? "%.2g s" : "%.0f s", error.cost) +

@@ -171,7 +171,7 @@ namespace hybrid::output
       bool        order_is_seen = false; ///< in three meshes; if not, half the size is told roughly
       double      coarsened = 1.; ///< part of the cells that are larger in the first of them [-]
       bool        keeps_corners = false; ///< cells at inward corners are as large in all of them
-      bool        keeps_layers  = false; ///< of which some are one cell thick in all of them
+      bool        keeps_layers  = false; ///< of a layer cells are as thick in coarser ones
       bool        of_corners    = false; ///< a run with smaller cells at corners tells it, too
       ErrorPart   size;
       ErrorPart   half_size;                 ///< what would be left with half the size

@@ -114,7 +114,9 @@ namespace hybrid::dda
 
       void look_at_block(const int block)
       {
-        look_at(block, middles[block]);
+        const int first = g.offset[block], n = g.offset[block + 1] - first;
+        if (contains(&g.vertices[first], n, middles[block])) // not in a notch of its outline
+          look_at(block, middles[block]);
         for (int v = g.offset[block]; v < g.offset[block + 1]; ++v)
           {
             look_at(block, g.vertices[v]);

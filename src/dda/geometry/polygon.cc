@@ -9,8 +9,6 @@ namespace hybrid::dda
 {
   namespace
   {
-    constexpr double pi = 3.14159265358979323846;
-
     /// Side of @p c as seen from a to b: 1 left, -1 right, 0 on the line.
     int side(const Vec2 &a, const Vec2 &b, const Vec2 &c)
     {
@@ -80,23 +78,6 @@ namespace hybrid::dda
             return false;
       }
     return true;
-  }
-
-
-
-  double minimum_angle(const Vec2 *vertices, const int n)
-  {
-    double smallest = 2. * pi;
-    for (int i = 0; i < n; ++i)
-      {
-        const Vec2 to_next     = vertices[(i + 1) % n] - vertices[i];
-        const Vec2 to_previous = vertices[(i + n - 1) % n] - vertices[i];
-        double     angle       = std::atan2(cross(to_next, to_previous), to_next.dot(to_previous));
-        if (angle < 0.)
-          angle += 2. * pi;
-        smallest = std::min(smallest, angle);
-      }
-    return smallest;
   }
 
 

@@ -334,10 +334,11 @@ namespace hybrid::scene
                            ": no block has this edge; where the bedrock is bare it belongs to the "
                            "line ground.");
     }
-    /// The upgoing wave enters all of a compliant base at the same instant.
+    /// The wave enters all of a compliant base at the same instant, which only suits one that is
+    /// level, or upright below a bar that lies.
     void check_level_base(const SectionMesh &mesh, const SceneParameters &scene)
     {
-      constexpr double level = 1e-3; // height over width
+      constexpr double level = 1e-3; // smaller over larger extent
       const auto       base  = mesh.lines.find("base");
       if (base == mesh.lines.end() || base->second.empty() || scene.motion.type == "none" ||
           !scene.continuum.base.is_compliant || !scene.continuum.base.takes_motion)
@@ -349,7 +350,8 @@ namespace hybrid::scene
             lower = lower.cwiseMin(mesh.nodes[node]);
             upper = upper.cwiseMax(mesh.nodes[node]);
           }
-      if (upper.y() - lower.y() > level * (upper.x() - lower.x()))
+      const Vec2 extent = upper - lower;
+      if (extent.minCoeff() > level * extent.maxCoeff())
         throw InputError(
           "Continuum/Base = compliant needs a level base, as the wave enters all of it "
           "at the same instant; this one lies between y = " +

@@ -110,10 +110,11 @@ namespace hybrid::scene
               one_sided.add(edge);
           }
         if (alone.edges > 0)
-          warnings.push_back(name + ": no other block lies at " + edges_text(alone, line.size()) +
-                             ", the first at " + place_text(mesh, alone.first) +
-                             ": the line does nothing there (on the sliding surface Blocks/Belt "
-                             "material or the friction of the ground acts)");
+          warnings.push_back(
+            name + ": no other block lies at " + edges_text(alone, line.size()) +
+            ", the first at " + place_text(mesh, alone.first) +
+            ": the line does nothing there until another block comes to lie there (on the sliding "
+            "surface Blocks/Belt material or the friction of the ground acts)");
         if (one_sided.edges > 0)
           warnings.push_back(
             name + ": at " + edges_text(one_sided, line.size()) + ", the first at " +

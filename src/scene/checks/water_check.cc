@@ -118,7 +118,8 @@ namespace hybrid::scene
              << nearest.second << " m above it at (" << nearest.first.x() << ", "
              << nearest.first.y() << ") m";
       else if (is_paper && scene.blocks.saturated_material.empty() &&
-               scene.blocks.saturated_belt_material.empty())
+               scene.blocks.saturated_belt_material.empty() &&
+               scene.blocks.saturated_joint_materials.empty())
         text << "as with Water/Method = paper it only chooses materials: set Blocks/Saturated "
                 "material, or the method to submerged or pressures";
       else

@@ -156,7 +156,8 @@ namespace hybrid::scene
                              "block " + polygon.name +
                                " is not a simple polygon: the edges that start in line " +
                                std::to_string(v[i].line) + at(v[i].x) + " and in line " +
-                               std::to_string(v[j].line) + at(v[j].x) + " meet.");
+                               std::to_string(v[j].line) + at(v[j].x) +
+                               " meet (rows of two blocks that have one name are one block).");
     }
 
 

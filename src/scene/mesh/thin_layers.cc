@@ -14,13 +14,14 @@ namespace hybrid::scene
       return sum;
     for (std::size_t c = 0; c < mesh.bedrock_cells.size(); ++c)
       {
-        const auto &cell    = mesh.bedrock_cells[c];
-        double      longest = 0.;
-        for (int i = 0; i < 4; ++i)
-          longest = std::max(longest, (mesh.nodes[cell[(i + 1) % 4]] - mesh.nodes[cell[i]]).norm());
+        const auto  &cell = mesh.bedrock_cells[c];
+        const auto   x    = std::minmax({mesh.nodes[cell[0]].x(),
+                                         mesh.nodes[cell[1]].x(),
+                                         mesh.nodes[cell[2]].x(),
+                                         mesh.nodes[cell[3]].x()});
         const double area = 0.5 * std::abs(cross(mesh.nodes[cell[2]] - mesh.nodes[cell[0]],
                                                  mesh.nodes[cell[3]] - mesh.nodes[cell[1]]));
-        sum[mesh.bedrock_surface[c]] += area / longest;
+        sum[mesh.bedrock_surface[c]] += area / (x.second - x.first);
         ++count[mesh.bedrock_surface[c]];
       }
     for (auto &[surface, thickness] : sum)
@@ -33,9 +34,10 @@ namespace hybrid::scene
   bool keeps_thin_layers(const std::map<int, double> &thickness,
                          const std::map<int, double> &coarser)
   {
-    return std::any_of(thickness.begin(), thickness.end(), [&](const auto &layer) {
-      const auto other = coarser.find(layer.first);
-      return other != coarser.end() && other->second < std::sqrt(2.) * layer.second;
-    });
+    return thickness.size() > 1 &&
+           std::any_of(thickness.begin(), thickness.end(), [&](const auto &layer) {
+             const auto other = coarser.find(layer.first);
+             return other != coarser.end() && other->second < std::sqrt(2.) * layer.second;
+           });
   }
 } // namespace hybrid::scene

@@ -34,9 +34,6 @@ namespace hybrid::dda
    */
   bool is_simple(const Vec2 *vertices, int n);
 
-  /// Smallest interior angle [rad], in (0, 2 pi), of a counter-clockwise polygon.
-  double minimum_angle(const Vec2 *vertices, int n);
-
   /// True if @p point is inside (even-odd rule; points on the outline may be either).
   bool contains(const Vec2 *vertices, int n, const Vec2 &point);
 

@@ -74,12 +74,6 @@ namespace hybrid::dda
       return times;
     }
 
-    /// Vertices found deeper inside another block than any contact explains, at the last step.
-    int lost_vertices() const
-    {
-      return detection.report().lost;
-    }
-
   private:
     const Model         &model;
     ContactDetection     detection;

@@ -183,9 +183,9 @@ def warn_of_kink(bracket, results):
     if found:
         what, ((x, y), bend) = max(found, key=lambda of: of[1][1])
         results["kink"] = {"point_m": [x, y], "bend_degrees": bend}
-        print("warning: %s flattens by %.0f degrees at (%.6g, %.6g) m, where the corner of another block holds it whatever\n"
-              "  its strength: this may be far too strong (for two wedges twice and more); cut that corner off by a few percent of the block" % (
-                  what, bend, x, y))
+        print("warning: %s flattens by %.0f degrees in kinks, the sharpest at (%.6g, %.6g) m, where corners of other blocks hold it\n"
+              "  whatever its strength: this may be far too strong (4 %% by 3 degrees, twice and more by 40); cut corners in kinks off by a few percent"
+              " of the block" % (what, bend, x, y))
 
 
 def warn_of_no_jump(bracket, trials, results):

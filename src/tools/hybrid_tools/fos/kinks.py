@@ -3,33 +3,37 @@
 
 import numpy as np
 
-BEND = 10.0  # by which a kink that is told flattens the surface [degrees]
+BEND = 3.0  # by which kinks that are told flatten the surface, together: a factor of safety is 4 % too high then [degrees]
+LEAST = 0.5  # of a kink that counts [degrees]
 STEEPEST = 89.0  # on which a block rests; against a riser, or below an overhang, it only stands [degrees]
 NEAR = 1e-3  # of a block's size: its corner lies in the kink
 
 
 def holding_kink(surface, polygons, downhill):
-    """(point [m], bend [degrees]) of the sharpest kink in which a block that rests on the steeper side has a corner; None if there is none.
+    """(point [m] of the sharpest, bends of all together [degrees]) of kinks in which a block that rests on the steeper side has a corner; None
+    where they hardly bend it.
 
     surface: points along x, [n, 2]; polygons: corners of each block of the mass; downhill: sign of x.
     """
     line = np.asarray(surface)[:: int(downhill)]  # downhill
     along = np.diff(line, axis=0)
     fall = np.degrees(np.arctan2(-along[:, 1], downhill * along[:, 0]))
-    for k in np.argsort(fall[1:] - fall[:-1]) + 1:
+    sharpest, bends = None, 0.0
+    for k in np.argsort(fall[1:] - fall[:-1]) + 1:  # the sharpest first
         bend = fall[k - 1] - fall[k]
-        if bend < BEND:
-            return None
+        if bend < LEAST:
+            break
         if fall[k - 1] > STEEPEST:
             continue
         direction = -along[k - 1] / np.linalg.norm(along[k - 1])
         if any(rests_beyond(np.asarray(polygon), line[k], direction) for polygon in polygons):
-            return line[k], float(bend)
-    return None
+            sharpest = line[k] if sharpest is None else sharpest
+            bends += float(bend)
+    return (sharpest, bends) if bends >= BEND else None
 
 
 def kink_of_blocks(polygons, downhill):
-    """The same of the sharpest kink in the outline of a block, in which another one that rests on it has a corner."""
+    """The same of the kinks in the outline of a block, in which another one that rests on it has a corner."""
     found = []
     for k, outline in enumerate(polygons):
         ring = np.asarray(outline)[::-1]  # from left to right along its upper side

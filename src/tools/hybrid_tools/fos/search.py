@@ -19,10 +19,6 @@ class Bracket:
     def value(self):
         return 0.5 * (self.stands.value + self.fails.value)
 
-    @property
-    def half_width(self):
-        return 0.5 * (self.fails.value - self.stands.value)
-
 
 def bisect(stands, fails, judge, is_narrow):
     """Halve a bracket of two trials until it is narrow."""

@@ -10,7 +10,7 @@ import numpy as np
 from hybrid_run import MissingData
 from hybrid_run.parameters import changed_parameters
 
-GRAVITY = 9.81  # m/s2
+GRAVITY = 9.80665  # m/s2
 MUCH_MORE = 3.0  # times the slip: a mass that leans or yields, of which slip is no measure
 
 

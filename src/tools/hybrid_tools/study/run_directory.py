@@ -7,8 +7,6 @@ import shutil
 
 from hybrid_tools.study import program
 
-STATES = ("planned", "running", "done", "failed")
-
 
 def write_json(path, content):
     """Atomically: a reader, and who goes on after a kill, never sees half a file."""

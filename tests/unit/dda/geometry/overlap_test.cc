@@ -58,6 +58,13 @@ namespace
     EXPECT_NEAR(deepest_overlap(blocks({square(0., 0., 2.), square(0., 0., 2.)})).part, 0.5, 1e-12);
   }
 
+  TEST(Overlap, ABlockInTheNotchOfAnotherOneTouchesIt)
+  {
+    const Outline u{{0., 0.}, {5., 0.}, {5., 4.}, {4., 4.}, {4., 1.}, {1., 1.}, {1., 4.}, {0., 4.}};
+    EXPECT_EQ(deepest_overlap(blocks({u, square(1., 1., 3.)})).block, -1);
+    EXPECT_NEAR(deepest_overlap(blocks({u, square(0.9, 1., 3.)})).depth, 0.1, 1e-12);
+  }
+
   TEST(Overlap, WithTheGroundIsSeenBelowAnOverhangAndAtARidge)
   {
     Geometry g = blocks({square(0.5, -0.2, 1.)});

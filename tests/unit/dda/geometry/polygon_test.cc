@@ -12,7 +12,6 @@ namespace
   using namespace hybrid::dda;
   using Outline = std::vector<Vec2>;
 
-  constexpr double degree = 3.14159265358979323846 / 180.;
 
   PolygonMoments moments(const Outline &p)
   {
@@ -79,14 +78,6 @@ namespace
     EXPECT_FALSE(simple({{0., 0.}, {1., 0.}, {1., 0.}, {0., 1.}})) << "edge of no length";
     EXPECT_FALSE(simple({{0., 0.}, {2., 0.}, {1., 0.}, {1., 1.}})) << "spike";
     EXPECT_FALSE(simple({{0., 0.}, {2., 0.}, {2., 2.}, {1., 0.}, {0., 2.}})) << "touches itself";
-  }
-
-  TEST(MinimumAngle, TriangleAndReflexCorner)
-  {
-    const Outline t{{0., 0.}, {10., 0.}, {10., 10. * std::tan(1. * degree)}};
-    EXPECT_NEAR(minimum_angle(t.data(), 3), 1. * degree, 1e-14);
-    const Outline l{{0., 0.}, {2., 0.}, {2., 1.}, {1., 1.}, {1., 2.}, {0., 2.}};
-    EXPECT_NEAR(minimum_angle(l.data(), 6), 90. * degree, 1e-14);
   }
 
   TEST(Distance, OutlineAndContains)

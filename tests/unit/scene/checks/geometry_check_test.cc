@@ -60,7 +60,10 @@ namespace hybrid::scene::test
     mesh.nodes[1].y() = -0.1;
     expect_part(error_of(mesh, scene), "needs a level base");
     expect_part(error_of(mesh, scene), "between y = -0.1 and 0 m");
-    scene.motion.type = "none"; // it only absorbs
+    mesh.lines["base"] = {{0, 3}, {3, 6}}; // of a bar that lies
+    EXPECT_NO_THROW(check_geometry(mesh, scene));
+    mesh.lines["base"] = {{0, 1}, {1, 2}};
+    scene.motion.type  = "none"; // it only absorbs
     EXPECT_NO_THROW(check_geometry(mesh, scene));
   }
 

@@ -34,7 +34,7 @@ namespace hybrid::scene
   } // namespace
 
 
-  TEST(ThinLayers, CellsAreAsThickAsTheirShorterSide)
+  TEST(ThinLayers, CellsAreAsThickAsTheirAreaOverTheirWidth)
   {
     const auto thickness = cell_thickness(two_layers(40.));
     EXPECT_NEAR(thickness.at(1), 40., 1e-12);
@@ -52,5 +52,6 @@ namespace hybrid::scene
     EXPECT_FALSE(keeps_thin_layers(fine, middle));
     EXPECT_TRUE(keeps_thin_layers(middle, coarse));
     EXPECT_FALSE(keeps_thin_layers({}, coarse));
+    EXPECT_FALSE(keeps_thin_layers({{1, 20.}}, {{1, 20.}})); // nothing is thicker
   }
 } // namespace hybrid::scene
