@@ -70,6 +70,7 @@ namespace hybrid::dda
 
   ContactDetection::ContactDetection(const Parameters &parameters)
     : smooth_angle(parameters.smooth_angle)
+    , waking_slack(parameters.waking_slack)
     , pairs(make_tolerances(parameters))
     , candidates(pairs, parameters.margin)
     , selection(pairs)
@@ -112,7 +113,7 @@ namespace hybrid::dda
           if (trials[i].history == ContactTrial::History::none &&
               candidates.is_first_activation(contact.vertex_body, contact.edge_body))
             contact.stress_free_gap =
-              std::min(0., trials[i].gap - tolerances_of(contact).hysteresis());
+              std::min(0., trials[i].gap - waking_slack * tolerances_of(contact).reach);
           contacts.push_back(contact);
         }
     settle(contacts, rest);

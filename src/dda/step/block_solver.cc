@@ -15,6 +15,10 @@ namespace hybrid::dda
 {
   namespace
   {
+    // Where blocks yield, rock flows over small slips on many edges: corners that catch make it
+    // stronger than it is.
+    constexpr double slack_of_yielding = 1e-2, rigid_slack = 1e-3; ///< of the reach [-]
+
     ContactDetection::Parameters detection_parameters(const Model &model)
     {
       // Blocks of the bedrock never meet each other: the sizes of the mass count, if there is one.
@@ -32,7 +36,8 @@ namespace hybrid::dda
               0.25 * *middle,
               ContactTolerances::smooth_angle,
               0.25 * largest,
-              0.25 * largest};
+              0.25 * largest,
+              model.blocks_yield ? slack_of_yielding : rigid_slack};
     }
 
 

@@ -78,7 +78,7 @@ namespace hybrid::dda
    *    go with it; edge_position is that on the new edge. Others are dropped.
    * 9. *First activation*: neighbours of the mesh that have slept may overlap a little when
    *    one of them wakes (joints give way before they fail). They carry nothing
-   *    (stress_free_gap) until they overlap more, by hysteresis(): a spring that is loaded
+   *    (stress_free_gap) until they overlap more, by waking_slack: a spring that is loaded
    *    when it is made would throw them apart, and one at its limit would
    *    open and close with every tremor. (Contacts of a released joint: joint_release.h.)
    */
@@ -87,13 +87,15 @@ namespace hybrid::dda
   public:
     struct Parameters
     {
-      double reach;            ///< gap below which a pair becomes a contact, at most [m], > 0
-      double margin;           ///< skin of the Verlet list [m], >= 0
-      double smooth_angle;     ///< turns up to this are no corners [rad], e.g. 1e-3
-      double max_depth = -1.;  ///< penetration above which a vertex is lost, at most [m];
-                               ///< negative: reach
-      double held_depth = -1.; ///< the same of a contact with a surface that persists [m];
-                               ///< negative: max_depth
+      double reach;               ///< gap below which a pair becomes a contact, at most [m], > 0
+      double margin;              ///< skin of the Verlet list [m], >= 0
+      double smooth_angle;        ///< turns up to this are no corners [rad], e.g. 1e-3
+      double max_depth = -1.;     ///< penetration above which a vertex is lost, at most [m];
+                                  ///< negative: reach
+      double held_depth = -1.;    ///< the same of a contact with a surface that persists [m];
+                                  ///< negative: max_depth
+      double waking_slack = 1e-3; ///< by which part of the reach neighbours that have woken may
+                                  ///< overlap more before they carry [-]
     };
 
     explicit ContactDetection(const Parameters &parameters);
@@ -226,6 +228,7 @@ namespace hybrid::dda
     bool loses_corner(const Geometry &geometry, std::size_t trial) const;
 
     const double                  smooth_angle;
+    const double                  waking_slack;
     PairTolerances                pairs;
     ContactCandidates             candidates;
     std::vector<ContactCandidate> deep_pairs; ///< sorted
