@@ -178,7 +178,7 @@ def warn_of_kink(bracket, results):
     ways = (1.0, -1.0) if run.is_on_both_flanks and bracket.towards is None else (bracket.towards or run.downhill,)
     on_surface = [] if is_bonded(bracket) or not run.has("section/surface") else [
         holding_kink(line, resting(run, polygons, towards), towards) for line in run.surface for towards in ways]
-    found = [("the sliding surface", kink) for kink in on_surface] + [("the outline of a block", kink_of_blocks(polygons, way)) for way in ways]
+    found = [("the sliding surface", kink) for kink in on_surface] + [("the outline of a block", kink_of_blocks(polygons, way)) for way in (1, -1)]
     found = [(what, kink) for what, kink in found if kink]
     if found:
         what, ((x, y), bend) = max(found, key=lambda of: of[1][1])
