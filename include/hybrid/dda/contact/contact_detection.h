@@ -53,15 +53,16 @@ namespace hybrid::dda
    *    by its penetration, in front of the side of the next block, and that
    *    block's corner in front of the slider's side. So is one over a crack, whose sole alone is
    *    carried, and which is level with the next block, as that block's corner is with the sole.
-   *    So is one whose row has a block that only touches the row's line with a tip, as triangles
-   * have. At a valley an edge goes on below its neighbour: a vertex pressed into the foot of a wall
-   * is beside one edge or both.
+   *    So is one whose row has a block that only touches the row's line with a
+   *    tip, as triangles have. At a valley an edge goes on below its neighbour: a
+   *    vertex pressed into the foot of a wall is beside one edge or both.
    * 5. *One edge per vertex and body*: the edge it projects on, the edge in
-   *    history, an edge that continues the one in history, one that goes on below no
-   *    valley, the side by which it has passed a tip, the least penetration; of equal ones the edge
-   * that the vertex's sole runs along, then the lower one, so that neither round-off nor numbers
-   * decide. Two edges only if they face each other (a notch, a valley of the foundation sharper
-   * than 10 degrees).
+   *    history, an edge that continues the one in history, one that it is beside
+   *    without the help of a valley (of a low step the upper tread), the side by
+   *    which it has passed a tip, the least penetration; of equal ones the edge
+   *    that the vertex's sole runs along, then the lower one, so that neither
+   *    round-off nor numbers decide. Two edges only if they face each other (a
+   *    notch, a valley of the foundation sharper than 10 degrees).
    * 6. *One edge per seam*: of edges of several bodies with normals within 10
    *    degrees that pass the vertex at the same height only one acts, so
    *    that stiffness and friction are the same on the seam as beside it.
