@@ -46,12 +46,12 @@ class Green(unittest.TestCase):
             self.assertLess(abs(motion).max() / abs(inertia).max(), 1e-4)
 
     def test_ground_is_free(self):
-        _, stress = self.rock.green(np.array([[x, -1e-9] for x in (0.3, 1, 2, 4.0)]), self.source)
+        stress = self.rock.stress(np.array([[x, -1e-9] for x in (0.3, 1, 2, 4.0)]), self.source)
         self.assertLess(abs(stress[1:]).max() / abs(stress[0]).max(), 1e-7)
 
     def test_reciprocity(self):
         other = np.array([[1.3, -0.7]])
-        there, back = self.rock.green(other, self.source)[0][:, 0], self.rock.green(self.source, other)[0][:, 0]
+        there, back = (self.rock.displacement(*pair)[:, 0] for pair in ((other, self.source), (self.source, other)))
         self.assertLess(abs(there - back.T).max() / abs(there).max(), 1e-12)
 
     def test_lamb(self):
@@ -65,7 +65,7 @@ class Green(unittest.TestCase):
         lamb = LambSurface(1.0, 2 * (1 + POISSON), POISSON)  # c_s = mu = 1
         expected = fourier(time, lamb.displacement(distance, time, pulse), frequency) / fourier(time, pulse(time), frequency)
         rock = HalfSpace(POISSON, 2 * np.pi * frequency)
-        near, far = (rock.green(np.array([[distance, 0.0]]), np.array([[0.0, -d]]))[0][1, 0, 1] for d in (0.01, 0.02))
+        near, far = (rock.displacement(np.array([[distance, 0.0]]), np.array([[0.0, -d]]))[1, 0, 1] for d in (0.01, 0.02))
         self.assertLess(abs(2 * near - far - expected) / abs(expected), 5e-3)
 
 
@@ -91,11 +91,11 @@ class Fit(unittest.TestCase):
             self.assertLess(abs(found - trifunac(k, receivers)).max(), 2e-3)
 
     def test_more_points_change_little(self):
-        for wave in "SP":
-            for eta in (0.5, 1.0, 2.0):
-                rock, receivers = HalfSpace(POISSON, np.pi * eta), ground(ALONG)
-                (some, left), (more, _) = (scattered(rock, canyon, wave, receivers)
-                                           for canyon in (Semicircle(), Semicircle(160, 0.25, 0.04)))
+        for eta in (0.5, 1.0, 2.0):
+            rock, receivers = HalfSpace(POISSON, np.pi * eta), ground(ALONG)
+            few, many = (scattered(rock, canyon, "SP", receivers) for canyon in (Semicircle(), Semicircle(160, 0.25, 0.04)))
+            for wave in "SP":
+                (some, left), (more, _) = few[wave], many[wave]
                 self.assertLess(left, 5e-3)
                 self.assertLess(abs(some - more).max(), 6e-3)
                 self.assertLess(np.sqrt((abs(some - more) ** 2).mean()), 2e-3)

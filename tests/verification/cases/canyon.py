@@ -30,11 +30,12 @@ def check(case, limits=None):
     rock, radius, depth = numbers.material("rock"), numbers.mesh("Radius"), numbers.mesh("Depth")
     later = depth / rock.speed("P") - depth / rock.speed("S")  # when the P wave is at the ground
     runs["P"] = case.run("P", "Motion/Angle=90", "Time/End time=%.6g" % (numbers.number("Time/End time") + later))
+    names = runs["S"].names("monitors")
+    points = np.array([numbers.point(name) for name in names]) / radius
+    reference = {eta: scattered(HalfSpace(rock.poisson, np.pi * eta), Semicircle(), "SP", points) for eta in limits}
     for wave, run in runs.items():
-        names = run.names("monitors")
-        points = np.array([numbers.point(name) for name in names]) / radius
         for eta, (mean, largest) in limits.items():
-            expected, left = scattered(HalfSpace(rock.poisson, np.pi * eta), Semicircle(), wave, points)
+            expected, left = reference[eta][wave]
             found = fourier_ratios(run, wave, eta * rock.speed("S") / (2 * radius), names, depth, rock.speed(wave))
             what = "%s, eta = %g: " % (wave, eta)
             case.below(what + "traction left on the canyon of the reference", left, 0.005)
@@ -52,9 +53,10 @@ def draw(case, figure):
     angle = np.linspace(0, np.pi, 121)
     x = np.concatenate([np.linspace(-3, -1, 60), -np.cos(angle), np.linspace(1, 3, 60)])
     ground = np.column_stack([x, -np.sqrt(np.maximum(0, 1 - x * x))])
+    reference = {eta: scattered(HalfSpace(shown["S"], np.pi * eta), Semicircle(), "SP", ground) for eta in COLOURS}
     for column, wave in enumerate("SP"):
         for eta, colour in COLOURS.items():
-            expected, _ = scattered(HalfSpace(shown[wave], np.pi * eta), Semicircle(), wave, ground)
+            expected, _ = reference[eta][wave]
             points, found = shown[wave, eta]
             for row in (0, 1):
                 axes[row, column].plot(x, abs(expected[row]), color=colour, lw=1, label=r"$\eta$ = %g, reference" % eta)

@@ -28,11 +28,16 @@ class HalfSpace:
         strain = -2 * self.k_p * np.sin(self.k_p * y)
         return np.array([zero, 2 * np.cos(self.k_p * y)]), np.array([self.lame * strain, (self.lame + 2) * strain, zero])
 
+    def displacement(self, points, sources):
+        """(2, points, 2 sources) of forces along x (first half) and y."""
+        return self._full_space(points, sources)[0] + self._reflected(points, sources, slice(0, 2))
+
+    def stress(self, points, sources):
+        """xx, yy, xy (3, points, 2 sources) of forces along x (first half) and y."""
+        return self._full_space(points, sources)[1] + self._reflected(points, sources, slice(2, 5))
+
     def green(self, points, sources):
-        """Displacement (2, points, 2 sources) and stress (3, points, 2 sources) of forces along x (first half) and y."""
-        u, stress = self._full_space(points, sources)
-        du, dstress = self._reflected(points, sources)
-        return u + du, stress + dstress
+        return self.displacement(points, sources), self.stress(points, sources)
 
     def _full_space(self, points, sources):
         way = points[:, None, :] - sources[None, :, :]
@@ -66,7 +71,8 @@ class HalfSpace:
                         - np.tanh(2 * s / self.k_s) * bell * 4 * s**3 / (1.5 * self.k_s) ** 4)
         return k, step * (1 + 1j * slope)
 
-    def _reflected(self, points, sources):
+    def _reflected(self, points, sources, wanted):
+        """Those of displacement x, y and stress xx, yy, xy that are wanted: their products take all the time."""
         k, weight = self._wave_numbers(points, sources)
         a, b = decaying(k**2 - self.k_p**2), decaying(k**2 - self.k_s**2)
         omega, coupling = 2 * k**2 - self.k_s**2, 2j * k
@@ -85,8 +91,7 @@ class HalfSpace:
         p, s = np.exp(1j * np.outer(x, k) + np.outer(y, a)), np.exp(1j * np.outer(x, k) + np.outer(y, b))
         sideways = -self.lame * self.k_p**2 - 2 * k**2
         factors = ((1j * k, b), (a, -1j * k), (sideways, coupling * b), (omega, -coupling * b), (coupling * a, omega))
-        rows = np.array([(p * f) @ down_p + (s * h) @ down_s for f, h in factors])
-        return rows[:2], rows[2:]
+        return np.array([(p * f) @ down_p + (s * h) @ down_s for f, h in factors[wanted]])
 
 
 def decaying(square):
@@ -132,13 +137,14 @@ class Semicircle:
         self.sources = ring[ring[:, 1] < -least]
 
 
-def scattered(half_space, cut, wave, receivers):
-    """Displacement over that of the wave from below (2, receivers); traction left on the cut over that of the flat ground's wave."""
-    _, stress = half_space.green(cut.points, cut.sources)
-    _, given = half_space.incident(wave, cut.points)
-    matrix, wanted = traction(stress, cut.normals), -traction(given, cut.normals)
-    size = np.linalg.norm(matrix, axis=0)
-    strength = np.linalg.lstsq(matrix / size, wanted, rcond=1e-13)[0] / size
-    left = np.linalg.norm(matrix @ strength - wanted) / np.linalg.norm(wanted)
-    u, _ = half_space.green(receivers, cut.sources)
-    return half_space.incident(wave, receivers)[0] + u @ strength, left
+def scattered(half_space, cut, waves, receivers):
+    """By wave: displacement over that of the wave from below (2, receivers); traction left on the cut over that of the flat ground's wave."""
+    matrix = traction(half_space.stress(cut.points, cut.sources), cut.normals)  # of line forces, whatever the wave
+    u = half_space.displacement(receivers, cut.sources)
+    size, found = np.linalg.norm(matrix, axis=0), {}
+    for wave in waves:
+        wanted = -traction(half_space.incident(wave, cut.points)[1], cut.normals)
+        strength = np.linalg.lstsq(matrix / size, wanted, rcond=1e-13)[0] / size
+        left = np.linalg.norm(matrix @ strength - wanted) / np.linalg.norm(wanted)
+        found[wave] = half_space.incident(wave, receivers)[0] + u @ strength, left
+    return found
