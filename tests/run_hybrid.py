@@ -2,24 +2,52 @@
 """A run of the program, as the scenes of verification/ and stability/ need it, and what is asked of it."""
 
 import os
+import pathlib
 import shutil
 import subprocess
 import sys
 
 
-def run_hybrid(binary, scene, directory, overrides=()):
+def environment():
+    return dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
+
+
+class Server:
+    """The program for many runs in one process (tests/fuzz/scene_server.cc): loading its libraries takes longer than a small scene."""
+
+    def __init__(self, binary):
+        path = pathlib.Path(binary).parent / "tests/fuzz/scene_server"
+        self.process = subprocess.Popen([str(path)], env=environment(), stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+
+    def ask(self, words):
+        """Exit code, standard output and error of the program with these words."""
+        self.process.stdin.write(("\t".join([os.getcwd(), *words]) + "\n").encode())
+        self.process.stdin.flush()
+        head = self.process.stdout.readline().split()
+        if not head:
+            return self.process.wait(), "", "the process of many runs has ended"
+        code, out, error = map(int, head)
+        return (code, *(self.process.stdout.read(size).decode(errors="replace") for size in (out, error)))
+
+    def end(self):
+        self.process.stdin.close()
+        self.process.wait()
+
+
+def run_hybrid(binary, scene, directory, overrides=(), server=None):
     """Exit code, standard output and error, and the command of a run of one thread that replaces a directory, and of no further ones
     for its errors.
 
-    overrides: "Section/Name=value".
+    overrides: "Section/Name=value". server: takes the run in place of a process of its own.
     """
     shutil.rmtree(directory, ignore_errors=True)
     command = [str(binary), str(scene), "-s", "Output/Directory=%s" % directory, "-s", "Time/Error estimate=one run",
                "-s", "Mesh/Error estimate=one run"]
     for override in overrides:
         command += ["-s", override]
-    environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
-    done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
+    if server:
+        return (*server.ask(command[1:]), " ".join(command))
+    done = subprocess.run(command, capture_output=True, text=True, env=environment(), check=False)
     return done.returncode, done.stdout, done.stderr, " ".join(command)
 
 
