@@ -25,32 +25,33 @@ SCENES = {
     "canyon": ("canyon, twice as coarse", "Radius = 100; Half width = 900; Depth = 600", {"h": 100, "canyon": 20}, 4, []),
     "step": ("step", "Height = 50; Angle = 90; Half width = 800; Depth = 500", {"h": 40, "step": 25}, 4, []),
     "badong": ("Badong, h = 4 m, 4 s", "", {"h": 4}, 2, ["Time/End time=4"])}
-SHORT = ("bedrock_triangles", "coupled_column")
+# and what is set besides in both runs: a step of a 170th of the pulse's period is no error of the mesh
+SHORT = {"bedrock_triangles": ["Time/Time step=0.004"], "coupled_column": []}
 
 
 def scene_file(source, name):
     return source / "parameters" / ("majiagou" if name == "badong" else "verification") / (name + ".prm")
 
 
-def compute(binary, source, place, name, finer):
+def compute(binary, source, place, name, finer, further):
     """The run with the scene's sizes over `finer`, if it is not there yet."""
     _, numbers, sizes, _, settings = SCENES[name]
     if not (place / "summary.json").exists():
         meshed = "; ".join(filter(None, [numbers, *("Resolution/%s = %.10g" % (size, h / finer) for size, h in sizes.items())]))
         words = [binary, scene_file(source, name), "-s", "Output/Directory=%s" % place]
-        for setting in [*settings, "Mesh/Numbers=" + meshed, "Output/Picture interval=0", "Time/Error estimate=one run"]:
+        for setting in [*settings, *further, "Mesh/Numbers=" + meshed, "Output/Picture interval=0", "Time/Error estimate=one run"]:
             words += ["-s", setting]
         subprocess.run(words, check=True, cwd=source, stdout=subprocess.DEVNULL)
 
 
-def errors(binary, source, work, name):
+def errors(binary, source, work, name, further=()):
     """{quantity: (said, true)} of the mesh."""
     from hybrid_tools.study import quantities
     from hybrid_tools.study.analysis import distance
 
     own, fine = work / name, work / (name + "-fine")
-    compute(binary, source, own, name, 1)
-    compute(binary, source, fine, name, SCENES[name][3])
+    compute(binary, source, own, name, 1, further)
+    compute(binary, source, fine, name, SCENES[name][3], further)
     subprocess.run([binary, "accuracy", own, "--mesh"], check=True, cwd=source, stdout=subprocess.DEVNULL)
     said = json.loads((own / "accuracy/accuracy.json").read_text(encoding="utf-8"))
     end = min(quantities.end_of(str(place)) for place in (own, fine))
@@ -88,8 +89,8 @@ def row(name, found):
 
 def short(binary, source, work):
     bad = 0
-    for name in SHORT:
-        for quantity, (said, true) in errors(binary, source, work, name).items():
+    for name, further in SHORT.items():
+        for quantity, (said, true) in errors(binary, source, work, name, further).items():
             if is_history(quantity):
                 good = true <= FACTOR * said
                 print("%s %s, %s: said %.2g %%, true %.2g %%" % ("ok   " if good else "FAIL ", name, quantity, 100 * said, 100 * true))
