@@ -193,7 +193,8 @@ def check_interruption(words, work, require):
     """Ctrl-C while the second run is under way."""
     directory = work / "interrupted"
     shutil.rmtree(directory, ignore_errors=True)
-    long = ["Time/End time=400", "Motion/Duration=400"]
+    # 200,000 steps of the second one; a sine, as the sum of waves of so long a synthetic motion would take most of the time
+    long = ["Time/End time=100", "Motion/Type=sine", "Motion/Frequency=2", "Motion/Cycles=200", "Motion/Peak=3.2"]
     process = subprocess.Popen(command(*words, SLIDES, directory, *long), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     second = directory / "checkpoint/further_run/run.h5"
     while process.poll() is None and not second.exists():
