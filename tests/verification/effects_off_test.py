@@ -9,15 +9,16 @@ switch on and nothing for it to do where there is such a thing, and the scene wi
 comparison would say nothing). Compared are all data sets of run.h5 but wall times. Effects of one scene are switched off in
 one run; if that differs, each by itself, to tell which it is.
 """
-import os
 import pathlib
 import shutil
-import subprocess
 import sys
 
-from determinism_test import differences, run
+TESTS = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(TESTS))
+from determinism_test import differences, read  # noqa: E402 (needs the path above)
+from run_hybrid import Server, run_hybrid  # noqa: E402
 
-SCENES = pathlib.Path(__file__).resolve().parents[2] / "parameters/verification"
+SCENES = TESTS.parent / "parameters/verification"
 
 # The scenes: file and overrides that make them short.
 COLUMN = ["coupled_column.prm", "Time/End time=0.06"]
@@ -109,6 +110,7 @@ EFFECTS = {
 class Comparison:
     def __init__(self, binary, root, work):
         self.binary, self.scenes, self.work = binary, pathlib.Path(root) / "parameters/verification", work
+        self.server = Server(binary)  # eighty runs of some steps each
         self.made, self.failures = {}, 0
 
     def data(self, scene, overrides):
@@ -116,7 +118,10 @@ class Comparison:
         key = tuple(scene) + tuple(overrides)
         if key not in self.made:
             directory = self.work / str(len(self.made))
-            self.made[key] = run(self.binary, self.scenes / scene[0], directory, 1, scene[1:] + overrides)
+            code, _, errors, command = run_hybrid(self.binary, self.scenes / scene[0], directory, scene[1:] + overrides, self.server)
+            if code != 0:
+                sys.exit("error: %s ended with code %d: %s" % (command, code, errors[-300:]))
+            self.made[key] = read(directory)
         return self.made[key]
 
     def equal(self, what, scene, overrides, extra=frozenset()):
@@ -138,7 +143,6 @@ def main():
     work = pathlib.Path(sys.argv[3])
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
-    os.environ["OPENBLAS_NUM_THREADS"] = "1"
     comparison = Comparison(sys.argv[1], sys.argv[2], work)
     for scene in {tuple(scene): scene for scene, _, _, _ in EFFECTS.values()}.values():
         effects = {name: effect[1] for name, effect in EFFECTS.items() if effect[0] == scene}
@@ -152,12 +156,10 @@ def main():
             comparison.equal(name + ", nothing to do", scene, neutral, HELD)
         if on is not None:
             comparison.different(name, scene, on)
+    comparison.server.end()
     print("%d runs" % len(comparison.made))
     return 1 if comparison.failures else 0
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except subprocess.CalledProcessError as error:
-        sys.exit("error: %s ended with code %d" % (" ".join(map(str, error.cmd)), error.returncode))
+    sys.exit(main())
