@@ -26,8 +26,10 @@ def busy():
 
 def run(binary, scene, directory, threads, most_seconds):
     """(wall time, processor time) [s] of a run; infinite if it was ended after @p most_seconds."""
-    words = [binary, scene, "--force", "-s", "Mesh/Numbers=Resolution/h = 4", "-s", "Time/Time step=0.001", "-s", "Time/End time=0.1",
-             "-s", f"Output/Directory={directory}", "-s", f"Parallel/Threads={threads}"]
+    words = [binary, scene, "--force"]
+    for setting in ("Mesh/Numbers=Resolution/h = 4", "Time/Time step=0.001", "Time/End time=0.1", "Time/Error estimate=one run",
+                    "Mesh/Error estimate=one run", f"Output/Directory={directory}", f"Parallel/Threads={threads}"):
+        words += ["-s", setting]
     environment = {name: value for name, value in os.environ.items() if name not in ("OMP_WAIT_POLICY", "GOMP_SPINCOUNT")}
     start, before = time.monotonic(), os.times()
     try:
