@@ -9,6 +9,7 @@ import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOOLS = ROOT / "src/tools"
+ONE_RUN = ["-s", "Time/Error estimate=one run", "-s", "Mesh/Error estimate=one run"]  # no further ones, which tell its errors
 sys.path[:0] = [str(TOOLS), str(pathlib.Path(__file__).parent)]
 
 import make_synthetic_run  # noqa: E402 (needs the path above)

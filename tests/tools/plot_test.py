@@ -11,7 +11,7 @@ import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from conftest import ROOT, TOOLS
+from conftest import ONE_RUN, ROOT, TOOLS
 
 import tool
 from hybrid_run import Run, UserError
@@ -147,7 +147,7 @@ def test_a_level_that_moves_is_drawn_where_it_is(synthetic_run):
 
 
 def test_the_failure_is_drawn_at_times_that_part_it(hybrid, tmp_path):
-    words = ["-s", f"Output/Directory={tmp_path}", "-s", "Output/Picture interval=0.02"]
+    words = ["-s", f"Output/Directory={tmp_path}", "-s", "Output/Picture interval=0.02", *ONE_RUN]
     result = hybrid(ROOT / "parameters/hard/all_joints_fail.prm", *words)
     assert result.returncode == 0, result.stderr
     run = Run(tmp_path)
