@@ -28,6 +28,7 @@ TOPPLING = ["Mesh/Numbers=Angle = 20; Columns = 4; Rows = 4; Base above = 20", "
 FINE = ["Mesh/Numbers=Resolution/h = 0.35", "Time/End time=0.01"]
 # A stiffness of the surface that conjugate gradients find for longer than five steps take.
 ITERATED = ["Continuum/Linear solver=conjugate gradients", "Bedding planes/Strength=elastic", "Mesh/Numbers=Resolution/h = 1", "Time/End time=0.01"]
+ONE_RUN = ["Time/Error estimate=one run", "Mesh/Error estimate=one run"]  # no further ones, which begin when all is done
 ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
 # Of summary.json, besides steps/wall_time of run.h5; a run that goes on makes its list of near blocks anew.
 WALL = {"wall_time_s", "processor_time_s", "processor_times_s", "peak_memory_mb", "timings_s", "contact_search"}
@@ -42,7 +43,7 @@ def require(condition, text):
 
 def words_of(scene, directory, overrides=(), *options):
     words = [BINARY, str(scene), *options, "-s", f"Output/Directory={directory}"]
-    for override in overrides:
+    for override in [*ONE_RUN, *overrides]:
         words += ["-s", override]
     return words
 
