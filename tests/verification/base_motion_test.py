@@ -94,7 +94,7 @@ def run(binary, source, work, model, meaning, *overrides, name=""):
     mesh, blocks = ("layers.geo", "none") if bedrock == "layers" else ("blocks_on_layers.geo", "bonded")
     scene.write_text(SCENE % {"title": model + ", " + meaning, "mesh": source / "meshes" / mesh,
                               "blocks": blocks, "bedrock": bedrock, "base": base, "sides": sides, "meaning": meaning, "output": directory})
-    settings = [word for override in overrides for word in ("-s", override)]
+    settings = [word for override in (*overrides, "Time/Error estimate=one run", "Mesh/Error estimate=one run") for word in ("-s", override)]
     subprocess.run([binary, scene, *settings], check=True, stdout=subprocess.DEVNULL)
     return directory
 

@@ -31,7 +31,7 @@ Point(5) = {%.12g, %g, 0}; Point(6) = {0, 0, 0}; Point(7) = {-80, 0, 0};
 Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 6}; Line(6) = {6, 7}; Line(7) = {7, 1}; Line(8) = {6, 4};
 Curve Loop(1) = {1, 2, 3, -8, 6, 7}; Plane Surface(1) = {1};
 Curve Loop(2) = {8, 4, 5}; Plane Surface(2) = {2};
-MeshSize{1, 2, 3, 7} = 10; MeshSize{4, 5, 6} = 3;
+MeshSize{1, 2, 3, 7} = 20; MeshSize{4, 5, 6} = 4;
 Mesh.RecombinationAlgorithm = 3;
 Recombine Surface{1, 2};
 Physical Surface("bedrock") = {1, 2};
