@@ -6,7 +6,7 @@ import json
 import h5py
 import numpy as np
 import pytest
-from conftest import ROOT
+from conftest import ONE_RUN, ROOT
 
 from hybrid_run import Layer, Run, konno_ohmachi, motion_in_column, transfer_function
 from hybrid_tools.amplification import quantities, section_map
@@ -20,7 +20,7 @@ def run(hybrid, tmp_path_factory):
     def make(scene, *settings):
         directory = tmp_path_factory.mktemp("run") / "out"
         words = [word for setting in settings for word in ("-s", setting)]
-        result = hybrid(SCENES / scene, *words, "-s", "Output/Picture interval=0", "-s", f"Output/Directory={directory}")
+        result = hybrid(SCENES / scene, *words, *ONE_RUN, "-s", "Output/Picture interval=0", "-s", f"Output/Directory={directory}")
         assert result.returncode == 0, result.stderr
         return directory
 
