@@ -4,6 +4,7 @@ import re
 
 import numpy as np
 import pytest
+from conftest import ONE_RUN
 
 from hybrid_run import Run, UserError
 from hybrid_tools.new.materials import Material, Slices, culmann
@@ -267,7 +268,7 @@ def test_a_slope_is_checked_without_warnings_and_runs_on_every_bedrock(hybrid, t
     scene = tmp_path / "slope/scene.prm"
     assert "warning" not in hybrid("--check", scene).stdout
     for bedrock in ("continuum", "triangles", "layers", "rigid"):
-        words = [scene, "-s", "Model/Bedrock=" + bedrock, "-s", "Time/End time=0.02", "-s", "Output/Directory=%s/%s" % (tmp_path, bedrock)]
+        words = [scene, "-s", "Model/Bedrock=" + bedrock, "-s", "Time/End time=0.02", "-s", "Output/Directory=%s/%s" % (tmp_path, bedrock), *ONE_RUN]
         ran = hybrid(*words, *(["-s", "Continuum/Sides=viscous"] if bedrock == "layers" else []))
         assert ran.returncode == 0 and Run(tmp_path / bedrock).summary["joints"]["shear"] == 0, ran.stdout + ran.stderr
     assert set(Run(tmp_path / "continuum").monitors) >= {"S1", "S7", "D1", "D3", "B1"}
@@ -278,7 +279,7 @@ def test_a_mass_that_is_soft_for_its_height_gets_strengths_that_hold_it(hybrid, 
     slip = [(9380, 330), (9550, 80), (9715, -55), (9880, -80), (10045, 5)]
     made = slope(hybrid, tmp_path, "--frequency", "1", ground=ground, slip=slip, planes=None)
     assert made.returncode == 0 and float(re.search(r"factor of safety at rest ([\d.]+)", made.stdout)[1]) > 1.55, made.stdout
-    ran = hybrid(tmp_path / "slope/scene.prm", "-s", "Time/End time=0", "-s", "Output/Directory=%s/out" % tmp_path)
+    ran = hybrid(tmp_path / "slope/scene.prm", "-s", "Time/End time=0", "-s", "Output/Directory=%s/out" % tmp_path, *ONE_RUN)
     assert ran.returncode == 0, ran.stdout
 
 
@@ -286,7 +287,7 @@ def test_a_mass_that_is_soft_for_its_height_gets_strengths_that_hold_it(hybrid, 
 def test_a_slope_without_mass_carries_waves(hybrid, tmp_path, turn):
     made = slope(hybrid, tmp_path, "--frequency", "4", ground=mirrored(GROUND) if turn else GROUND, slip=None, planes=None)
     assert made.returncode == 0 and "warning" not in made.stdout, made.stdout + made.stderr
-    assert hybrid(tmp_path / "slope/scene.prm", "-s", "Time/End time=0.02", "-s", "Output/Directory=%s/out" % tmp_path).returncode == 0
+    assert hybrid(tmp_path / "slope/scene.prm", "-s", "Time/End time=0.02", "-s", "Output/Directory=%s/out" % tmp_path, *ONE_RUN).returncode == 0
 
 
 def test_a_directory_is_not_replaced_without_force(hybrid, tmp_path):

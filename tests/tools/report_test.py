@@ -7,7 +7,7 @@ import h5py
 import numpy as np
 import pytest
 import tool
-from conftest import ROOT
+from conftest import ONE_RUN, ROOT
 from selenium import webdriver
 
 from hybrid_run import Run
@@ -184,7 +184,7 @@ def test_what_a_run_lacks_is_left_out(synthetic_run, tmp_path):
 
 
 def test_how_a_mass_fails_is_shown(hybrid, tmp_path, browser):
-    words = ["-s", f"Output/Directory={tmp_path}/run", "-s", "Output/Picture interval=0.05"]
+    words = ["-s", f"Output/Directory={tmp_path}/run", "-s", "Output/Picture interval=0.05", *ONE_RUN]
     result = hybrid(ROOT / "parameters/hard/all_joints_fail.prm", *words)
     assert result.returncode == 0, result.stderr
     assert tool.main("report", [f"{tmp_path}/run"]) == 0
