@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Scenes under mpirun: the same answers on any number of processes, and nothing is lost when one ends.
 
-Usage: processes_test.py HYBRID_BINARY PART WORK_DIR     PART: equal, solvers, resume, faults, files, blocks
+Usage: processes_test.py HYBRID_BINARY PART WORK_DIR     PART: equal, solvers, resume, faults, files, blocks, blocks_long
 """
+import concurrent.futures
 import json
 import os
 import pathlib
-import re
 import resource
 import shutil
 import signal
@@ -17,13 +17,13 @@ import time
 
 import h5py
 import numpy
-import vtk
-from vtk.util.numpy_support import vtk_to_numpy
+
+from runs_alike import arrays_by_vtk, largest_difference, series, unlike
 
 BINARY, PART, WORK = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]).resolve()
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "src/tools"))
-from hybrid_run.pictures import Picture, Pictures  # noqa: E402
+from hybrid_run.pictures import Pictures  # noqa: E402
 
 SCENES = ROOT / "parameters/verification"
 ENVIRONMENT = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
@@ -56,7 +56,7 @@ IMPLICIT = {
     "columns": ("column_planes", [*ELASTIC, "Time/End time=0.5", "Continuum/Rayleigh stiffness=1e-4"]),
 }
 COUPLED = ("restart_coupled", ["Time/End time=0.05"])
-# 2,000 blocks or more: bonded on a rigid base; loose ones that slide, and that come to rest; a row that moves over the others by more than a
+# 2,000 blocks or more, as fewer are computed by one: bonded on a rigid base; loose ones that slide, and that come to rest; a row that moves over the others by more than a
 # block, so that blocks get other owners (2 of two processes, 18 of three); Badong on its bedrock, and with blocks that yield; a bedrock of triangles.
 BLOCKS = {
     "bonded": ("../benchmarks/bonded_5000", ["Time/End time=0.02"]),
@@ -68,8 +68,12 @@ BLOCKS = {
     "badong": ("../benchmarks/badong_4", ["Time/End time=0.04", "Output/Audit interval=0.01", "Output/Picture interval=0.02"]),
     "triangles": ("../benchmarks/triangles_8", ["Time/End time=0.02"]),
 }
+# Numbers of processes; blocks_long has more, and a run that is ended by more processes than began it without being killed.
+COUNTS = {"badong": (1, 2, 4), "moving": (1, 3)}
+MORE_COUNTS = {"moving": (1, 2, 3), "sliding": (1, 2, 3)}
 ALONE = "computed by the first one alone"
 ONE_RUN = ["Time/Error estimate=one run", "Mesh/Error estimate=one run"]
+ERRORS = ["Time/Error estimate=automatic", "Mesh/Error estimate=automatic"]
 complaints = []
 
 
@@ -96,28 +100,10 @@ def run(processes, words, expect=0):
     return result
 
 
-def series(directory):
-    """Everything of run.h5 that has a time but how long it took."""
-    data = {}
-    with h5py.File(directory / "run.h5", "r") as file:
-        file.visititems(lambda name, item: data.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None)
-    return {name: value for name, value in data.items() if name != "steps/wall_time" and value.dtype.kind == "f"}
-
-
-def largest_difference(one, other, prefix):
-    """Of series of a kind - displacement, energy - over the largest value of that kind [-], and where."""
-    peaks, worst, where = {}, 0., ""
-    names = [name for name in one if name.startswith(prefix) and "residual" not in name and "time" not in name]
-    require(names, f"there are series {prefix}")
-    kind = (lambda name: name.split("/")[-1]) if prefix == "monitors/" else (lambda name: prefix)
-    for name in names:
-        peaks[kind(name)] = max(peaks.get(kind(name), 0.), numpy.abs(one[name]).max(initial=0.))
-    for name in names:
-        if peaks[kind(name)] > 0.:
-            difference = numpy.abs(one[name] - other[name]).max() / peaks[kind(name)]
-            if difference > worst:
-                worst, where = difference, name
-    return worst, where
+def two_at_once(compute, names):
+    """Runs of one process each leave half of two cores alone."""
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        list(pool.map(compute, names))
 
 
 def static_stress(directory):
@@ -143,9 +129,9 @@ def check_static_stress():
 
 def check_solvers():
     """Conjugate gradients on 1, 2 and 4 processes and the factor have the same histories."""
+    two_at_once(lambda name: run(1, words_of(IMPLICIT[name][0], WORK / f"factor_{name}", [*IMPLICIT[name][1], FACTOR])), IMPLICIT)
     for name, (scene, overrides) in IMPLICIT.items():
         known = WORK / f"factor_{name}"
-        run(1, words_of(scene, known, [*overrides, FACTOR]))
         for processes in (1, 2, 4) if name == "lamb" else (1, 2):
             directory = WORK / f"iterated_{name}_{processes}"
             result = run(processes, words_of(scene, directory, [*overrides, ITERATED]))
@@ -178,14 +164,19 @@ def check_watched_points():
 
 
 def check_equal():
-    for name, (scene, overrides) in SHARED.items():
+    def compute(name, processes=1):
+        scene, overrides = SHARED[name]
+        result = run(processes, words_of(scene, WORK / f"{name}_{processes}", overrides))
+        require(result.stdout.count("Finished") == 1, f"{name}, {processes} processes: one of them speaks")
+
+    two_at_once(compute, SHARED)
+    for name in SHARED:
         runs = {}
         counts = (1, 2, 4) if name in ("lamb", "joints") else (1, 2)
         for processes in counts:
-            directory = WORK / f"{name}_{processes}"
-            result = run(processes, words_of(scene, directory, overrides))
-            require(result.stdout.count("Finished") == 1, f"{name}, {processes} processes: one of them speaks")
-            runs[processes] = series(directory)
+            if processes > 1:
+                compute(name, processes)
+            runs[processes] = series(WORK / f"{name}_{processes}")
             require(set(runs[processes]) == set(runs[1]), f"{name}: the same series")
         for processes in counts[1:]:
             for prefix in ("monitors/", "energy/", "fields/"):
@@ -252,45 +243,68 @@ def require_same_bits(expected, directory, what):
 
 def check_blocks():
     """Blocks shared out among processes have the bits of one, also where another number goes on."""
-    for name, (scene, overrides) in BLOCKS.items():
-        for processes in {"badong": (1, 2, 4), "moving": (1, 2, 3), "sliding": (1, 3)}.get(name, (1, 2)):
-            directory = WORK / f"{name}_{processes}"
-            result = run(processes, words_of(scene, directory, overrides))
-            require(result.stdout.count("Finished") == 1 and ALONE not in result.stdout, f"{name}, {processes} processes: all compute, one speaks")
-            if processes == 1:
-                expected = series(directory)
-                require(expected, f"{name}: there are series")
-            else:
-                require_same_bits(expected, directory, f"{name}, {processes} processes")
+    counts = COUNTS | (MORE_COUNTS if PART == "blocks_long" else {})
+
+    def compute(name, processes):
+        scene, overrides = BLOCKS[name]
+        further = ERRORS if name == "badong" and processes < 4 else []
+        result = run(processes, words_of(scene, WORK / f"{name}_{processes}", [*overrides, *further]))
+        require(result.stdout.count("Finished") == 1 and ALONE not in result.stdout, f"{name}, {processes} processes: all compute, one speaks")
+
+    two_at_once(lambda name: compute(name, 1), BLOCKS)
+    for name in BLOCKS:
+        expected = series(WORK / f"{name}_1")
+        require(expected, f"{name}: there are series")
+        for processes in counts.get(name, (1, 2))[1:]:
+            compute(name, processes)
+            require_same_bits(expected, WORK / f"{name}_{processes}", f"{name}, {processes} processes")
     scene, overrides = BLOCKS["badong"]
     threads = WORK / "badong_threads"
     run(2, words_of(scene, threads, [*overrides, "Parallel/Threads=2"]))
     require_same_bits(series(WORK / "badong_1"), threads, "badong, two processes of two threads")
-    # Runs that tell the errors; one with fewer blocks is computed by the first process alone.
-    for what, further in (("errors", []), ("watched", ["Monitors/File=", "Monitors/Names=", "Monitors/Base="])):
-        errors = {}
-        for processes in (1, 2):
-            directory = WORK / f"badong_{what}_{processes}"
-            run(processes, words_of(scene, directory, [*overrides, *further, "Time/Error estimate=automatic", "Mesh/Error estimate=automatic"]))
-            errors[processes] = {name: json.loads((directory / "summary.json").read_text())[name] for name in ("probable_error", "mesh_error")}
-        require(errors[1]["mesh_error"]["estimated"] and errors[1] == errors[2], f"{what}: two processes tell the same errors as one")
-        require((errors[1]["probable_error"]["watched"] != "") == bool(further), f"{what}: points are watched without monitors only")
-    part = WORK / "badong_part"
-    run(2, words_of(scene, part, [*overrides[1:], "Time/End time=0.021", "Checkpoint/Step interval=7"]))
-    resume(3, part, ["Time/End time=0.04"])
-    whole, found = series(WORK / "badong_1"), series(part)
-    names = [n for n in whole if n.startswith(("monitors/", "energy/"))]
-    different = [n for n in names if whole[n].tobytes() != found[n].tobytes()]
-    require(names and not different, f"begun by two, ended by three: the same bits, but for {different[:4]}")
+    check_errors_of_blocks()
+    if PART == "blocks_long":
+        check_more_processes_end_it()
 
     # What cannot stand ends with one sentence, not with a crash of those that do not write.
     falls = ["Mesh/Numbers=Angle = 30; Columns = 2000; Rows = 1; Base above = 200", "Time/End time=0.001"]
     refused = run(2, words_of("../benchmarks/rest_2000", WORK / "falls", falls), expect=1)
     require(refused.stdout.count("no static equilibrium was found") == 1 and "signal" not in refused.stderr, "a mass that slides: refused in a sentence")
-    long_run = [*overrides[1:], "Time/End time=0.6", "Checkpoint/Step interval=50"]
+    check_stops_of_blocks()
+    check_kinds_of_machines()
+
+
+def check_errors_of_blocks():
+    """Runs that tell the errors; one with fewer blocks is computed by the first process alone."""
+    scene, overrides = BLOCKS["badong"]
+    for processes in (1, 2):
+        run(processes, words_of(scene, WORK / f"watched_{processes}", [*overrides, *ERRORS, "Monitors/File=", "Monitors/Names=", "Monitors/Base="]))
+    for what in ("badong", "watched"):
+        errors = {}
+        for processes in (1, 2):
+            summary = json.loads((WORK / f"{what}_{processes}/summary.json").read_text())
+            errors[processes] = {name: summary[name] for name in ("probable_error", "mesh_error")}
+        require(errors[1]["mesh_error"]["estimated"] and errors[1] == errors[2], f"{what}: two processes tell the same errors as one")
+        require((errors[1]["probable_error"]["watched"] != "") == (what == "watched"), f"{what}: points are watched without monitors only")
+
+
+def check_more_processes_end_it():
+    scene, overrides = BLOCKS["badong"]
+    part = WORK / "badong_part"
+    run(2, words_of(scene, part, [*overrides[1:], "Time/End time=0.021", "Checkpoint/Step interval=7"]))
+    resume(3, part, ["Time/End time=0.04"])
+    whole = series(WORK / "badong_1")
+    require_same_bits({n: v for n, v in whole.items() if n.startswith(("monitors/", "energy/"))}, part, "begun by two, ended by three")
+
+
+def check_stops_of_blocks():
+    """Stopped or killed on the way, ended by as many or by more: the bits of one process. 150 steps are to come when it is stopped."""
+    scene, overrides = BLOCKS["badong"]
+    long_run = [*overrides[1:], "Time/End time=0.2", "Checkpoint/Step interval=20"]
     whole = WORK / "badong_long"
-    run(2, words_of(scene, whole, long_run))
+    run(1, words_of(scene, whole, long_run))
     expected = {n: v for n, v in series(whole).items() if n.startswith(("monitors/", "energy/"))}
+    require(expected, "there are series of the whole run")
     for name, how in (("blocks_terminated", lambda process: process.send_signal(signal.SIGTERM)),
                       ("blocks_killed", lambda process: os.kill(children(process)[1], signal.SIGKILL))):
         directory = WORK / name
@@ -298,13 +312,12 @@ def check_blocks():
         require(code != 0, f"{name}: an exit code that tells of it")
         resume(3 if name == "blocks_killed" else 2, directory)
         require_same_bits(expected, directory, name)
-    check_kinds_of_machines()
 
 
 def check_kinds_of_machines():
     """Processes with other mathematical functions come to other bits: they end, and say so."""
     scene, overrides = BLOCKS["moving"]
-    overrides = [*overrides[:-1], overrides[-1][:-1] + "3"]  # the row spins, so sines and cosines are needed
+    overrides = [*overrides[:-1], overrides[-1][:-1] + "3", "Time/End time=0.006"]  # the row spins, so sines and cosines are needed
     other = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2_Usable,-FMA_Usable,-AVX2,-FMA,-FMA4"
     directories = [WORK / "kind_one", WORK / "kind_other"]
     for directory, settings in zip(directories, ([], ["-x", other])):
@@ -317,36 +330,6 @@ def check_kinds_of_machines():
     words = words_of(scene, WORK / "kinds", overrides)
     result = subprocess.run([*launcher(1), *words, ":", "-n", "1", "-x", other, *words], capture_output=True, text=True, env=ENVIRONMENT, timeout=600)
     require(result.returncode != 0 and "come to different results" in result.stdout + result.stderr, "machines of two kinds: refused in a sentence")
-
-
-def arrays_by_vtk(file):
-    reader = vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(file))
-    reader.Update()
-    grid = reader.GetOutput()
-    arrays = {"points": grid.GetPoints().GetData(), "cells": grid.GetCells().GetData()}
-    for data in (grid.GetPointData(), grid.GetCellData()):
-        arrays.update({data.GetArrayName(k): data.GetArray(k) for k in range(data.GetNumberOfArrays())})
-    return {name: vtk_to_numpy(array) for name, array in arrays.items()}
-
-
-def arrays_by_tools(file):
-    picture = Picture(str(file))
-    return {"points": picture.points, "cells": picture.connectivity, "starts": picture.starts, **picture.fields}
-
-
-def require_same_picture(known, found, tolerances):
-    """Alike but for how many blocks arrays are compressed in, and round-off; fields are in single precision."""
-    text = [re.sub(r'(format="binary">)[^<]*', r"\1", file.read_text()) for file in (known, found)]
-    require(text[0] == text[1], f"{found}: the text of one process")
-    for read in (arrays_by_vtk, arrays_by_tools):
-        one, other = read(known), read(found)
-        require(list(one) == list(other), f"{found}: the arrays of one process")
-        for name, values in one.items():
-            require(values.shape == other[name].shape and values.size > 0, f"{found}: {name} of as many")
-            off = numpy.abs(values.astype(float) - other[name]).max()
-            tolerance = tolerances.get(name, 0.)
-            require(off <= tolerance, f"{found}, {name}: {off:.3g} off, more than {tolerance:.3g}")
 
 
 def check_pictures(name, known, found):
@@ -363,7 +346,8 @@ def check_pictures(name, known, found):
     require(motion > 0. and largest["velocity [m/s]"] > 0. and largest["peak velocity [m/s]"] > 0., f"{name}: something moves")
     tolerances = {field: 1e-6 * value for field, value in largest.items()} | {"points": 1e-9 * motion + 1e-12}
     for file in files:
-        require_same_picture(known / file, found / file, tolerances)
+        for sentence in unlike(known / file, found / file, tolerances):
+            require(False, sentence)
 
 
 def no_leftovers(directory):
@@ -471,7 +455,7 @@ def stopped(directory, how, overrides, scene="lamb", output=None):
 def check_faults():
     scene, small = SHARED["lamb"]
     # Long enough to be stopped on the way.
-    long_run = [o for o in small if "End time" not in o] + ["Time/End time=3", "Checkpoint/Step interval=100"]
+    long_run = [o for o in small if "End time" not in o] + ["Time/End time=1.5", "Checkpoint/Step interval=100"]
     whole = WORK / "whole"
     run(2, words_of(scene, whole, long_run))
     expected = series(whole)
@@ -494,7 +478,7 @@ def check_faults():
 
 
 shutil.rmtree(WORK, ignore_errors=True)
-{"equal": check_equal, "solvers": check_solvers, "resume": check_resume, "faults": check_faults, "files": check_files, "blocks": check_blocks}[PART]()
+{"equal": check_equal, "solvers": check_solvers, "resume": check_resume, "faults": check_faults, "files": check_files, "blocks": check_blocks, "blocks_long": check_blocks}[PART]()
 if complaints:
     sys.exit(f"{len(complaints)} complaints, first: {complaints[0]}")
 print("ok")

@@ -1,9 +1,0 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
-"""The P packets of oblique_waves.prm, by themselves to keep each case short."""
-
-import oblique_waves
-
-
-def check(case):
-    case.scene = case.scene.with_name("oblique_waves.prm")
-    oblique_waves.check(case, waves=("P",))
