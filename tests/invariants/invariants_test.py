@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The net: what must hold in any scene (judge.py), over combinations that nobody chose by hand.
 
-    invariants_test.py HYBRID WORK_DIR pairs [--long]        every third scene of a covering array of all pairs of options;
+    invariants_test.py HYBRID WORK_DIR pairs [--long]        every sixth scene of a covering array of all pairs of options;
                                                              --long: all of them, and random triples
     invariants_test.py HYBRID WORK_DIR random [--long]       random options and numbers (hypothesis), made small if one fails
     invariants_test.py HYBRID WORK_DIR metamorphic [--long]  pairs of scenes that must move alike (metamorphic.py)
@@ -53,7 +53,7 @@ class Net:
 
 def run_pairs(net, arguments):
     rows = covering.all_pairs()
-    chosen = list(range(0, len(rows), 1 if arguments.long else 3))
+    chosen = list(range(0, len(rows), 1 if arguments.long else 6))
     if arguments.long:
         rows += covering.random_triples(TRIPLES, SEED)
         chosen = list(range(len(rows)))
