@@ -128,6 +128,19 @@ def same_as_alone(case, variant, run):
     case.true("%s: it moved" % variant, np.abs(b - run.get("section/blocks_points")[:4]).max() > 0.1)
 
 
+def tips_over_the_end(case, variant, run):
+    """The slab as at a cliff; its end may be the left one."""
+    corners = run.get("section/blocks_points_final")
+    if variant == "scene":
+        case.at_cliff = np.sort(corners, axis=0)
+    elif variant == "square":
+        case.below("square: its middle lies at half its size, error", abs(corners[:, 1].mean() - 0.5), 1e-3, "m")
+    else:
+        side = -1 if variant == "left end" else 1
+        found = np.sort(corners * [side, 1], axis=0)
+        case.below("%s: difference of the slab's corners" % variant, np.abs(found - case.at_cliff).max(), 1e-3, "m")
+
+
 def light_as_alone(case, variant, run):
     pebble = run.get("section/blocks_points_final")[:4] - run.get("section/blocks_points")[:4]
     if variant == "scene":
@@ -189,6 +202,16 @@ def slides_uncut(case, variant, run):
     needs_no_cut(case, variant, run)
 
 
+def gives_nothing_back(case, variant, run):
+    """No step gives more than the filter has on loan, and all of them none; joints fail."""
+    loss, kinetic = run.get("energy/blocks_integration_loss"), run.get("energy/blocks_kinetic")
+    play = kinetic.max() - kinetic.min()
+    case.below("%s: largest gain of a step, of the energy in play" % variant, -np.diff(loss).min() / play, 0.05)
+    case.below("%s: gain of all steps, of the energy in play" % variant, -loss.min() / play, 1e-4)
+    joints = run.summary["joints"]
+    case.true("%s: %d joints failed" % (variant, joints["tensile"] + joints["shear"]), joints["tensile"] > 0)
+
+
 def needs_no_cut(case, variant, run):
     case.true("%s: %d steps were cut" % (variant, run.summary["cuts"]), run.summary["cuts"] == 0)
 
@@ -227,6 +250,11 @@ CASES = {
     "wedge": Wanted(),
     "poisson_0499": Wanted(residual=0.001, refusals=[("40", ["Blocks/Penalty ratio=40"], "times as large would do")]),
     "quiet": Wanted(residual=0.001, full_size={"scene": ["Time/End time=1000"]}, more=rests(1e-6)),
+    "base_end": Wanted({"scene": [], "right end": ["Mesh/Surface file=" + str(HARD / "ends_right.csv")],
+                        "left end": ["Mesh/Surface file=" + str(HARD / "ends_left.csv"), "Mesh/Polygons file=" + str(HARD / "slab_at_left_end.csv"),
+                                     "Blocks/Initial velocities=slab: -2, 4, 0, 1, -2.5, 0, 0"],
+                        "square": ["Mesh/Surface file=" + str(HARD / "ends_right.csv"), "Mesh/Polygons file=" + str(HARD / "tilted_at_end.csv"),
+                                   "Blocks/Initial velocities="]}, more=tips_over_the_end),
     "leaves_model": Wanted(more=falls_freely),
     "coincident": Wanted(),
     "record_offset": Wanted(more=ends_at_rest),
@@ -237,6 +265,12 @@ CASES = {
     "ledge": Wanted({"scene": [], "4 ms": ["Time/Time step=0.004"],
                      "bench": ["Mesh/Polygons file=" + str(HARD / "plane_and_bench.csv"), "Materials/joint/Friction angle=25",
                                "Gravity/Horizontal coefficient=0", "Time/End time=2.5"]}, more=moved_until_it_touched),
+    "shatter": Wanted({"scene": [], "2 ms": ["Time/Time step=0.002"], "4 ms": ["Time/Time step=0.004", "Materials/rock/Young modulus=5e9"],
+                       "strong": ["Materials/rock/Tensile strength=5e6", "Materials/rock/Cohesion=5e6"],
+                       "pair": ["Mesh/Polygons file=" + str(HARD / "two_squares.csv"), "Gravity/Acceleration=0",
+                                "Blocks/Initial velocities=first: 0, 1, 0, 1, 1, 0, 0", "Time/Time step=0.002", "Time/End time=0.1",
+                                "Time/Scheme=dissipative"]},
+                      more=gives_nothing_back),
     "stairs": Wanted({"scene": [], "mud": ["Blocks/Material=mud"], "dropped": ["Gravity/Static stage=none"]},
                      residual=0.001, more=stands_on_its_tread),
     "pebble": Wanted({"scene": [], "8 ms": ["Time/Time step=0.008"],

@@ -105,11 +105,13 @@ namespace hybrid::dda
     vertex_body = body;
     vertex      = vertex_;
     point       = position(*geometry, body, vertex);
-    // At an end of a surface the rock goes on straight.
+    // At an end of a surface the rock ends at a right angle: its corner bears what tips over it.
     const int after  = edge_after(*geometry, body, vertex),
               before = edge_before(*geometry, body, vertex);
-    to_next          = frames->edge(body, after < 0 ? before : after).direction;
-    to_previous      = -frames->edge(body, before < 0 ? after : before).direction;
+    to_next =
+      after < 0 ? Vec2(-frames->edge(body, before).normal) : frames->edge(body, after).direction;
+    to_previous = before < 0 ? Vec2(-frames->edge(body, after).normal)
+                             : Vec2(-frames->edge(body, before).direction);
 
     old.set(*geometry, *frames, *outline, point, old_contacts, n_old);
     trials.clear();

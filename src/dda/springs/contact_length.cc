@@ -407,8 +407,8 @@ namespace hybrid::dda
 
 
 
-    /// How much of a corner a vertex is: 1 for those of blocks, less for a place at which a surface
-    /// hardly turns, 0 where it does not stick out.
+    /// How much of a corner a vertex is: 1 for those of blocks and the ends of a surface, less for
+    /// a place at which a surface hardly turns, 0 where it does not stick out.
     double sharpness(const Geometry &geometry, const int body, const int vertex)
     {
       if (!is_surface(geometry, body))
@@ -416,7 +416,7 @@ namespace hybrid::dda
       const int before = edge_before(geometry, body, vertex),
                 after  = edge_after(geometry, body, vertex);
       if (before < 0 || after < 0)
-        return 0.;
+        return 1.;
       const Walk   from{body_of(geometry, body, before), before, true}, to{body, after, true};
       const double turn = -direction(geometry, to).dot(outward(geometry, from));
       return std::min(1., std::max(0., turn / ContactTolerances{}.entry_sine));

@@ -185,7 +185,7 @@ namespace hybrid::dda
         if (!is_none(then))
           work.arc += arc_work_at_start(step, spring, place);
       }
-    if (now.normal != 0. || now.shear != 0.)
+    if (!is_none(step.springs.responses[number].acting()))
       work.arc += arc_work_at_end(step, number);
     work.arc *= 0.5;
     return work;

@@ -4,6 +4,7 @@
 #include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/springs/spring_condition.h>
 #include <hybrid/dda/springs/springs.h>
+#include <hybrid/dda/springs/torn_bond.h>
 
 #include <algorithm>
 
@@ -167,6 +168,10 @@ namespace hybrid::dda
                                old.slip - old.history.plastic_slip};
     const JointKinematics kinematics{now.gap, now.slip, spring.cohesion_length_ratio, trial.dt};
     set_response(respond(spring, condition, kinematics, damping), response);
+    const TakenBack taken = taken_back(spring, now, model.newmark.gamma);
+    response.taken_back   = taken.traction;
+    response.k_nn += taken.by_gap;
+    response.shear_by_slip += taken.by_slip;
   }
 
 
@@ -237,9 +242,10 @@ namespace hybrid::dda
     const Spring      &spring = springs[s];
     const SpringState &now    = responses[s].now;
     bearing[s]                = {Role::none, condition_of(now)};
-    if (now.normal == 0. && now.shear == 0.)
+    const Traction acting     = responses[s].acting();
+    if (acting.normal == 0. && acting.shear == 0.)
       return;
-    forces[s] = forces_of(trial, s, {now.normal, now.shear});
+    forces[s] = forces_of(trial, s, acting);
     if (spring.part >= 0)
       {
         bearing[s].role            = Role::both;

@@ -140,12 +140,14 @@ namespace hybrid::dda
 
 
 
-    /// Tractions of a spring over a step, those of its contact with the weights (0, 1).
+    /// Tractions of a spring over a step, those of its contact with the weights (0, 1), its bond's
+    /// without what is taken back.
     struct WeightedTraction
     {
       double                  gamma;
       const Springs::Spring  &spring;
       const SpringState      &now;
+      const Springs::Traction taken;
       const Springs::Traction before = spring.contact_traction(spring.old);
       const Springs::Traction after  = spring.contact_traction(now);
 
@@ -156,29 +158,31 @@ namespace hybrid::dda
 
       double normal() const
       {
-        return of_bond(spring.old.normal - before.normal, now.normal - after.normal) + after.normal;
+        return of_bond(spring.old.normal - before.normal,
+                       now.normal - after.normal - taken.normal) +
+               after.normal;
       }
 
       double elastic_normal() const
       {
         return of_bond(spring.old.elastic_normal - before.normal,
-                       now.elastic_normal - after.normal) +
+                       now.elastic_normal - after.normal - taken.normal) +
                after.normal;
       }
 
       double shear(const double start, const double end) const
       {
         const double fraction = spring.contact_fraction;
-        return (1. - fraction) * of_bond(start, end) + fraction * end;
+        return (1. - fraction) * of_bond(start, end) + fraction * end - gamma * taken.shear;
       }
 
       /// What a traction has beyond the mean of both ends.
-      Springs::Traction beyond_mean(const SpringState       &state,
+      Springs::Traction beyond_mean(const Springs::Traction &whole,
                                     const Springs::Traction &contact) const
       {
         const double bond = gamma - 0.5;
-        return {bond * (state.normal - contact.normal) + 0.5 * contact.normal,
-                bond * (state.shear - contact.shear) + 0.5 * contact.shear};
+        return {bond * (whole.normal - contact.normal) + 0.5 * contact.normal,
+                bond * (whole.shear - contact.shear) + 0.5 * contact.shear};
       }
     };
 
@@ -189,15 +193,16 @@ namespace hybrid::dda
     /// that of springs that are gone.
     void audit_spring(const StepAudit &step, const std::size_t i, BlockEnergy &energy)
     {
-      const SpringStep       moved{step.model, step.before, step.trial, step.springs};
-      const Springs::Spring &spring = step.springs.springs[i];
-      const SpringState     &old = spring.old, &now = step.springs.responses[i].now;
-      const WeightedTraction traction{step.model.newmark.gamma, spring, now};
-      const double           shear = traction.shear(old.shear, now.shear);
-      const double           gap = now.gap - old.gap, slip = now.slip - old.slip;
-      const double           work    = traction.normal() * gap + shear * slip;
-      const double           plastic = now.history.plastic_slip - old.history.plastic_slip;
-      const double           elastic =
+      const SpringStep         moved{step.model, step.before, step.trial, step.springs};
+      const Springs::Spring   &spring   = step.springs.springs[i];
+      const Springs::Response &response = step.springs.responses[i];
+      const SpringState       &old = spring.old, &now = response.now;
+      const WeightedTraction   traction{step.model.newmark.gamma, spring, now, response.taken_back};
+      const double             shear = traction.shear(old.shear, now.shear);
+      const double             gap = now.gap - old.gap, slip = now.slip - old.slip;
+      const double             work    = traction.normal() * gap + shear * slip;
+      const double             plastic = now.history.plastic_slip - old.history.plastic_slip;
+      const double             elastic =
         traction.elastic_normal() * gap +
         traction.shear(old.elastic_shear, now.elastic_shear) * (slip - plastic);
       const double stored_before = spring.law->stored_energy({old.gap, old.slip}, old.history);
@@ -216,10 +221,11 @@ namespace hybrid::dda
           energy.fracture_loss += spring.length * fracture;
         }
       energy.damping_loss += spring.length * (elastic - work - friction);
-      const TurningWork turning = turning_work(moved,
-                                               i,
-                                               traction.beyond_mean(old, traction.before),
-                                               traction.beyond_mean(now, traction.after));
+      const TurningWork turning =
+        turning_work(moved,
+                     i,
+                     traction.beyond_mean({old.normal, old.shear}, traction.before),
+                     traction.beyond_mean(response.acting(), traction.after));
       energy.integration_loss += spring.length * (-elastic - (stored - stored_before) - fracture) -
                                  turning.rotation - turning.arc;
     }

@@ -103,9 +103,10 @@ namespace hybrid::dda
   {
     const int       n        = model->n_blocks();
     const int       n_joints = static_cast<int>(springs.first_contact());
-    Eigen::VectorXd torn; // forces of what becomes a contact of joints
+    Eigen::VectorXd torn;  // forces of what becomes a contact of joints
+    Eigen::VectorXd taken; // of what was taken back: neither carried on nor remembered
     if (any_tears)
-      torn = Eigen::VectorXd::Zero(contact_force.size());
+      torn = taken = Eigen::VectorXd::Zero(contact_force.size());
     for (int s = 0; s < n_joints && any_tears; ++s)
       {
         if (!tears(springs, state, s))
@@ -118,18 +119,27 @@ namespace hybrid::dda
             ? Springs::Traction{now.normal, now.shear}
             : Springs::contact_traction(now, contact_fraction_at_end(springs, state, s));
         springs.add_force(trial, s, {next.normal - then.normal, next.shear - then.shear}, torn);
+        const Springs::Traction &back = springs.responses[s].taken_back;
+        springs.add_force(trial, s, {-back.normal, -back.shear}, taken);
       }
+    torn += taken;
     state.foundation_contact_force = contact_force.tail(2 * model->n_foundation_nodes());
     if (torn.size() > 0)
       state.foundation_contact_force += torn.tail(2 * model->n_foundation_nodes());
 #pragma omp parallel for schedule(static) if (is_worth_sharing(n))
     for (int b = 0; b < n; ++b)
       {
-        Vec6 c = contact_acceleration[b];
+        Vec6               c     = contact_acceleration[b];
+        const BlockMotion &move  = trial.motion[b];
+        BlockState        &block = state.blocks[b];
         if (torn.size() > 0)
-          c += mass[b].solve(torn.segment<6>(6 * b));
-        const BlockMotion &move              = trial.motion[b];
-        state.blocks[b].contact_acceleration = rotated_rates(c, move.cosine, move.sine);
+          {
+            c += mass[b].solve(torn.segment<6>(6 * b));
+            const Vec6 back = Newmark::memory * mass[b].solve(taken.segment<6>(6 * b));
+            if (model->newmark.filter > 0. && !back.isZero(0.))
+              block.acceleration_change -= carried_rates(back, move.cosine, move.sine);
+          }
+        block.contact_acceleration = rotated_rates(c, move.cosine, move.sine);
       }
   }
 

@@ -125,6 +125,12 @@ namespace hybrid::dda
     /// True if a contact carries cohesion, and a limited one.
     bool has_residual_cohesion() const;
 
+    /// True if friction falls with the rate of slip.
+    bool weakens_with_rate() const
+    {
+      return strength.rate_coefficient < 0.;
+    }
+
     /// Energy stored in the springs per area [J/m2].
     double stored_energy(const JointKinematics &kinematics, const JointHistory &history) const;
 

@@ -113,6 +113,13 @@ namespace hybrid::dda
       double      shear_strength = 0.;      ///< that its shear may reach [Pa]
       double      mohr_coulomb   = 0.;      ///< see JointResponse [Pa]
       double      k_nn = 0., shear_by_slip = 0., k_tn = 0.; ///< tangents [Pa/m]
+      Traction    taken_back{0., 0.}; ///< of a bond that is torn in this step, see torn_bond.h [Pa]
+
+      /// That acts in this step.
+      Traction acting() const
+      {
+        return {now.normal - taken_back.normal, now.shear - taken_back.shear};
+      }
     };
 
     /// Collect the springs of the step that starts from @p state.

@@ -128,6 +128,28 @@ TEST(ContactLength, a_corner_alone_has_none)
 
 
 
+/// The last place of a surface is a corner: a square that tilts over it by 10 degrees stands on it.
+TEST(ContactLength, the_end_of_a_surface_is_a_corner)
+{
+  for (const double side : {1., -1.}) // the end is the right one, the left one
+    {
+      const double      c = std::cos(10. * degree), s = -side * std::sin(10. * degree);
+      std::vector<Vec2> square;
+      for (const Vec2 &p : {Vec2(-0.5, 0.), Vec2(0.5, 0.), Vec2(0.5, 1.), Vec2(-0.5, 1.)})
+        {
+          const Vec2 moved = p - Vec2(0.15 * side, 0.);
+          square.emplace_back(c * moved.x() - s * moved.y(), s * moved.x() + c * moved.y() - 1e-5);
+        }
+      const std::vector<Vec2> base =
+        side > 0. ? std::vector<Vec2>{{-5., 0.}, {0., 0.}} : std::vector<Vec2>{{0., 0.}, {5., 0.}};
+      const Lengths found(one_block(square), base, 0, foundation_body);
+      EXPECT_EQ(found.n, 1) << side;
+      EXPECT_NEAR(found.springs, corner_alone, 1e-12) << side;
+    }
+}
+
+
+
 TEST(ContactLength, blocks_on_blocks_have_their_overlap)
 {
   const std::vector<Vec2> foundation = straight_foundation(0., 5., 5.);
