@@ -16,7 +16,6 @@
 #include <hybrid/voice.h>
 
 #include <cmath>
-#include <iostream>
 #include <limits>
 
 namespace hybrid
@@ -385,39 +384,41 @@ namespace hybrid
   RunStatus meet_error_target(std::unique_ptr<Simulation> simulation,
                               const SimulationMaker      &make,
                               const Processes            &processes,
-                              const output::Log          &log,
+                              output::Log                &log,
                               DirectoryLock              &lock,
                               const Interruption         &interruption)
   {
     const std::string        directory = simulation->directory();
     std::vector<std::string> said      = log.warnings();
-    StepChoice               choice    = simulation->next_step_size();
+    std::unique_ptr<Voice>   voice; // of the last run, if it is not the first
+    StepChoice               choice = simulation->next_step_size();
     const auto wanted = [&] { return processes.from_first(choice.step.value_or(0.)); };
     for (double step = wanted(); step > 0.; step = wanted())
       {
         const scene::SceneParameters scene =
           read_scene_of_run(directory, {"Time/Time step=" + scene::number_text(step)});
-        Voice voice(processes);
-        voice.log.info("Repeated in steps of " + step_text(step) + ": " + choice.why);
-        voice.log.be_quiet(said);
+        auto next = std::make_unique<Voice>(processes);
+        next->log.info("Repeated in steps of " + step_text(step) + ": " + choice.why);
+        next->log.be_quiet(said);
         processes.on_first([&] {
           if (simulation->step_record())
             output::write_step_record(step_record_file(directory), *simulation->step_record());
         });
         simulation.reset(); // its memory
-        simulation = make(directory, scene, voice.log);
-        processes.on_first([&] { prepare_directory(scene, true, voice.log, lock); });
+        voice      = std::move(next);
+        simulation = make(directory, scene, voice->log);
+        processes.on_first([&] { prepare_directory(scene, true, voice->log, lock); });
         simulation->report().card();
-        said = voice.log.warnings();
-        voice.log.speak();
+        said = voice->log.warnings();
+        voice->log.speak();
         const RunStatus status = simulation->run(interruption);
         if (status != RunStatus::finished)
           return status;
         choice = simulation->next_step_size();
       }
-    if (!choice.unmet.empty() && processes.is_first())
-      std::cerr << "warning: Time/Error target is not known to be met: " << choice.unmet
-                << std::endl;
+    if (!choice.unmet.empty())
+      (voice ? voice->log : log)
+        .warning("Time/Error target is not known to be met: " + choice.unmet);
     return RunStatus::finished;
   }
 

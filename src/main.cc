@@ -37,7 +37,7 @@ namespace
 {
   using namespace hybrid;
 
-  /// Of all processes, if the scene may be shared out among them.
+  /// Of all processes, if the scene may be shared out among them and others take part.
   MPI_Comm communicator_of(const scene::SceneParameters &scene, const Processes &processes)
   {
     const bool is_explicit = scene.continuum.integrator != scene::TimeIntegrator::implicit_steps &&
@@ -45,8 +45,10 @@ namespace
     const bool iterates =
       scene::with_linear_solver(scene, processes.count()).continuum.linear_solver ==
       scene::LinearSolver::conjugate_gradients;
-    return processes.count() > 1 && (scene.has_blocks() || is_explicit || iterates) ? MPI_COMM_WORLD
-                                                                                    : MPI_COMM_SELF;
+    return processes.count() > 1 && !processes.is_alone() &&
+               (scene.has_blocks() || is_explicit || iterates)
+             ? MPI_COMM_WORLD
+             : MPI_COMM_SELF;
   }
 
 

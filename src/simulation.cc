@@ -460,7 +460,9 @@ namespace hybrid
       summary.probable_error.second_step = second_time_step();
     summary.mesh_error.follows       = end_of_coarser_runs().has_value();
     summary.mesh_error.runs_would_do = may_tell_mesh_error();
-    summary.mesh_error.never         = why_no_coarser_mesh();
+    summary.mesh_error.with_step =
+      model.scene.time.newmark.corrected_step > 0. && !model.scene.continuum.is_explicit;
+    summary.mesh_error.never = why_no_coarser_mesh();
     if (!summary.mesh_error.never.empty())
       summary.mesh_error.reason = summary.mesh_error.never;
     output::write_summary(summary, model.scene.output.directory + "/summary.json");

@@ -55,7 +55,12 @@ namespace hybrid
                 "the error of its stable parts is above Time/Error target"};
       }
     if (!(half < now))
-      return {"half the step would not be nearer to it", {}, ""};
+      return {
+        std::isnan(error.measured_from)
+          ? "half the step would not be nearer to it"
+          : "the runs do not come closer to each other, so shorter steps are not known to help",
+        {},
+        ""};
     const std::string why = "the error of longer ones is above Time/Error target";
     if (!std::isnan(error.measured_from))
       return {"", 0.5 * time_step, why}; // its difference to this one tells the order

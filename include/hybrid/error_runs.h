@@ -30,7 +30,7 @@ namespace hybrid
   RunStatus meet_error_target(std::unique_ptr<Simulation> simulation,
                               const SimulationMaker      &make,
                               const Processes            &processes,
-                              const output::Log          &log,
+                              output::Log                &log,
                               DirectoryLock              &lock,
                               const Interruption         &interruption);
 

@@ -146,10 +146,20 @@ namespace hybrid::output
 
 
 
-    /// Bedding planes that have slipped or opened by what can be seen.
-    std::string planes_text(const Summary &summary)
+    /// Slip leaves a change of stress for good, to which dashpots alone give way.
+    bool gives_way_to_slip(const scene::SceneParameters &scene)
     {
-      constexpr double seen = 1e-6; // m
+      return scene.has_continuum() && scene.continuum.base.is_compliant &&
+             !scene.continuum.boundary_springs;
+    }
+
+
+
+    /// Bedding planes that have slipped or opened by what can be seen.
+    std::string planes_text(const Summary &summary, const scene::SceneParameters &scene)
+    {
+      constexpr double seen         = 1e-6; // m
+      bool             slip_is_left = false;
       std::string      text;
       for (const auto &[name, slip] : summary.planes)
         {
@@ -163,7 +173,13 @@ namespace hybrid::output
           if (opens)
             text += (slips ? "; it is open by " : "is open by ") + length_text(slip.opening_left) +
                     " at most";
+          slip_is_left = slip_is_left || slips;
         }
+      if (slip_is_left && gives_way_to_slip(scene))
+        text +=
+          indent +
+          "dashpots give way to the stress that slip leaves, so what is left drifts: "
+          "Continuum/Boundary springs = true, and several times as much rock around the planes";
       return text;
     }
 
@@ -329,15 +345,15 @@ namespace hybrid::output
 
 
 
-    /// What a finer mesh of the bedrock would change.
+    /// What a finer mesh of the bedrock would change; nothing if runs with coarser ones tell it.
     std::string mesh_text(const Summary &summary)
     {
       const Summary::ProbableError &error = summary.probable_error;
-      if (!has_points(summary) || !error.reason.empty() || std::isnan(error.mesh.part[1]))
+      if (!has_points(summary) || !error.reason.empty() || std::isnan(error.mesh.part[1]) ||
+          summary.mesh_error.follows)
         return "";
-      const bool tells_less = error.mesh_has_corners && !summary.mesh_error.follows;
       return indent + "of the bedrock's mesh, waves alone, at least: " + peaks_text(error.mesh) +
-             (tells_less
+             (error.mesh_has_corners
                 ? "; what its corners and bends leave is not in it, and may be ten times as much"
                 : "");
     }
@@ -408,7 +424,10 @@ namespace hybrid::output
       (error.meshes > 1 ? "those twice and four times as large" : "one twice as large") +
       (error.of_corners ? " and smaller cells at inward corners" : "") + until + ": " +
       peaks_text(error.size) +
-      half_text(error.size, error.half_size, "size", "half the size leaves as much");
+      half_text(error.size,
+                error.half_size,
+                error.with_step ? "size and half the step" : "size",
+                "half the size leaves as much");
     const std::string note =
       std::string(error.order_is_seen ? "" : ", roughly: no order is seen in these meshes") +
       (error.keeps_corners && !error.of_corners
@@ -439,7 +458,7 @@ namespace hybrid::output
                                   summary.energy_residual);
     if (summary.steps > 0)
       {
-        found += monitors_text(summary, scene.monitors.base_monitor) + planes_text(summary);
+        found += monitors_text(summary, scene.monitors.base_monitor) + planes_text(summary, scene);
         if (summary.blocks > 0)
           found += indent + slip_text(summary) + shear_text(summary.base_shear) +
                    off_base_text(summary.blocks_off_base) +

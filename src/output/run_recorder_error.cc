@@ -15,6 +15,7 @@ namespace hybrid::output
   {
     constexpr std::size_t least_rows       = 20;
     constexpr double      largest_friction = 0.05; ///< of all that was lost inside [-]
+    constexpr double      largest_abrupt   = 0.02; ///< of the peak acceleration, at once [-]
     constexpr double      largest_fracture = 0.05; ///< of all that the blocks lost [-]
     constexpr double      flutter_friction = 15.;  ///< undamped blocks do above 18 degrees [deg]
 
@@ -157,6 +158,16 @@ namespace hybrid::output
 
 
 
+    /// Of its peak, the acceleration that a motion begins with [-].
+    double abrupt_part(const scene::Motion &motion)
+    {
+      return motion.peak_acceleration() > 0.
+               ? std::abs(motion.samples().front()) / motion.peak_acceleration()
+               : 0.;
+    }
+
+
+
     /// The waves of the bedrock are P waves: shaken steeply, or begun as such.
     bool shakes_p_waves(const RunParts &parts)
     {
@@ -269,6 +280,9 @@ namespace hybrid::output
       return "blocks fly";
     if (!scene.motion.vertical_file.empty())
       return "the motion has two components";
+    const double at_once = abrupt_part(parts.motion.outcrop());
+    if (at_once > largest_abrupt)
+      return "the motion begins at once with " + in_percent(at_once) + " of its peak acceleration";
     const std::string besides = other_source(scene, parts.motion);
     if (!besides.empty())
       return besides;

@@ -77,12 +77,13 @@ namespace hybrid::output
            keeps_corners,
            keeps_layers,
            of_corners,
+           with_step,
            size,
            half_size,
            cost] = error;
     archive(runs_would_do, follows, never, reason, meshes, until, failed_in_other);
-    archive(
-      order_is_seen, coarsened, keeps_corners, keeps_layers, of_corners, size, half_size, cost);
+    archive(order_is_seen, coarsened, keeps_corners, keeps_layers, of_corners, with_step);
+    archive(size, half_size, cost);
   }
 
 

@@ -452,6 +452,17 @@ def stopped(directory, how, overrides, scene="lamb", output=None):
     return process.returncode
 
 
+def check_alone():
+    """The further runs of a scene that the first process computes alone, too: a few blocks on finite elements."""
+    errors = {}
+    for processes in (1, 2):
+        result = run(processes, words_of("coupled_column", WORK / f"alone_{processes}", ["Time/End time=0.1", *ERRORS]))
+        summary = json.loads((WORK / f"alone_{processes}/summary.json").read_text())
+        errors[processes] = {name: summary[name] for name in ("probable_error", "mesh_error")}
+        require((ALONE in result.stdout + result.stderr) == (processes == 2), f"{processes} processes: the first one computes alone")
+    require(errors[1]["mesh_error"]["estimated"] and errors[1] == errors[2], "computed alone: the same errors as by one process")
+
+
 def check_faults():
     scene, small = SHARED["lamb"]
     # Long enough to be stopped on the way.
@@ -469,6 +480,8 @@ def check_faults():
         found = series(directory)
         different = [n for n in expected if n.startswith("monitors/") and expected[n].tobytes() != found[n].tobytes()]
         require(not different, f"{name}: resumed to the same bits, but for {different[:4]}")
+
+    check_alone()
 
     nowhere = run(2, words_of(scene, WORK / "wrong", [*small, "Materials/rock/Poisson ratio=0.7"]), expect=2)
     require(nowhere.stderr.count("error: ") == 1, f"a wrong value: one says so: {nowhere.stderr[-300:]}")

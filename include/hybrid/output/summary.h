@@ -173,9 +173,11 @@ namespace hybrid::output
       bool        keeps_corners = false; ///< cells at inward corners are as large in all of them
       bool        keeps_layers  = false; ///< of a layer cells are as thick in coarser ones
       bool        of_corners    = false; ///< a run with smaller cells at corners tells it, too
-      ErrorPart   size;
-      ErrorPart   half_size;                 ///< what would be left with half the size
-      double cost = MonitorSummary::unknown; ///< processor time with half the size, at least [s]
+      bool        with_step     = false; ///< half the size wants half the step: fourth order, whose
+                                         ///< steps are less exact on finer cells
+      ErrorPart size;
+      ErrorPart half_size;                      ///< what would be left with half the size
+      double    cost = MonitorSummary::unknown; ///< processor time with half the size, at least [s]
     };
 
     std::string title;
