@@ -152,6 +152,7 @@ namespace hybrid
       {
         fallen_blocks(settled, state, has_failed);
         slid_blocks(settled);
+        weakening_belt(state);
         return;
       }
     const bool  is_held = model.scene.environment.static_stage == scene::StaticStage::held;
@@ -216,6 +217,24 @@ namespace hybrid
       settled.slid_by,
       model.mesh.block_name(settled.slid_block).c_str(),
       settled.elastic_settlement));
+  }
+
+
+
+  void RunReport::weakening_belt(const dda::DdaState &state) const
+  {
+    double slip = 0.; // plastic, of an end [m]
+    for (std::size_t j = 0; j < state.joints.size(); ++j)
+      if (model.blocks->joints[j].law.weakens_with_rate())
+        for (const dda::SpringState &point : state.joints[j].points)
+          slip = std::max(slip, std::abs(point.history.plastic_slip));
+    if (slip > 0.)
+      log.warning(output::formatted(
+        "the belt weakens with the rate of slip, and parts of it have reached their strength at "
+        "rest, where the rate counts as zero (slip up to %.3g m): what creeps there faster than "
+        "Friction reference rate loses strength and may slide by itself; a run with Motion/Type = "
+        "none shows how far",
+        slip));
   }
 
 

@@ -64,5 +64,8 @@ namespace hybrid
                        bool                     has_failed) const;
 
     void slid_blocks(const dda::StaticResult &result) const;
+
+    /// A belt that weakens with the rate of slip and has slipped at rest.
+    void weakening_belt(const dda::DdaState &state) const;
   };
 } // namespace hybrid

@@ -17,6 +17,9 @@ namespace hybrid::continuum
     /// A point may lie this part of a cell's size outside: it is moved onto the cell's edge.
     constexpr double tolerated_distance = 0.1;
 
+    /// Cells are equally near within this part of their size.
+    constexpr double round_off = 1e-9;
+
     /// Local coordinates of the point of the cell that is nearest (in local coordinates) to @p
     /// position.
     Vec2 local_coordinates(const ElementNodes &nodes, const int cell, const Vec2 &position)
@@ -49,6 +52,7 @@ namespace hybrid::continuum
   Continuum::Implementation::nearest_cell(const Vec2 &position, const double reach) const
   {
     NearestCell best;
+    double      height = 0.; // of the best one's centre [m]
     for (std::size_t c = 0; c < nodes->cells.size(); ++c)
       {
         const Vec2 centre = nodes->map(c, Vec2(0.5, 0.5));
@@ -59,8 +63,12 @@ namespace hybrid::continuum
           continue;
         const Vec2   at = local_coordinates(*nodes, c, position);
         const double d  = (nodes->map(c, at) - position).norm() / radius;
-        if (d < best.distance - 1e-9)
-          best = {static_cast<int>(c), at, d};
+        if (d < best.distance - round_off ||
+            (d < best.distance + round_off && centre.y() > height + round_off * radius))
+          {
+            best   = {static_cast<int>(c), at, d};
+            height = centre.y();
+          }
       }
     return best;
   }

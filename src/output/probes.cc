@@ -59,8 +59,8 @@ namespace hybrid::output
     int nearest = -1;
     if (model == nullptr)
       return nearest;
-    const dda::Geometry &g        = model->initial;
-    double               distance = infinity; // of the centroid
+    const dda::Geometry &g    = model->initial;
+    double               rank = infinity; // the lowest one's block is taken
     for (int b = 0; b < g.n_blocks(); ++b)
       {
         const Vec2 *outline = &g.vertices[g.offset[b]];
@@ -68,13 +68,16 @@ namespace hybrid::output
         if (!dda::contains(outline, n, x) &&
             dda::distance_to_outline(outline, n, x) > rounding * section)
           continue;
-        const double d = (dda::polygon_moments(outline, n).centroid - x).norm();
         if (nearest >= 0 && model->is_bedrock(b) && !model->is_bedrock(nearest))
           break; // the mass comes first, in the list too
-        if (d < distance)
+        // Of the mass the nearest block, of the bedrock the upper one: on a plane the rock above
+        // it.
+        const Vec2   centroid = dda::polygon_moments(outline, n).centroid;
+        const double of_block = model->is_bedrock(b) ? -centroid.y() : (centroid - x).norm();
+        if (of_block < rank)
           {
-            distance = d;
-            nearest  = b;
+            rank    = of_block;
+            nearest = b;
           }
       }
     return nearest;

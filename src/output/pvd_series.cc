@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/atomic_file.h>
+#include <hybrid/output/formatted.h>
 #include <hybrid/output/pvd_series.h>
 #include <hybrid/restart/archive.h>
 #include <hybrid/scene/input_error.h>
 
-#include <cstdio>
 #include <filesystem>
 
 namespace hybrid::output
@@ -24,9 +24,7 @@ namespace hybrid::output
 
   std::string PvdSeries::file_of(const std::size_t number) const
   {
-    char text[24];
-    std::snprintf(text, sizeof(text), "_%05zu.vtu", number);
-    return "vtu/" + name + text;
+    return formatted("vtu/%s_%05zu.vtu", name.c_str(), number);
   }
 
 
@@ -56,10 +54,9 @@ namespace hybrid::output
       {
         if (missing.count(k) > 0)
           continue;
-        char number[32];
-        std::snprintf(number, sizeof(number), "%.17g", times[k]);
-        xml += "    <DataSet timestep=\"" + std::string(number) + "\" part=\"0\" file=\"" +
-               file_of(k) + "\"/>\n";
+        xml += formatted("    <DataSet timestep=\"%.17g\" part=\"0\" file=\"%s\"/>\n",
+                         times[k],
+                         file_of(k).c_str());
       }
     xml += "  </Collection>\n</VTKFile>\n";
     write_atomically(directory + "/" + name + ".pvd", xml);

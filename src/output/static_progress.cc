@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/output/formatted.h>
 #include <hybrid/output/progress.h>
 #include <hybrid/output/static_progress.h>
-
-#include <cstdio>
-#include <cstring>
 
 namespace hybrid::output
 {
@@ -17,20 +15,15 @@ namespace hybrid::output
     /// In one line of @p width characters at most.
     std::string in_words(const dda::StaticProgress &progress, const int width)
     {
-      char text[200];
+      std::string text;
       for (const char *form :
            {"Static stage: %d steps, %d iterations, relative residual %.1e (ends at %.0e)",
             "Static stage: %d steps, %d iterations, residual %.1e of %.0e",
             "Static: %d, %d, %.1e of %.0e"})
         {
-          std::snprintf(text,
-                        sizeof(text),
-                        form,
-                        progress.steps,
-                        progress.iterations,
-                        progress.residual,
-                        progress.target);
-          if (std::strlen(text) <= static_cast<std::size_t>(width))
+          text = formatted(
+            form, progress.steps, progress.iterations, progress.residual, progress.target);
+          if (text.size() <= static_cast<std::size_t>(width))
             return text;
         }
       return fitting_line({text}, "", width);

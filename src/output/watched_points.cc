@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/dda/geometry/polygon.h>
+#include <hybrid/output/formatted.h>
 #include <hybrid/output/watched_points.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <set>
 
@@ -157,8 +157,7 @@ namespace hybrid::output
       const int         digits = digits_of(positions);
       for (const Vec2 &x : positions)
         {
-          char name[96];
-          std::snprintf(name, sizeof(name), "x_%.*f_y_%.*f", digits, x.x(), digits, x.y());
+          const std::string name = formatted("x_%.*f_y_%.*f", digits, x.x(), digits, x.y());
           const bool is_new = std::none_of(points.begin(), points.end(), [&](const auto &other) {
             return other.name == name;
           });

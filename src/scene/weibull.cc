@@ -44,24 +44,6 @@ namespace hybrid::scene
   }
 
 
-  double Weibull::distribution(const double x) const
-  {
-    return x > 0. ? -std::expm1(-std::pow(x / s, m)) : 0.;
-  }
-
-
-  double Weibull::density(const double x) const
-  {
-    return x > 0. ? m / s * std::pow(x / s, m - 1.) * std::exp(-std::pow(x / s, m)) : 0.;
-  }
-
-
-  double Weibull::variance() const
-  {
-    return std::tgamma(1. + 2. / m) * s * s - 1.;
-  }
-
-
   double number_of_place(const std::uint64_t seed, std::vector<Vec2> places)
   {
     std::sort(places.begin(), places.end(), [](const Vec2 &a, const Vec2 &b) {

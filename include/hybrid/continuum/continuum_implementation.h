@@ -178,6 +178,7 @@ namespace hybrid::continuum
       double distance = 1e300;
     };
 
+    /// Of cells that share the position the upper one: on a bedding plane the rock above it.
     NearestCell nearest_cell(const Vec2 &position, double reach) const;
 
     /// Cell and shape function values at a position. @throws InputError naming @p what if outside.

@@ -22,14 +22,6 @@ namespace hybrid::scene
     /// x with P(X <= x) = @p u, in [0, 1).
     double quantile(double u) const;
 
-    /// P(X <= x) [-].
-    double distribution(double x) const;
-
-    /// Density at @p x [-].
-    double density(double x) const;
-
-    double variance() const;
-
   private:
     double m; ///< shape [-]
     double s; ///< scale [-]

@@ -158,20 +158,6 @@ namespace hybrid::scene
     }
 
 
-    /// Slip leaves a change of stress, to which dashpots alone give way.
-    void look_at_lasting_slip(const SceneParameters &scene, std::vector<std::string> &warnings)
-    {
-      if (!scene.bedding.slips || scene.bedding.names.empty() || !scene.has_continuum() ||
-          !scene.continuum.base.is_compliant || scene.continuum.boundary_springs)
-        return;
-      warnings.push_back(
-        "planes that slip change the stress for good, and dashpots alone give way to it: in a "
-        "section that ends near the planes displacements that are left drift by more than half, "
-        "and slip that is left is too small by a tenth and more; set Continuum/Boundary springs = "
-        "true, and draw several times as much rock beside and below them");
-    }
-
-
     void look_at_blocks(const SceneParameters &scene, std::vector<std::string> &warnings)
     {
       if (!scene.has_blocks())
@@ -338,7 +324,6 @@ namespace hybrid::scene
     look_at("Continuum", rayleigh_stiffness, scene.continuum.rayleigh_stiffness, warnings);
     look_at("Gravity", gravity, scene.environment.gravity, warnings);
     look_at_planes(scene.bedding, warnings);
-    look_at_lasting_slip(scene, warnings);
     look_at_blocks(scene, warnings);
     look_at_saturated_density(scene, warnings);
     look_at_peak(scene, motion, warnings);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -150,6 +151,18 @@ namespace hybrid::scene
     }
 
 
+    /// Unit of the last digit of a number as it is printed: 0.01 of 2.50, 1e-4 of 1.5e-3.
+    double last_digit(const std::string &number)
+    {
+      const std::size_t exponent = number.find_first_of("eEdD");
+      const std::string mantissa = number.substr(0, exponent);
+      const std::size_t point    = mantissa.find_first_of(".,");
+      const int decimals = point == std::string::npos ? 0 : int(mantissa.size() - point) - 1;
+      const int power    = exponent == std::string::npos ? 0 : std::atoi(&number[exponent + 1]);
+      return std::pow(10., power - decimals);
+    }
+
+
     void check_spacing(const std::string           &file,
                        const std::vector<TableRow> &rows,
                        const std::vector<double>   &t)
@@ -162,22 +175,28 @@ namespace hybrid::scene
                            "the time " + in_words(t[i]) + " s does not follow " +
                              in_words(t[i - 1]) + " s.");
 
-      // printed times are rounded, so compare with the typical spacing, loosely
       std::vector<double> spacing(t.size() - 1);
       for (std::size_t i = 1; i < t.size(); ++i)
         spacing[i - 1] = t[i] - t[i - 1];
       std::vector<double> ordered = spacing;
       std::nth_element(ordered.begin(), ordered.begin() + ordered.size() / 2, ordered.end());
       const double typical = ordered[ordered.size() / 2];
+
+      // Printed times are rounded: 1/128 s with three digits is 7 or 8 ms. Trailing zeros may be
+      // left out.
+      double unit = last_digit(rows[0].fields[0]);
+      for (const TableRow &row : rows)
+        unit = std::min(unit, last_digit(row.fields[0]));
+      const double rounding = unit < 0.25 * typical ? unit : 0.;
       for (std::size_t i = 1; i < t.size(); ++i)
-        if (std::abs(spacing[i - 1] - typical) > 0.05 * typical)
+        if (std::abs(spacing[i - 1] - typical) > 0.05 * typical + rounding)
           throw InputError(file,
                            rows[i].line,
                            "the spacing of " + in_words(spacing[i - 1]) +
                              " s differs from the others of " + in_words(typical) +
                              " s; samples must be equally spaced: interpolate them.");
       for (std::size_t i = 1; i < t.size(); ++i)
-        if (std::abs(t[i] - t[0] - i * dt) > 0.1 * dt)
+        if (std::abs(t[i] - t[0] - i * dt) > 0.1 * dt + rounding)
           throw InputError(file,
                            rows[i].line,
                            "the time " + in_words(t[i]) + " s should be " +

@@ -72,6 +72,26 @@ namespace hybrid::output
 
 
 
+    TEST(EndText, SaysThatDashpotsGiveWayToSlip)
+    {
+      const auto told = [](const double slip, const scene::SceneParameters &scene) {
+        Summary run = a_run();
+        run.planes  = {{"bedding_1", {slip, {{12.5, 7.}}, 0.}}};
+        return end_text(run, scene).in_file.find("Boundary springs") != std::string::npos;
+      };
+      scene::SceneParameters scene;
+      scene.continuum.base.is_compliant = true;
+      EXPECT_TRUE(told(1e-3, scene));
+      EXPECT_FALSE(told(1e-7, scene));
+      scene.continuum.boundary_springs = true;
+      EXPECT_FALSE(told(1e-3, scene));
+      scene.continuum.boundary_springs  = false;
+      scene.continuum.base.is_compliant = false;
+      EXPECT_FALSE(told(1e-3, scene));
+    }
+
+
+
     TEST(EndText, SaysWhichBlocksHaveNothingBelowThem)
     {
       Summary run = a_run();

@@ -22,6 +22,13 @@ namespace hybrid::scene::test
           weibull.quantile(number_of_place(seed, {Vec2(0.5 * (i % 200), 0.5 * (i / 200))})));
       return x;
     }
+
+
+    /// P(X <= x) of mean 1.
+    double distribution(const double shape, const double x)
+    {
+      return -std::expm1(-std::pow(x * std::tgamma(1. + 1. / shape), shape));
+    }
   } // namespace
 
 
@@ -38,11 +45,9 @@ namespace hybrid::scene::test
           }
         const double variance =
           std::tgamma(1. + 2. / m) / std::pow(std::tgamma(1. + 1. / m), 2) - 1.;
-        EXPECT_NEAR(Weibull(m).variance(), variance, 1e-13);
         EXPECT_NEAR(mean, 1., 4. * std::sqrt(variance / n)) << m;
         EXPECT_NEAR((square - mean * mean) / variance, 1., m == 1. ? 0.06 : 0.03) << m;
       }
-    EXPECT_NEAR(Weibull(1.).variance(), 1., 1e-13); // exponential
   }
 
 
@@ -56,7 +61,7 @@ namespace hybrid::scene::test
           double distance = 0.;
           for (int i = 0; i < n; ++i)
             {
-              const double p = Weibull(m).distribution(x[i]);
+              const double p = distribution(m, x[i]);
               distance       = std::max({distance, p - double(i) / n, (i + 1.) / n - p});
             }
           EXPECT_LT(distance, 1.63 / std::sqrt(n)) << m << ", seed " << seed; // 1 % level
@@ -64,24 +69,11 @@ namespace hybrid::scene::test
   }
 
 
-  TEST(Weibull, quantile_distribution_and_density_belong_together)
+  TEST(Weibull, quantile_is_the_inverse_of_the_distribution)
   {
-    const Weibull weibull(2.5);
-    double        integral = 0.;
     for (double u = 0.001; u < 1.; u += 0.01)
-      {
-        const double x = weibull.quantile(u);
-        EXPECT_NEAR(weibull.distribution(x), u, 1e-13);
-        const double h = 1e-5;
-        EXPECT_NEAR(weibull.density(x),
-                    (weibull.distribution(x + h) - weibull.distribution(x - h)) / (2. * h),
-                    1e-6);
-      }
-    for (double x = 0.0005; x < 5.; x += 0.001)
-      integral += 0.001 * x * weibull.density(x);
-    EXPECT_NEAR(integral, 1., 1e-6);
-    EXPECT_EQ(weibull.quantile(0.), 0.);
-    EXPECT_EQ(weibull.distribution(-1.), 0.);
+      EXPECT_NEAR(distribution(2.5, Weibull(2.5).quantile(u)), u, 1e-13);
+    EXPECT_EQ(Weibull(2.5).quantile(0.), 0.);
   }
 
 

@@ -53,6 +53,18 @@ def check(case):
         friction = run.history("energy/friction_loss")
         case.true(name + ": friction never gives energy", np.all(np.diff(friction) >= 0))
         case.shown.append((name, run.time, found, speed))
+    check_warning(case)
+
+
+def check_warning(case):
+    """Ends of a soft slab's belt that reach their strength at rest are warned of, if the belt weakens."""
+    at_rest = ["Gravity/Static stage=equilibrium", "Materials/rock/Young modulus=1e8", "Time/End time=0.01"]
+    for name, friction, coefficient, is_told in (("weak", 21, -0.02, True), ("strong", 45, -0.02, False), ("gains", 21, 0.02, False)):
+        case.run(name, *at_rest, "Materials/belt/Friction angle=%g" % friction,
+                 "Materials/belt/Friction rate coefficient=%g" % coefficient)
+        log = (case.work / name / "log.txt").read_text(encoding="utf-8")
+        case.true(name + ": warned of slip at rest" if is_told else name + ": not warned",
+                  ("the belt weakens with the rate of slip" in log) == is_told)
 
 
 def draw(case, figure):

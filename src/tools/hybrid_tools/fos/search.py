@@ -52,7 +52,7 @@ def factor_of_safety(judge, tolerance, low=None, high=None):
             fails = trial
     if not (stands and fails):
         only = stands or fails
-        why = ("what holds it needs no strength (a kink, a stop, level ground), or its strength is larger than meant" if stands else
+        why = ("what holds it needs no strength (a kink, a stop, level ground, a side of the section), or its strength is larger than meant" if stands else
                "what drives it no strength holds (blocks that topple or have nothing below them), or its strength is less than meant")
         raise UserError("the slope %s at a strength reduction factor of %g still: no factor of safety was found there; %s" % (
             "stands" if stands else "fails", only.value, why))

@@ -111,32 +111,16 @@ namespace hybrid::scene
       EXPECT_EQ(warnings[0],
                 "Bedding planes/Normal stiffness = 8 Pa/m is doubtful: expected is 100000 to 1e+14 "
                 "Pa/m; if it was meant in GPa/m, give 8e+09");
-      scene.bedding.normal_stiffness   = 8e9;
-      scene.bedding.slips              = true;
-      scene.continuum.boundary_springs = true;
-      scene.bedding.friction_angle     = 0.35;
-      scene.blocks.softening_slip      = 100.;
-      scene.blocks.tolerance           = 0.9;
-      warnings                         = doubtful_values(scene);
+      scene.bedding.normal_stiffness = 8e9;
+      scene.bedding.slips            = true;
+      scene.bedding.friction_angle   = 0.35;
+      scene.blocks.softening_slip    = 100.;
+      scene.blocks.tolerance         = 0.9;
+      warnings                       = doubtful_values(scene);
       ASSERT_EQ(warnings.size(), 3u);
       EXPECT_NE(warnings[0].find("in radians, give 20.05"), std::string::npos);
       EXPECT_NE(warnings[1].find("in mm, give 0.1"), std::string::npos);
       EXPECT_EQ(warnings[2], "Blocks/Tolerance = 0.9 is doubtful: expected is 1e-12 to 0.0001");
-    }
-
-
-    TEST(DoubtfulValues, SlipOfPlanesWantsBoundarySprings)
-    {
-      SceneParameters scene = sound_scene();
-      scene.bedding.names   = {"bedding_1"};
-      EXPECT_TRUE(doubtful_values(scene).empty()); // elastic
-      scene.bedding.slips = true;
-      auto warnings       = doubtful_values(scene);
-      ASSERT_EQ(warnings.size(), 1u);
-      EXPECT_NE(warnings[0].find("set Continuum/Boundary springs = true"), std::string::npos);
-      EXPECT_NE(warnings[0].find("slip that is left is too small"), std::string::npos);
-      scene.continuum.boundary_springs = true;
-      EXPECT_TRUE(doubtful_values(scene).empty());
     }
 
 

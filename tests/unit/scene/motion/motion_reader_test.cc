@@ -6,6 +6,7 @@
 #include "temporary_files.h"
 
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <sstream>
 
@@ -176,6 +177,22 @@ namespace hybrid::scene::test
     for (int i = 0; i < 2000; ++i)
       text << std::fixed << i * 0.00244 << " " << std::sin(0.01 * i) << "\n";
     EXPECT_NEAR(read_text_motion(write("record.txt", text.str()), 1.).time_step(), 0.00244, 1e-7);
+
+    // 128 samples per second in milliseconds: 7 or 8 apart; without a sample, and in 10 ms, 10 or
+    // 0.
+    const auto record = [&](const int digits, const int missing) {
+      std::ostringstream rows;
+      for (int i = 0; i < 2000; ++i)
+        if (i != missing)
+          rows << std::fixed << std::setprecision(digits) << i / 128. << " " << std::sin(0.01 * i)
+               << "\n";
+      return rows.str();
+    };
+    EXPECT_NEAR(read_text_motion(write("record.txt", record(3, -1)), 1.).time_step(),
+                1. / 128.,
+                1e-6);
+    expect_part(text_error(record(3, 700)), "record.txt:701: the spacing of 0.016 s differs");
+    expect_part(text_error(record(2, -1)), "does not follow");
   }
 
 
