@@ -70,6 +70,8 @@ function(hybrid_unit_test module)
   set(target ${module}_unit_tests)
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE hybrid_${module} ${ARG_DEPENDS} GTest::gtest GTest::gtest_main)
+  target_precompile_headers(${target} PRIVATE <gtest/gtest.h> <Eigen/Dense> <algorithm> <array> <cmath> <filesystem>
+    <fstream> <functional> <map> <memory> <random> <set> <sstream> <string> <vector>)
   add_test(NAME unit.${module} COMMAND ${target})
   set_tests_properties(unit.${module} PROPERTIES LABELS unit TIMEOUT 900
     ENVIRONMENT "OPENBLAS_NUM_THREADS=1;OMP_NUM_THREADS=1;OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
