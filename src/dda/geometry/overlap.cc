@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace hybrid::dda
@@ -38,22 +39,30 @@ namespace hybrid::dda
           }
       }
 
-      /// The line is crossed an odd number of times on the way up from @p place.
+      /// The line is crossed an odd number of times on the way up from @p place, first nearer than
+      /// the line's ends are: below these nothing is, and what has fallen beside one may drift
+      /// under it.
       bool is_above(const Vec2 &place) const
       {
-        if (!(place.x() >= left && place.x() <= right))
+        const double to_end = std::min(place.x() - left, right - place.x());
+        if (!(to_end >= 0.))
           return false;
-        bool crossed = false;
+        bool   crossed = false;
+        double nearest = std::numeric_limits<double>::infinity(); // crossing [m]
         for (const int k : columns[column_of(place.x())])
           {
             const Vec2 &a = points[k], &b = points[k + 1];
             if ((a.x() > place.x()) == (b.x() > place.x()))
               continue;
-            const double t = (place.x() - a.x()) / (b.x() - a.x());
-            if (a.y() + t * (b.y() - a.y()) > place.y())
-              crossed = !crossed;
+            const double t      = (place.x() - a.x()) / (b.x() - a.x());
+            const double height = a.y() + t * (b.y() - a.y()) - place.y();
+            if (height > 0.)
+              {
+                crossed = !crossed;
+                nearest = std::min(nearest, height);
+              }
           }
-        return crossed;
+        return crossed && nearest <= to_end;
       }
 
       double distance(const Vec2 &place) const

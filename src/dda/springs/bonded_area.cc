@@ -20,6 +20,8 @@ namespace hybrid::dda
         if (!joint.bears_residual_cohesion())
           continue;
         (joint.other == foundation_body ? segments : edges)[joint.other_edge()] = both;
+        if (!state.joints[j].released) // it bears its cohesion itself
+          continue;
         for (const int end : {0, 1})
           if (!state.joints[j].parted[end])
             edges[joint.edge] |= joint.points[end].position < at_corner        ? first

@@ -168,6 +168,9 @@ namespace hybrid::dda
                                old.slip - old.history.plastic_slip};
     const JointKinematics kinematics{now.gap, now.slip, spring.cohesion_length_ratio, trial.dt};
     set_response(respond(spring, condition, kinematics, damping), response);
+    response.taken_back = {0., 0.};
+    if (now.history.damage == old.history.damage && old.history.held == 0.)
+      return; // nothing tears
     const TakenBack taken = taken_back(spring, now, model.newmark.gamma);
     response.taken_back   = taken.traction;
     response.k_nn += taken.by_gap;

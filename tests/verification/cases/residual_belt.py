@@ -108,10 +108,28 @@ def pushed(case):
         case.shown.append(("pushed, residual " + residual, run.time, found, speed))
 
 
+def begun_with_stress(case):
+    """A belt without friction that has slid bears its cohesion and no more, whatever stress the slab began with."""
+    shaken = ["Gravity/Static stage=equilibrium", "Mesh/Numbers=Angle = 20; Width = 20; Height = 10; Resolution/h = 5", "Materials/rock/Young modulus=1e9",
+              "Materials/rock/Friction angle=0", "Materials/belt/Friction angle=0", "Materials/belt/Residual friction angle=same",
+              "Materials/belt/Cohesion=90e3", "Materials/belt/Residual cohesion=automatic", "Blocks/Softening slip=0.02", "Monitors/Points=", "Monitors/Base=",
+              "Motion/Type=sine", "Motion/Frequency=2", "Motion/Cycles=8", "Motion/Peak=3", "Time/Time step=0.004", "Time/End time=4.5"]
+    slips = []
+    for name in ("elastic", "0.3", "staged"):
+        run = case.run("stress_" + name, *shaken, "Gravity/Initial stress=" + name)
+        length = run.get("slip/length").sum()
+        case.near("initial stress %s: strength per length at the end" % name, run.get("base_shear/strength")[-1] / length, 90e3, 1e-3, "Pa")
+        slips.append(run.get("slip/mean")[-1])
+        case.true("initial stress %s: all joints of the belt failed" % name, run.summary["joints"]["shear"] == 4)
+    case.near("slip with initial stress 0.3 and with that of gravity", slips[1], slips[0], 0.01, "m")
+    case.near("slip of lifts and with that of gravity", slips[2], slips[0], 0.01, "m")
+
+
 def check(case):
     case.shown = []
     released(case)
     pushed(case)
+    begun_with_stress(case)
 
 
 def draw(case, figure):

@@ -85,6 +85,18 @@ namespace
     EXPECT_EQ(deepest_overlap(g).block, -1);
   }
 
+  TEST(Overlap, WhatHasFallenBesideTheEndOfTheGroundIsNotInIt)
+  {
+    const auto below = [](const double x, const double y) {
+      Geometry g         = blocks({square(x, y, 1.)});
+      g.foundation_nodes = {{-20., 0.}, {0., 0.}};
+      return deepest_overlap(g).depth;
+    };
+    EXPECT_EQ(below(-1.5, -9.), 0.) << "drifts under the end";
+    EXPECT_NEAR(below(-1.5, -0.1), 0.1, 1e-12) << "in the ground near the end";
+    EXPECT_NEAR(below(-10., -3.), 3., 1e-12) << "in the ground";
+  }
+
   TEST(Overlap, OfBedrockBlocksWithEachOtherIsNotLookedAt)
   {
     Geometry g            = blocks({square(0., 1.9, 1.), square(0., 0., 2.), square(1., 0., 2.)});
