@@ -156,8 +156,9 @@ namespace hybrid::output
       }
     scheme_total += std::abs(integration);
     scheme_sum += integration;
-    in_play = std::max(in_play, physical + std::abs(weight));
-    largest = std::max(largest, std::abs(imbalance));
+    most_taken = std::max(most_taken, scheme_sum);
+    in_play    = std::max(in_play, physical + std::abs(weight));
+    largest    = std::max(largest, std::abs(imbalance));
     return terms;
   }
 
@@ -202,6 +203,6 @@ namespace hybrid::output
   void EnergyLedger::serialize(restart::Archive &archive)
   {
     archive(start, terms, before, in_play, imbalance, scheme_total, scheme_sum, largest);
-    archive(largest_kinetic);
+    archive(most_taken, largest_kinetic);
   }
 } // namespace hybrid::output

@@ -10,6 +10,12 @@ namespace hybrid::output
 {
   namespace
   {
+    /// What the filters of velocity and acceleration may give back of what they have on loan, of
+    /// the energy in play [-].
+    constexpr double most_on_loan = 0.05;
+
+
+
     std::string number(const double value)
     {
       std::ostringstream text;
@@ -67,6 +73,16 @@ namespace hybrid::output
       return "stopped at t = " + number(time) + " s, because " + fault(ledger) + ": " +
              finding(ledger) + "; the results are wrong from about here on, allowed are " +
              number(100. * limit) + " % (Output/Energy limit), a smaller Time/Time step may do";
+    if (!has_told_gain && warning > 0. && ledger.given_back() > most_on_loan)
+      {
+        has_told_gain = true;
+        return "the time integration gives energy until t = " + number(time) +
+               " s: " + number(100. * ledger.given_back()) + " % of the " +
+               number(ledger.exchanged()) + " J/m in play since it had taken most, " +
+               list(ledger.scheme_terms()) +
+               "; what moves then is too fast, cracked bodies that fly may spin up (doc/limits.md), "
+               "a smaller Time/Time step may do";
+      }
     if (has_warned || !passes(ledger, warning))
       return "";
     has_warned = true;
@@ -101,6 +117,6 @@ namespace hybrid::output
 
   void EnergyWatch::serialize(restart::Archive &archive)
   {
-    archive(has_warned);
+    archive(has_warned, has_told_gain);
   }
 } // namespace hybrid::output

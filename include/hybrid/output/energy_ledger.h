@@ -102,6 +102,12 @@ namespace hybrid::output
       return std::max(0., -scheme_sum) / in_play;
     }
 
+    /// What the scheme has given since it had taken most, over the energy in play [-].
+    double given_back() const
+    {
+      return (most_taken - scheme_sum) / in_play;
+    }
+
     /// Sum of the terms now [J/m]; positive: created.
     double sum() const
     {
@@ -141,6 +147,7 @@ namespace hybrid::output
     std::vector<double> start, terms, before;
     double              in_play   = 1e-300; ///< see exchanged() [J/m]
     double              imbalance = 0., scheme_total = 0., scheme_sum = 0., largest = 0.; ///< [J/m]
+    double              most_taken      = 0.; ///< by the scheme, of all terms [J/m]
     double              largest_kinetic = 0.; ///< of the blocks [J/m]
   };
 } // namespace hybrid::output

@@ -10,7 +10,8 @@ namespace hybrid::output
   /**
    * Says when the energy of a run goes wrong: a warning once the residual of the audit, or what the
    * scheme has given, passes the one limit, the end of the run at the other. (What the scheme takes
-   * depends on the step, but harms no run; what it gives grows.)
+   * depends on the step, but harms no run; what it gives grows.) A warning, too, where it gives
+   * much after it had taken more, as in bodies that hit the ground.
    */
   class EnergyWatch
   {
@@ -42,6 +43,6 @@ namespace hybrid::output
     static bool passes(const EnergyLedger &ledger, double fraction);
 
     const double warning, limit;
-    bool         has_warned = false;
+    bool         has_warned = false, has_told_gain = false;
   };
 } // namespace hybrid::output

@@ -91,6 +91,28 @@ TEST(EnergyWatch, what_rings_as_weights_settle_is_no_motion)
 
 
 
+TEST(EnergyWatch, warns_where_the_scheme_gives_after_it_took_more)
+{
+  EnergyLedger           ledger(false);
+  coupling::CoupledState state;
+  EnergyWatch            watch(0.01, 0.05);
+  const auto             look = [&](const double kinetic) {
+    state.blocks.energy.gravity          = -100.;
+    state.blocks.energy.kinetic          = kinetic;
+    state.blocks.energy.integration_loss = 100. - kinetic;
+    ledger.update(state);
+    return watch.look(ledger, 0.1);
+  };
+  ledger.update(state);
+  EXPECT_EQ(look(50.), ""); // taken
+  EXPECT_EQ(look(55.), ""); // 5 of 155 J/m
+  EXPECT_NE(look(60.).find("gives energy until t = 0.1 s: 6.25 % of the 160 J/m"),
+            std::string::npos);
+  EXPECT_EQ(look(65.), "") << "once";
+}
+
+
+
 TEST(EnergyWatch, stops_where_the_scheme_gives)
 {
   EnergyLedger           ledger(false);
