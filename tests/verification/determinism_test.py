@@ -20,7 +20,7 @@ ONE_RUN = ["Time/Error estimate=one run", "Mesh/Error estimate=one run"]  # furt
 # A quiet scene, one whose mass breaks and slides, and such a one with so many blocks that threads share all loops
 # (is_worth_sharing).
 BREAKS = ["Materials/rock/Cohesion=40e3", "Materials/rock/Tensile strength=5e3", "Motion/Peak=60"]
-MANY = ["Mesh/Numbers=Width = 640; Height = 20; Block height = 10; Resolution/h = 2.5", "Time/End time=0.25"]
+MANY = ["Mesh/Numbers=Width = 640; Height = 20; Block height = 10; Resolution/h = 2.5", "Time/End time=0.31"]
 VARIANTS = {"bonded": [], "broken": BREAKS, "many": BREAKS + MANY}
 
 
