@@ -75,6 +75,17 @@ def check_triangles(case):
                        np.abs(found_slip.mean(axis=1) - np.interp(run.file["bedding/time"][:], t, slip)).max() / largest, 0.01)
 
 
+def check_monitors_on_the_plane(case):
+    """A monitor on the plane moves with the rock above it, a millimetre above, not with that below."""
+    for bedrock in ("continuum", "triangles"):
+        run = case.run("monitors_" + bedrock, "Model/Bedrock=" + bedrock, "Time/End time=0.6",
+                       "Monitors/Points=top: 0, 150; on: 15, 100; above: 15, 100.001; below: 15, 99.999")
+        on, above, below = (run.history("monitors/%s/displacement" % name)[:, 0] for name in ("on", "above", "below"))
+        apart = np.abs(above - below).max()
+        case.true("%s: both sides of the plane part, by %.2g m" % (bedrock, apart), apart > 1e-5)
+        case.below("%s: monitor on the plane, difference to the rock above over that" % bedrock, np.abs(on - above).max() / apart, 0.01)
+
+
 def upgoing_of(run):
     return 0.5 * run.file["input/velocity"][: len(run.time), 0]  # half the outcrop motion
 
@@ -113,6 +124,7 @@ def check(case):
     case.below("bar between rollers: slip", np.abs(bar_slip.mean(axis=1) + mean).max() / abs(largest), 1e-6)
     case.below("bar between rollers: velocity of the top", np.abs(bar_top - top).max() / np.abs(top).max(), 1e-6)
     check_triangles(case)
+    check_monitors_on_the_plane(case)
 
 
 def draw(case, figure):
