@@ -34,6 +34,7 @@ namespace hybrid::dda
       response.k_nn           = r.k_nn;
       response.shear_by_slip  = r.shear_by_slip;
       response.k_tn           = r.k_tn;
+      response.taken_back     = {0., 0.}; // the slot may have been a torn bond's
     }
   } // namespace
 
@@ -168,7 +169,6 @@ namespace hybrid::dda
                                old.slip - old.history.plastic_slip};
     const JointKinematics kinematics{now.gap, now.slip, spring.cohesion_length_ratio, trial.dt};
     set_response(respond(spring, condition, kinematics, damping), response);
-    response.taken_back = {0., 0.};
     if (now.history.damage == old.history.damage && old.history.held == 0.)
       return; // nothing tears
     const TakenBack taken = taken_back(spring, now, model.newmark.gamma);

@@ -89,6 +89,21 @@ TEST(Springs, forces_are_the_gradient_of_the_stored_energy)
 
 
 
+/// A joint that is released leaves its slot to a contact: nothing of a torn bond stays there.
+TEST(Springs, what_was_taken_back_from_a_bond_is_forgotten)
+{
+  for (const bool bonded : {true, false})
+    {
+      SpringScene           scene(bonded);
+      const Eigen::VectorXd f = scene.forces(pressing(1e-5));
+      for (Springs::Response &response : scene.springs.responses)
+        response.taken_back = {1e6, 1e6};
+      EXPECT_EQ(scene.forces(pressing(1e-5)), f);
+    }
+}
+
+
+
 TEST(Springs, damping_resists_the_rate)
 {
   SpringScene     scene(true, 0.05);
