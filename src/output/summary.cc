@@ -142,6 +142,7 @@ namespace hybrid::output
               {"smaller_cells_at_corners", error.of_corners},
               {"keeps_thin_layers", error.keeps_layers},
               {"until_s", error.until},
+              {"half_the_step_too", error.with_step},
               {"mesh", error_part(error.size)},
               {"half_the_size", error_part(error.half_size)}};
     }

@@ -289,5 +289,7 @@ def test_errors_are_those_of_the_summary():
     assert errors.rows_of(Finished)[-1][-1] == "roughly: no order is seen in these meshes"
     Finished.summary["mesh_error"]["order_is_seen"] = True
     assert errors.rows_of(Finished)[-1][-1] == ""
+    Finished.summary["mesh_error"]["half_the_step_too"] = True
+    assert errors.rows_of(Finished)[-1][0] == "with half of it and half the step"
     Finished.summary["mesh_error"]["smaller_cells_at_corners"] = True
     assert errors.rows_of(Finished)[-2][-1].endswith("a mesh twice as coarse, smaller cells at inward corners")

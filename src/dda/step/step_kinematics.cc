@@ -9,10 +9,11 @@ namespace hybrid::dda
     filter.assign(model.n_blocks(), 0.);
     if (model.newmark.velocity_filter == 0.)
       return;
-    for (std::size_t s = springs.first_contact(); s < springs.bodies.size(); ++s)
-      for (const int body : {springs.bodies[s].block, springs.bodies[s].other})
-        if (body != foundation_body && !model.is_bedrock(body))
-          filter[body] = model.newmark.velocity_filter;
+    for (std::size_t s = 0; s < springs.springs.size(); ++s)
+      if (springs.springs[s].contact_fraction > 0.)
+        for (const int body : {springs.bodies[s].block, springs.bodies[s].other})
+          if (body != foundation_body && !model.is_bedrock(body))
+            filter[body] = model.newmark.velocity_filter;
   }
 
 

@@ -5,6 +5,7 @@
 #include <hybrid/dda/springs/surface_force.h>
 #include <hybrid/dda/step/block_energy.h>
 #include <hybrid/dda/step/bond_memory.h>
+#include <hybrid/dda/step/contact_couple.h>
 #include <hybrid/dda/step/step_problem.h>
 
 #include <algorithm>
@@ -164,6 +165,8 @@ namespace hybrid::dda
     accept_places(state);
     accept_contacts(state);
     carry_contact_accelerations(state, any_tears);
+    if (!at_rest)
+      keep_angular_momentum(state);
   }
 
 
@@ -293,5 +296,26 @@ namespace hybrid::dda
         if (gap >= 0.) // they have parted
           contact.stress_free_gap = 0.;
       }
+  }
+
+
+
+  void StepProblem::keep_angular_momentum(DdaState &state) const
+  {
+    const double given =
+      shared_sum<double>(model->blocks.size(), [&](const std::size_t n, double &sum) {
+        const int b = static_cast<int>(n);
+        if (!kinematics.is_filtered(b))
+          return;
+        const double couple = contact_couple(springs, trial, kinematics.start_rates(), b);
+        if (couple == 0.)
+          return;
+        const Vec6 change = mass[b].solve(couple * Vec6::Unit(2));
+        sum += couple * (trial.rate[b][2] + 0.5 * change[2]);
+        const BlockMotion &move = trial.motion[b];
+        state.blocks[b].velocity += rotated_rates(change, move.cosine, move.sine);
+      });
+    state.energy.kinetic += given;
+    state.energy.integration_loss -= given;
   }
 } // namespace hybrid::dda

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/scene/checks/geometry_warnings.h>
+#include <hybrid/scene/checks/locked_foot.h>
 #include <hybrid/scene/checks/shared_edge_check.h>
 
 #include <algorithm>
@@ -310,6 +311,8 @@ namespace hybrid::scene
         if (const std::string text = partly_shared_edges(mesh); !text.empty())
           warnings.push_back(text);
       }
+    if (const std::string text = locked_foot(mesh); !text.empty())
+      warnings.push_back(text);
     look_at_origin(mesh, warnings);
     return warnings;
   }

@@ -2,6 +2,7 @@
 """How every figure looks: colours, fonts, units."""
 
 import contextlib
+import textwrap
 
 import matplotlib
 
@@ -26,6 +27,8 @@ JOINTS = "#a03050"  # of the mass, with a material of their own
 MATERIALS = ("#f3dfb5", "#dfe6cf", "#cfdcea", "#ead3cf", "#ddd6ea", "#e4e0da", "#cfe6e3", "#f0e6c2")  # areas
 CURVES = ("#0072b2", "#d55e00", "#009e73", "#8c5fa8", "#e69f00", "#56b4e9", "#000000", "#7a3b10", "#cc79a7")  # after Okabe and Ito (2008)
 BELTS = (SLIP, "#c07a2c", "#4d6b1f", "#8c2f5f")  # lines
+
+LETTER = 0.092  # mean width of a letter of a title [inches]
 
 # Ends before brown, so that red and blue marks of joints stand out on it.
 DISPLACEMENT_MAP = ListedColormap(plt.get_cmap("YlOrBr")(np.linspace(0.02, 0.66, 256)))
@@ -102,13 +105,18 @@ def scaled(values, largest, steps):
     return values * steps[-1][1], steps[-1][2]
 
 
-def title(figure, text, lines=1):
-    """Title at the upper left; the rest of the figure keeps clear of it."""
-    height = figure.get_size_inches()[1]
-    figure.suptitle(text, fontweight="bold" if lines == 1 else "normal", x=0.01, y=1 - 0.07 / height, ha="left", va="top", fontsize=11)
+def title(figure, text, beside=0.0):
+    """Title at the upper left, in several lines where it is long; the rest of the figure keeps clear of it.
+
+    beside: width of what stands at its right [inches]. Returns how many lines it takes beyond the first.
+    """
+    width, height = figure.get_size_inches()
+    lines = textwrap.wrap(text, max(20, int((width - beside) / LETTER)))
+    figure.suptitle("\n".join(lines), fontweight="bold", x=0.01, y=1 - 0.07 / height, ha="left", va="top", fontsize=11)
     if figure.get_layout_engine() is not None:
-        reserved = (0.14 + 0.2 * lines) / height
+        reserved = (0.16 + 0.18 * len(lines)) / height
         figure.get_layout_engine().set(rect=(0, 0, 1, 1 - reserved))
+    return len(lines) - 1
 
 
 @contextlib.contextmanager

@@ -30,6 +30,18 @@ namespace hybrid::dda
     /// Begin a step of @p step_size [s]; @p springs are those of the step.
     void begin(const Model &model, const DdaState &state, const Springs &springs, double step_size);
 
+    /// Velocity of each block that the step begins with.
+    const std::vector<Vec6> &start_rates() const
+    {
+      return rate;
+    }
+
+    /// Whether a velocity filter keeps the block from rattling.
+    bool is_filtered(const int block) const
+    {
+      return filter[block] > 0.;
+    }
+
     /// Increment of a block without accelerations at the end of the step.
     const Vec6 &predicted(const int block) const
     {
@@ -57,13 +69,14 @@ namespace hybrid::dda
     double filter_loss(const int block, const BlockMass &mass, const Vec6 &end) const;
 
   private:
-    /// Blocks that touch others, or may in this step, have a velocity filter.
+    /// Blocks that touch others, or may in this step, have a velocity filter; torn ends of joints
+    /// are contacts, too.
     void choose_filters(const Model &model, const Springs &springs);
 
     double              dt   = 0.; ///< [s]
     double              beta = 0.; ///< Newmark's [-]
     std::vector<Vec6>   prediction;
-    std::vector<Vec6>   rate;   ///< velocity that the step begins with, k01 v
+    std::vector<Vec6>   rate;   ///< see start_rates(), k01 v
     std::vector<double> filter; ///< Newmark::velocity_filter; 0 where nothing touches the block
     std::vector<Vec6>   change; ///< remembered of that of the velocity before the step
   };

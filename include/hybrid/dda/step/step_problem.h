@@ -289,6 +289,9 @@ namespace hybrid::dda
     void accept_places(DdaState &state) const;
     void accept_contacts(DdaState &state) const;
 
+    /// Blocks that rattle no more turn by their contact_couple().
+    void keep_angular_momentum(DdaState &state) const;
+
     /// Joints that are torn or released in this step hand nothing to the next one either: the
     /// contacts' part of accelerations and of the foundation force is set in @p state.
     void carry_contact_accelerations(DdaState &state, bool any_tears) const;

@@ -55,7 +55,7 @@ def finish(figure, comparison, text, directory, name, handles=None):
     wide = [0.75 + 0.075 * len(handle.get_label()) for handle in handles]  # inches of each entry, about
     per_row = len(handles) if sum(wide) < width else max(1, int(width / max(wide)))
     rows = -(-len(handles) // per_row)
-    style.title(figure, text)
-    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - (0.36 + 0.2 * rows) / height))
-    figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.005, 1 - 0.26 / height), ncol=per_row, handlelength=3.2)
+    below = 0.26 + 0.18 * style.title(figure, text)
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - (below + 0.1 + 0.2 * rows) / height))
+    figure.legend(handles=handles, loc="upper left", bbox_to_anchor=(0.005, 1 - below / height), ncol=per_row, handlelength=3.2)
     style.save(figure, directory, name)

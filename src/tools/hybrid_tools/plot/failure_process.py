@@ -102,5 +102,5 @@ def draw(run, directory):
     bar.set_label("displacement [%s]" % unit)
     figure.legend(handles=[Line2D([], [], color=colour, lw=1.6, label=label) for _, colour, label in KINDS], title="failed joints:",
                   ncol=2, loc="upper right", alignment="left", borderaxespad=0.3, title_fontsize=8)
-    style.title(figure, "How the mass fails: " + run.title())
+    style.title(figure, "How the mass fails: " + run.title(), beside=2.2)
     style.save(figure, directory, "failure_process")

@@ -54,7 +54,7 @@ def draw_group(run, group, names, directory):
         axis.set_xlabel("time [s]")
         axis.set_xlim(run.time[0], run.time[-1])
     handles, labels = axes[0, 0].get_legend_handles_labels()
-    style.title(figure, GROUP_TITLES[group] + ": " + run.title())
+    style.title(figure, GROUP_TITLES[group] + ": " + run.title(), beside=2.2)
     figure.legend(handles[::-1], labels[::-1], loc="upper right", ncol=2)
     style.save(figure, directory, "monitors_" + group, is_measured=True)
 

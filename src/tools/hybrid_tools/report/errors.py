@@ -50,7 +50,8 @@ def halved(found, part, half):
         notes.append("the acceleration of %s is largest at an end of the record, where nothing is filtered nor told" % found["acceleration_peaks_at_an_end"])
     if found.get("order_is_seen") is False:
         notes.append("roughly: no order is seen in these meshes")
-    return ["with half of it"] + cells(found[half]) + ["; ".join(notes)]
+    what = "with half of it and half the step" if found.get("half_the_step_too") else "with half of it"
+    return [what] + cells(found[half]) + ["; ".join(notes)]
 
 
 def rows_of(run):
