@@ -80,8 +80,7 @@ namespace hybrid::output
                " s: " + number(100. * ledger.given_back()) + " % of the " +
                number(ledger.exchanged()) + " J/m in play since it had taken most, " +
                list(ledger.scheme_terms()) +
-               "; what moves then is too fast, cracked bodies that fly may spin up (doc/limits.md), "
-               "a smaller Time/Time step may do";
+               "; what moves then is too fast, a smaller Time/Time step may do";
       }
     if (has_warned || !passes(ledger, warning))
       return "";
