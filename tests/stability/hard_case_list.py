@@ -221,6 +221,13 @@ def gains_nothing_in_the_air(case, variant, run):
     case.true("%s: %.2g J/m are locked in strains and joints" % (variant, strain), strain > 10)
 
 
+def holds_together(case, variant, run):
+    joints = run.summary["joints"]
+    failed = joints["tensile"] + joints["shear"]
+    case.true("%s: %d joints failed" % (variant, failed), failed == 0)
+    case.true("%s: it moved" % variant, moved(run) > 0.1)
+
+
 def needs_no_cut(case, variant, run):
     case.true("%s: %d steps were cut" % (variant, run.summary["cuts"]), run.summary["cuts"] == 0)
 
@@ -281,6 +288,12 @@ CASES = {
                                 "Time/Scheme=dissipative"]},
                       more=gives_nothing_back),
     "cracked_spin": Wanted(more=gains_nothing_in_the_air),
+    "turning_bonds": Wanted({"scene": [], "1 MPa": ["Materials/rock/Tensile strength=1e6", "Materials/rock/Cohesion=2e6"],
+                             "8 ms": ["Materials/rock/Tensile strength=1e6", "Blocks/Fracture energy=100", "Time/Time step=0.008"],
+                             "spin": ["Mesh/Polygons file=" + str(HARD / "two_squares.csv"), "Mesh/Surface file=" + str(HARD / "far_base.csv"),
+                                      "Gravity/Acceleration=0", "Blocks/Initial velocities=pair: -9, 9, -9, 9, 0, 0, 2",
+                                      "Materials/rock/Tensile strength=1.5e6"]},
+                            more=holds_together),
     "stairs": Wanted({"scene": [], "mud": ["Blocks/Material=mud"], "dropped": ["Gravity/Static stage=none"]},
                      residual=0.001, more=stands_on_its_tread),
     "pebble": Wanted({"scene": [], "8 ms": ["Time/Time step=0.008"],

@@ -41,7 +41,7 @@ namespace hybrid::dda
                                   const JointHistory    &history,
                                   const JointDamping    &damping) const
   {
-    return respond(kinematics, history, damping, false);
+    return respond(kinematics, history, damping, Held::nothing);
   }
 
 
@@ -50,7 +50,16 @@ namespace hybrid::dda
                                          const JointHistory    &history,
                                          const JointDamping    &damping) const
   {
-    return respond(kinematics, history, damping, true);
+    return respond(kinematics, history, damping, Held::slip);
+  }
+
+
+
+  JointResponse JointLaw::respond_whole(const JointKinematics &kinematics,
+                                        const JointHistory    &history,
+                                        const JointDamping    &damping) const
+  {
+    return respond(kinematics, history, damping, Held::slip_and_opening);
   }
 
 
@@ -58,11 +67,11 @@ namespace hybrid::dda
   JointResponse JointLaw::respond(const JointKinematics &kinematics,
                                   const JointHistory    &history,
                                   const JointDamping    &damping,
-                                  const bool             sticks) const
+                                  const Held             held) const
   {
     JointResponse r;
     r.history = history;
-    normal_response(kinematics.gap, r);
+    normal_response(kinematics.gap, held != Held::slip_and_opening, r);
     hold(kinematics, history, r);
     const double left_by_opening = strength.opening_ends_cohesion && history.damage >= 1. ? 0. : 1.;
     const double residual_cohesion =
@@ -108,7 +117,7 @@ namespace hybrid::dda
                    strength.rule == nullptr ? strength.after_linear(history.softening)
                                             : strength.after(slip));
     const double limit = std::max(0., r.mohr_coulomb);
-    if (!sticks && std::abs(trial) > limit)
+    if (held == Held::nothing && std::abs(trial) > limit)
       {
         slide(trial, spring, at, slip, r);
         r.history.plastic_slip = kinematics.slip + r.shear / spring - shift;
@@ -210,11 +219,11 @@ namespace hybrid::dda
 
 
 
-  void JointLaw::normal_response(const double gap, JointResponse &r) const
+  void JointLaw::normal_response(const double gap, const bool may_crack, JointResponse &r) const
   {
     if (gap > 0.)
       {
-        const double damage = tension().damage_at(gap);
+        const double damage = may_crack ? tension().damage_at(gap) : 0.;
         const bool   cracks = damage > r.history.damage;
         r.history.damage    = std::max(r.history.damage, damage);
         const double secant = (1. - r.history.damage) * k_n;

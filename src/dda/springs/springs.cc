@@ -36,6 +36,11 @@ namespace hybrid::dda
       response.k_tn           = r.k_tn;
       response.taken_back     = {0., 0.}; // the slot may have been a torn bond's
     }
+    /// A bond cracks, or one that never slid begins to.
+    bool fails(const JointHistory &before, const JointHistory &now)
+    {
+      return now.damage > before.damage || (now.plastic_slip != 0. && before.plastic_slip == 0.);
+    }
   } // namespace
 
 
@@ -65,12 +70,32 @@ namespace hybrid::dda
 
 
 
+  bool Springs::hold_bonds(const Model &model, const DdaState &state, const Trial &trial)
+  {
+    bool any = false;
+#pragma omp parallel for schedule(static) reduction(|| : any) if (is_worth_sharing(n_at_work()))
+    for (std::size_t k = 0; k < n_at_work(); ++k)
+      {
+        const std::size_t s = at_work(k);
+        if (s >= first_contact() || !fails(springs[s].old.history, responses[s].now.history))
+          continue;
+        any = true;
+        evaluate_joint(model, state, trial, s, Condition::holds);
+        set_forces(trial, s);
+      }
+    return any;
+  }
+
+
+
   JointResponse Springs::respond(const Spring          &spring,
                                  const Condition        condition,
                                  const JointKinematics &kinematics,
                                  const JointDamping    &damping)
   {
     const JointHistory &history = spring.old.history;
+    if (condition == Condition::holds)
+      return spring.law->respond_whole(kinematics, history, damping);
     if (condition != Condition::law && spring.coulomb)
       return spring.law->respond_in(condition, kinematics, history, damping);
     if (condition == Condition::sticks)

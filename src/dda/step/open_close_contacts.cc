@@ -75,19 +75,18 @@ namespace hybrid::dda
     const Model     &model = *problem.model;
     const double     first = result.residual;
     double           least = std::numeric_limits<double>::infinity(), previous = least;
-    int              slow      = 0;
+    int              slow = 0;
+    WholeBonds       whole{!problem.is_narrow() && !is_on_path};
     bool             was_local = problem.is_narrow(), goes_round = false;
     Circles          circles;
     for (int k = 0; k < patience.updates; ++k)
       {
         if (!may_go_on(result))
           return result.stopped ? Attempt::stopped : Attempt::failed;
-        double norm = result.residual;
-        if (problem.prescribe(conditions))
-          norm = problem.balance();
-        const bool served    = !was_local && (k > 0 ? result.residual <= well_done * previous
-                                                    : conditions == tangent_conditions);
-        const bool is_second = k == 1 && served && conditions == tangent_conditions;
+        const double norm      = balance_in_conditions(result, whole);
+        const bool   served    = !was_local && (k > 0 ? result.residual <= well_done * previous
+                                                      : conditions == tangent_conditions);
+        const bool   is_second = k == 1 && served && conditions == tangent_conditions;
         if (is_second)
           tangent.secant.first(update);
         else if (k > 0)
@@ -115,10 +114,11 @@ namespace hybrid::dda
           accuracy.saw(k, converged ? 0. : result.residual / norm);
         if (converged)
           return Attempt::converged;
-        slow += result.residual > 0.5 * least ? 1 : 0;
+        slow += !whole.are_held && result.residual > 0.5 * least ? 1 : 0;
         if (!(result.residual <= leads_away * std::max(first, 1.))) // or NaN
           return Attempt::failed;
-        if (circles.close(previous, result.residual) || slow > patience.slow_ones)
+        if (!whole.are_held &&
+            (circles.close(previous, result.residual) || slow > patience.slow_ones))
           {
             if (goes_round || result.residual > near_balance)
               return Attempt::failed;
@@ -129,11 +129,32 @@ namespace hybrid::dda
         least = std::min(least, result.residual);
         renew_conditions(goes_round);
         was_local =
-          problem.is_narrow() || (result.residual > well_done * previous && settle_few(result));
+          problem.is_narrow() ||
+          (!whole.are_held && result.residual > well_done * previous && settle_few(result));
         if (is_balanced(result))
           return Attempt::converged;
       }
     return Attempt::failed;
+  }
+
+
+
+  double OpenCloseIteration::balance_in_conditions(StepResult &result, WholeBonds &whole)
+  {
+    constexpr double settled = 0.1; ///< of the largest that was left [-]
+    constexpr int    most    = 5;   ///< updates with bonds that hold
+    whole.are_held           = whole.may_be && problem.hold_bonds();
+    const bool   changes     = problem.prescribe(conditions) || whole.are_held;
+    const double norm        = changes ? problem.balance() : result.residual;
+    if (!whole.are_held)
+      return norm;
+    whole.largest = std::max(whole.largest, norm);
+    if (whole.updates++ < most && !(norm <= settled * whole.largest))
+      return norm;
+    whole           = {false};
+    result.residual = problem.evaluate();
+    problem.keep(at_start);
+    return problem.prescribe(conditions) ? problem.balance() : result.residual;
   }
 
 

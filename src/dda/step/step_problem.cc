@@ -12,6 +12,7 @@ namespace hybrid::dda
   double StepProblem::evaluate()
   {
     move_blocks();
+    bonds_hold = false;
     {
       const Stopwatch timer(times.springs);
       if (is_shared())
@@ -38,6 +39,21 @@ namespace hybrid::dda
 
 
 
+  bool StepProblem::hold_bonds()
+  {
+    if (is_shared())
+      springs.choose(shared.springs());
+    bonds_hold = springs.hold_bonds(*model, *before, trial);
+    if (is_shared())
+      {
+        springs.widen();
+        bonds_hold = !shared.all(!bonds_hold);
+      }
+    return bonds_hold;
+  }
+
+
+
   void StepProblem::complete(const std::vector<Condition> *conditions)
   {
     if (!is_shared())
@@ -48,6 +64,8 @@ namespace hybrid::dda
       springs.evaluate(*model, *before, trial);
     if (conditions != nullptr)
       springs.prescribe(*model, *before, trial, *conditions);
+    if (bonds_hold)
+      springs.hold_bonds(*model, *before, trial);
     springs.widen();
     if (model->blocks_yield && !is_complete)
       for (int b = 0; b < model->n_blocks(); ++b)

@@ -310,10 +310,11 @@ namespace hybrid::dda
         const double couple = contact_couple(springs, trial, kinematics.start_rates(), b);
         if (couple == 0.)
           return;
-        const Vec6 change = mass[b].solve(couple * Vec6::Unit(2));
-        sum += couple * (trial.rate[b][2] + 0.5 * change[2]);
-        const BlockMotion &move = trial.motion[b];
-        state.blocks[b].velocity += rotated_rates(change, move.cosine, move.sine);
+        // The block turns as a whole: in a slender one, whose turn and shear are nearly one motion,
+        // a couple on the turn alone would tear the two apart.
+        const double inertia = (mass[b] * Vec6::Unit(2))[2], change = couple / inertia;
+        sum += change * ((mass[b] * trial.rate[b])[2] + 0.5 * couple);
+        state.blocks[b].velocity[2] += change;
       });
     state.energy.kinetic += given;
     state.energy.integration_loss -= given;

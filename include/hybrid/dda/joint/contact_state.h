@@ -24,6 +24,7 @@ namespace hybrid::dda
     law,             ///< what its law says
     open,            ///< it bears nothing
     sticks,          ///< closed; a joint only does not slide
+    holds,           ///< a joint neither slides nor cracks; never told of a trial
     slides_forward,  ///< closed and at its strength, with positive shear traction
     slides_backward, ///< likewise, negative
   };

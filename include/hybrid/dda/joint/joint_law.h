@@ -55,6 +55,11 @@ namespace hybrid::dda
                                  const JointHistory    &history,
                                  const JointDamping    &damping = {}) const;
 
+    /// What the point would bear if it neither slid nor cracked, whatever its strength.
+    JointResponse respond_whole(const JointKinematics &kinematics,
+                                const JointHistory    &history,
+                                const JointDamping    &damping = {}) const;
+
     /// What a torn or never bonded point would bear in this condition: linear in gap and slip.
     /// @pre is_coulomb() and @p condition is not Condition::law
     JointResponse respond_in(Condition              condition,
@@ -159,11 +164,18 @@ namespace hybrid::dda
     double        k_s;               ///< [Pa/m]
     double        release_time = 0.; ///< t_r [s]
 
-    /// @param sticks its shear strength is not asked for.
+    /// What the strength is not asked for.
+    enum class Held : char
+    {
+      nothing,
+      slip,
+      slip_and_opening
+    };
+
     JointResponse respond(const JointKinematics &kinematics,
                           const JointHistory    &history,
                           const JointDamping    &damping,
-                          bool                   sticks) const;
+                          Held                   held) const;
 
     TensionSoftening tension() const
     {
@@ -206,7 +218,7 @@ namespace hybrid::dda
     }
 
     /// Normal traction, damage and normal tangent without damping.
-    void normal_response(double gap, JointResponse &response) const;
+    void normal_response(double gap, bool may_crack, JointResponse &response) const;
 
     /// Let a bond that lets go bear what it holds still.
     void hold(const JointKinematics &kinematics,

@@ -145,6 +145,10 @@ namespace hybrid::dda
                    const Trial                  &trial,
                    const std::vector<Condition> &conditions);
 
+    /// Let bonds that crack in the trial evaluated last, or begin to slide, bear what they would if
+    /// they did neither in this step. @return whether there are any
+    bool hold_bonds(const Model &model, const DdaState &state, const Trial &trial);
+
     /// Only springs of these blocks and foundation nodes are at work until widen(): the responses
     /// of all others stay.
     void narrow(const std::vector<int> &blocks, const std::vector<int> &nodes);

@@ -136,6 +136,10 @@ namespace hybrid::dda
     /// Updates with frozen conditions, from the trial and the conditions there are.
     Attempt iterate_conditions(StepResult &result, const Patience &patience);
 
+    /// What is left of the balance in these conditions; with bonds that hold until contacts have
+    /// settled, see WholeBonds. The path would begin where they have.
+    double balance_in_conditions(StepResult &result, WholeBonds &whole);
+
     /// Let few bodies find their conditions, as long as that helps. @return whether any moved
     bool settle_few(StepResult &result);
     bool settle_few_once(StepResult &result);

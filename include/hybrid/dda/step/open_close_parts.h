@@ -97,6 +97,20 @@ namespace hybrid::dda
   };
 
 
+  /**
+   * Bonds that seem to crack hold at first, until contacts have settled: where a step begins blocks
+   * that turn part along the tangents of their ways, and before contacts have their conditions
+   * blocks move as nothing does. Blocks whose bonds crack by that may be left in a balance, parted.
+   */
+  struct WholeBonds
+  {
+    bool   may_be;           ///< until contacts have settled
+    bool   are_held = false; ///< any, in the last trial
+    double largest  = 0.;    ///< residual with bonds that are held [-]
+    int    updates  = 0;     ///< with them
+  };
+
+
   /// Where a line search ended.
   struct LineSearch
   {

@@ -67,6 +67,10 @@ namespace hybrid::dda
     /// See Springs::prescribe().
     bool prescribe(const std::vector<Condition> &conditions);
 
+    /// See Springs::hold_bonds(); until the next evaluate().
+    bool hold_bonds();
+
+
     /// Evaluations are shared with other processes now.
     bool is_shared() const
     {
@@ -223,6 +227,7 @@ namespace hybrid::dda
 
     SharedTrial       shared;
     bool              is_complete    = true;  ///< springs of others' blocks are those of the trial
+    bool              bonds_hold     = false; ///< that crack in the trial
     bool              lacks_contacts = false; ///< contact_force is old where others' blocks are
     std::vector<Vec2> turned;                 ///< work of accept(): turned_beyond_bonds()
 

@@ -20,11 +20,12 @@ def points_of(side):
 
 
 def column_ratio(study, side, k):
-    """Smoothed as the run's ratio is."""
+    """Smoothed as the run's ratio is: both spectra, and not their ratio."""
     fine = np.linspace(0, 1.3 * study.frequency[-1], 4001)[1:]
     ratio = motion_in_column(study.run, side.position[k], fine, side.name, is_pressure=study.component == 1)
-    smooth = konno_ohmachi(fine, ratio, study.frequency, study.bandwidth)
-    return np.where(study.is_clear, smooth, np.nan)
+    outcrop = np.interp(fine, *study.outcrop_amplitude())
+    smooth = konno_ohmachi(fine, np.column_stack([ratio * outcrop, outcrop]), study.frequency, study.bandwidth)
+    return np.where(study.is_clear, smooth[:, 0] / smooth[:, 1], np.nan)
 
 
 def draw(study, directory):

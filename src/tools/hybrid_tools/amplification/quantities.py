@@ -7,7 +7,7 @@ import re
 
 import numpy as np
 
-from hybrid_run import MissingData, UserError, has_energy
+from hybrid_run import MissingData, UserError, fourier_amplitude, has_energy
 
 GAP = 5  # times the usual distance of two points: the line has a gap there
 
@@ -93,9 +93,18 @@ class Study:
     def letter(self):
         return "xy"[self.component]
 
+    def _outcrop(self):
+        """(spacing [s], acceleration in equal steps)."""
+        return self.lines[0].equal_steps(self.lines[0].outcrop()[:, self.component])
+
+    def outcrop_amplitude(self):
+        """(frequency [Hz], |A(f)|) of the outcrop's acceleration."""
+        spacing, outcrop = self._outcrop()
+        return fourier_amplitude(outcrop, spacing)
+
     def _frequencies(self, points=160):
         """Equal on a logarithmic axis, from three periods in the run to the low-pass or half the rate of rows; where the outcrop has energy."""
-        spacing, outcrop = self.lines[0].equal_steps(self.lines[0].outcrop()[:, self.component])
+        spacing, outcrop = self._outcrop()
         highest = min(self.run.corner or np.inf, 0.5 / spacing)
         frequency = np.geomspace(min(3 / (spacing * len(outcrop)), 0.5 * highest), highest, points)
         return frequency, has_energy(outcrop, spacing, frequency, self.bandwidth)

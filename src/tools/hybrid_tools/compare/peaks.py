@@ -13,7 +13,7 @@ from . import curves
 from .quantities import G
 
 WIDE = 20.0  # largest over smallest: beyond it the axis is logarithmic
-LITTLE = 1e-4  # of the largest: smaller values are nothing, at the lower edge of a logarithmic axis
+LITTLE = 1e-4  # of the largest: smaller values are nothing, hollow at the lower edge of a logarithmic axis
 MARKS = ("o", "s", "^", "D", "v", "P", "X")
 BESIDE = 0.2, 0.7  # a run from the next, and all runs of a monitor at most; monitors are 1 apart
 
@@ -66,7 +66,11 @@ def draw_quantity(axis, values, level):
     size = float(np.clip(9 - 0.5 * n, 3.5, 7))
     for i, row in enumerate(drawn):
         x = np.arange(len(row)) + beside * (i - 0.5 * (n - 1))
-        axis.plot(x, row, ls="none", marker=MARKS[i % len(MARKS)], ms=size, color=curves.look(i)["color"], mec="white", mew=0.5, zorder=3, clip_on=False)
+        colour, is_nothing = curves.look(i)["color"], row > values[i]  # raised to the edge of a logarithmic axis
+        mark = {"ls": "none", "marker": MARKS[i % len(MARKS)], "ms": size, "zorder": 3, "clip_on": False}
+        axis.plot(x, np.where(is_nothing, np.nan, row), color=colour, mec="white", mew=0.5, **mark)
+        if is_nothing.any():
+            axis.plot(x[is_nothing], row[is_nothing], mfc="white", mec=colour, **mark)
         axis.vlines(x, axis.get_ylim()[0], row, color=curves.look(i)["color"], lw=1.1, alpha=0.45, zorder=2)
     if level is not None:
         axis.axhline(level, color="#8a8a8a", lw=0.8, ls="--", zorder=1)

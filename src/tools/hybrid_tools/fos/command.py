@@ -195,7 +195,7 @@ def warn_of_no_jump(bracket, trials, results):
     A mass of blocks that yield settles more and more before it fails: what it moved where it stood most firmly is compared."""
     stands = bracket.stands.displacement
     if results["blocks_yield"]:
-        stands = min(trial.displacement for trial in trials if trial.stands)
+        stands = min(trial.displacement for trial in trials.done if trial.stands)
     results["jump_of_displacement"] = jump = bracket.fails.displacement / max(stands, 1e-300)
     if jump < JUMP and bracket.fails.planes_hold:
         reason = ("a joint slipped by a tenth of its length,\n"
@@ -203,6 +203,8 @@ def warn_of_no_jump(bracket, trials, results):
         if not is_bonded(bracket):
             reason = ("blocks may be locked by a kink of\n"
                       "  the surface that they slide on: cut their corner there, or give the surface shorter edges")
+        if any("its foot cannot leave" in warning for warning in trials.warnings):
+            reason = "its foot is held by the ground before\n  it (the warning above)"
         print("warning: displacement does not jump at failure (%.3g times as large): %s" % (jump, reason))
 
 
@@ -232,7 +234,7 @@ def main(words):
         return 0
     warn_of_edges(bracket, results)
     warn_of_kink(bracket, results)
-    warn_of_no_jump(bracket, trials.done, results)
+    warn_of_no_jump(bracket, trials, results)
     warn_of_other_equilibrium(name, bracket, trials, lambda value: changes_of(name, bracket, value), results)
     write_results(directory, name, results, trials)
     figure.draw(bracket, trials.done, directory, name)

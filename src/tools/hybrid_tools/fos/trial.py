@@ -34,6 +34,7 @@ class Trials:
     def __init__(self, scene, overrides, directory, progress=print):
         self.scene, self.overrides, self.directory, self.progress = scene, overrides, directory, progress
         self.done = []
+        self.warnings = []  # of the scene
 
     def settings(self, changes):
         static = ["Time/Time step=" + STEP, "Time/End time=" + STEP, "Time/Error target=none", "Motion/Type=none",
@@ -47,7 +48,8 @@ class Trials:
                 if line.startswith("Static stage"):
                     break
                 if line.startswith("warning: "):
-                    self.progress(line.rstrip())
+                    self.warnings.append(line.rstrip())
+                    self.progress(self.warnings[-1])
 
     def run(self, name, settings):
         """Exit code 0 or 1 of the program; @raises UserError for what it refuses."""

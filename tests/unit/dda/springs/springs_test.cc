@@ -240,6 +240,32 @@ TEST(Springs, a_joint_sticks_where_it_shall)
 
 
 // Slip without strength has no direction that could turn round.
+TEST(Springs, bonds_that_crack_in_the_trial_hold_if_they_shall)
+{
+  SpringScene   scene(true);
+  JointStrength brittle;
+  brittle.tensile  = 1e3;
+  brittle.cohesion = 1e3;
+  for (Joint &joint : scene.model.joints)
+    joint.law = joint.law.with(brittle);
+  scene.state.contacts.clear();
+  scene.springs.collect(scene.model, scene.state);
+  Eigen::VectorXd apart = Eigen::VectorXd::Zero(20); // of the second block, away from the first
+  apart[6]              = 1e-4;
+  scene.move(apart);
+  const auto &now = scene.springs.responses[0].now;
+  ASSERT_EQ(now.history.damage, 1.);
+  ASSERT_EQ(now.normal, 0.);
+  EXPECT_TRUE(scene.springs.hold_bonds(scene.model, scene.state, scene.trial));
+  EXPECT_EQ(now.history.damage, 0.);
+  EXPECT_NEAR(now.normal,
+              -scene.springs.springs[0].law->normal_stiffness() * now.gap,
+              1e-12 * std::abs(now.normal));
+  EXPECT_FALSE(scene.springs.hold_bonds(scene.model, scene.state, scene.trial));
+}
+
+
+
 TEST(Springs, what_slides_without_shear_follows_its_law)
 {
   SpringState now;
