@@ -37,9 +37,11 @@ namespace hybrid::dda
       response.taken_back     = {0., 0.}; // the slot may have been a torn bond's
     }
     /// A bond cracks, or one that never slid begins to.
-    bool fails(const JointHistory &before, const JointHistory &now)
+    bool fails(const Springs::Spring &bond, const JointHistory &now)
     {
-      return now.damage > before.damage || (now.plastic_slip != 0. && before.plastic_slip == 0.);
+      const JointHistory &before = bond.old.history;
+      return bond.law->bonds() &&
+             (now.damage > before.damage || (now.plastic_slip != 0. && before.plastic_slip == 0.));
     }
   } // namespace
 
@@ -73,11 +75,13 @@ namespace hybrid::dda
   bool Springs::hold_bonds(const Model &model, const DdaState &state, const Trial &trial)
   {
     bool any = false;
+    if (!bonds_fail)
+      return any;
 #pragma omp parallel for schedule(static) reduction(|| : any) if (is_worth_sharing(n_at_work()))
     for (std::size_t k = 0; k < n_at_work(); ++k)
       {
         const std::size_t s = at_work(k);
-        if (s >= first_contact() || !fails(springs[s].old.history, responses[s].now.history))
+        if (s >= first_contact() || !fails(springs[s], responses[s].now.history))
           continue;
         any = true;
         evaluate_joint(model, state, trial, s, Condition::holds);
@@ -130,16 +134,21 @@ namespace hybrid::dda
 
   void Springs::evaluate(const Model &model, const DdaState &state, const Trial &trial)
   {
-#pragma omp parallel for schedule(static) if (is_worth_sharing(n_at_work()))
+    bool fail = false;
+#pragma omp parallel for schedule(static) reduction(|| : fail) if (is_worth_sharing(n_at_work()))
     for (std::size_t k = 0; k < n_at_work(); ++k)
       {
         const std::size_t s = at_work(k);
         if (springs[s].joint >= 0)
-          evaluate_joint(model, state, trial, s);
+          {
+            evaluate_joint(model, state, trial, s);
+            fail = fail || fails(springs[s], responses[s].now.history);
+          }
         else
           evaluate_contact(state, trial, s);
         set_forces(trial, s);
       }
+    bonds_fail = fail || (chosen != nullptr && bonds_fail);
   }
 
 

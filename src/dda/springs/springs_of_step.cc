@@ -89,13 +89,17 @@ namespace hybrid::dda
   void Springs::collect_joints(const Model &model, const DdaState &state)
   {
     const std::size_t n       = 2 * collected.size();
-    bool              changed = false, parts = false;
-#pragma omp parallel for schedule(static) reduction(|| : changed, parts) if (is_worth_sharing(n))
+    bool              changed = false, parts = false, torn = false;
+#pragma omp parallel for schedule(static) \
+  reduction(||                            \
+            : changed, parts, torn) if (is_worth_sharing(n))
     for (std::size_t s = 0; s < n; ++s)
       {
         changed = take(s, joint_spring(model, state, collected[s / 2], s % 2)) || changed;
         parts   = parts || springs[s].acts_as_both();
+        torn    = torn || springs[s].contact_fraction > 0.;
       }
+    any_torn       = torn;
     bodies_changed = bodies_changed || changed;
     contact_parts.clear();
     for (std::size_t s = 0; s < n && parts; ++s)

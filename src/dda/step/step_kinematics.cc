@@ -9,7 +9,8 @@ namespace hybrid::dda
     filter.assign(model.n_blocks(), 0.);
     if (model.newmark.velocity_filter == 0.)
       return;
-    for (std::size_t s = 0; s < springs.springs.size(); ++s)
+    const std::size_t first = springs.has_torn_joints() ? 0 : springs.first_contact();
+    for (std::size_t s = first; s < springs.springs.size(); ++s)
       if (springs.springs[s].contact_fraction > 0.)
         for (const int body : {springs.bodies[s].block, springs.bodies[s].other})
           if (body != foundation_body && !model.is_bedrock(body))

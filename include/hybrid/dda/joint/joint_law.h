@@ -74,6 +74,12 @@ namespace hybrid::dda
     /// Tan of its friction angle now, infinite if it never slides [-].
     double friction(const JointHistory &history) const;
 
+    /// Whether it has more than friction to lose.
+    bool bonds() const
+    {
+      return strength.tensile > 0. || strength.cohesion > 0.;
+    }
+
     /// Opening from which an intact bond bears nothing any more [m].
     double parting_opening() const;
 

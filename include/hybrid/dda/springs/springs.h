@@ -30,25 +30,15 @@ namespace hybrid::dda
 
 
   /**
-   * The springs of one time step: the ends of unreleased joints and the
-   * vertex-edge contacts, all seen as pairs of points P (on a block) and Q (on
-   * another block or the foundation) with a normal from P to Q. The force on Q is
-   * N n + T t times the length, the opposite acts on P, both at one place, so
-   * action equals reaction in force and moment.
+   * The springs of one time step: the ends of unreleased joints and the vertex-edge contacts, all
+   * seen as pairs of points P (on a block) and Q (on another block or the foundation) with a normal
+   * from P to Q. The force on Q is N n + T t times the length, the opposite acts on P, both at one
+   * place, so action equals reaction in force and moment.
    *
-   * Contacts, and ends of joints torn for good, are integrated implicitly:
-   * their force at the end of the step acts on the blocks through the whole
-   * step, d = ... + dt^2/2 M^-1 F, v = ... + dt M^-1 F, and is gone when the
-   * step is over. In Newmark's own weights the force that a contact had when
-   * the step began would go on pushing while it opens, and give back more than
-   * the spring stored (after Kane, Repetto, Ortiz and Marsden 1999).
-   *
-   * A joint with the damage D is both, side by side: a bond of the part 1 - D,
-   * with (1 - D) k_n open or closed, and a contact of the part D, which presses
-   * with D k_n when it is closed. Each part of the force is integrated as what
-   * it is; of the shear the same parts. All of it in Newmark's weights would
-   * give D k_n |g_0 g_1| / 2 in each step that takes the joint from the overlap
-   * g_0 to the opening g_1 with gamma = 1/2.
+   * Contacts, and ends of joints torn for good, are integrated implicitly: their force at the end
+   * of the step acts through the whole step, d = ... + dt^2/2 M^-1 F, v = ... + dt M^-1 F, and is
+   * gone when the step is over (after Kane, Repetto, Ortiz and Marsden 1999). A joint with the
+   * damage D is both, side by side: a bond of the part 1 - D and a contact of the part D.
    */
   class Springs
   {
@@ -210,13 +200,18 @@ namespace hybrid::dda
       return by_block.on_foundation();
     }
 
-    /// Another number where the springs connect others than before.
+    /// Changes where the springs connect others than before.
     int list_version() const
     {
       return by_block.version();
     }
 
     using Bodies = SpringBodies;
+
+    bool has_torn_joints() const ///< ends that act as contacts, in part or whole
+    {
+      return any_torn;
+    }
 
     /// The number of the first contact; joints come before.
     std::size_t first_contact() const
@@ -298,6 +293,8 @@ namespace hybrid::dda
     std::vector<Bearing>            bearing; ///< of each spring
     std::vector<std::array<int, 2>> slots;
     bool                            bodies_changed    = true; ///< since the step before
+    bool                            any_torn          = false;
+    bool                            bonds_fail        = false; ///< some may, in the trial
     int                             connected_pattern = -1; ///< of the matrix, for slots; -1: none
   };
 } // namespace hybrid::dda

@@ -26,9 +26,8 @@ namespace hybrid::dda
   /**
    * The equations of one implicit step of blocks and foundation, and a trial of their unknowns.
    *
-   * Wanted are the increments d of all blocks and the displacement w of the foundation
-   * nodes so that at the end of the step inertia, stresses, joints, contacts
-   * and weight balance,
+   * Wanted are the increments d of all blocks and the displacement w of the foundation nodes so
+   * that at the end of the step inertia, stresses, joints, contacts and weight balance,
    *
    *     M (a(d) - (1/(2 beta)) c) + A_0 (s + D e(d) + beta_K D e(d)/dt) = W + sum of bonds G^T f,
    *     M c = sum of contacts G^T f,
@@ -39,11 +38,10 @@ namespace hybrid::dda
    * gaps and slips of the exact finite motion and contact states that agree with the forces.
    * beta_K: block_damping_times().
    *
-   * The residual depends on the trial alone, and on what springs were told to bear
-   * (prescribe()). All bodies but few may be held for a while (narrow()). Several processes share
-   * the evaluations (SharedTrial): all have the residual then, but each only the springs of its own
-   * blocks, until complete(). The state is changed only by accept(); it, the model and the
-   * foundation must outlive the step.
+   * The residual depends on the trial alone, and on what springs were told to bear (prescribe()).
+   * All bodies but few may be held for a while (narrow()). Several processes share the evaluations
+   * (SharedTrial): all have the residual then, but each only the springs of its own blocks, until
+   * complete(). The state is changed by accept() alone; it, model and foundation outlive the step.
    */
   class StepProblem
   {
@@ -69,7 +67,6 @@ namespace hybrid::dda
 
     /// See Springs::hold_bonds(); until the next evaluate().
     bool hold_bonds();
-
 
     /// Evaluations are shared with other processes now.
     bool is_shared() const
@@ -294,8 +291,7 @@ namespace hybrid::dda
     void accept_places(DdaState &state) const;
     void accept_contacts(DdaState &state) const;
 
-    /// Blocks that rattle no more turn by their contact_couple().
-    void keep_angular_momentum(DdaState &state) const;
+    void keep_angular_momentum(DdaState &state) const; ///< see contact_couple()
 
     /// Joints that are torn or released in this step hand nothing to the next one either: the
     /// contacts' part of accelerations and of the foundation force is set in @p state.
