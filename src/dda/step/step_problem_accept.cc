@@ -307,7 +307,7 @@ namespace hybrid::dda
         const int b = static_cast<int>(n);
         if (!kinematics.is_filtered(b))
           return;
-        const double couple = contact_couple(springs, trial, kinematics.start_rates(), b);
+        const double couple = contact_couple(springs, trial, kinematics.start_rates(), mass, b);
         if (couple == 0.)
           return;
         // The block turns as a whole: in a slender one, whose turn and shear are nearly one motion,

@@ -12,20 +12,21 @@ namespace hybrid::dda
    * [N s], anticlockwise.
    *
    * A contact acts with arms to where its place is at the end of the step, while the centres move
-   * as if it had acted half a step earlier. With the impulse J on a block, the velocity v_p of the
-   * place and that of the block's centre, v, at the start of the step, the couple
+   * as if it had acted half a step earlier. The impulse J on the block A from the block B changes
+   * their angular momentum by -dt/2 (v_A - v_B) x J, v: velocities of the centres at the start of
+   * the step. So each has the couple
    *
-   *     -dt/2 (v_p - v) x J
+   *     dt/2 (v_A - v_B) x J    times its part of both moments of inertia
    *
-   * of each of its contacts and torn ends of joints brings the arm to the middle of the step.
-   * Whatever v_p is, both bodies of a contact together then keep their angular momentum. It is that
-   * of the corner, of joints the mean of both blocks, and on the ground that of the block itself.
+   * of each contact and torn end of a joint between the two: they turn by the same, so that what a
+   * light block bears of a heavy one does not turn it. What bears on the ground has none.
    *
    * @param trial of the step's solution, evaluated last by @p springs
    * @param velocity of each block at the start of the step (u, v, r, ex, ey, gxy) [m/s, 1/s]
    */
-  double contact_couple(const Springs           &springs,
-                        const Trial             &trial,
-                        const std::vector<Vec6> &velocity,
-                        int                      block);
+  double contact_couple(const Springs                &springs,
+                        const Trial                  &trial,
+                        const std::vector<Vec6>      &velocity,
+                        const std::vector<BlockMass> &mass,
+                        int                           block);
 } // namespace hybrid::dda
