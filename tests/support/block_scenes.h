@@ -56,6 +56,21 @@ namespace hybrid::test
 
 
 
+  /// A row of square_blocks() of 1 m, and another square 0.02 m beside it, half a metre up.
+  inline scene::SectionMesh row_and_square(const int columns)
+  {
+    scene::SectionMesh mesh = square_blocks(columns, 1);
+    const int          n    = static_cast<int>(mesh.nodes.size());
+    const Vec2         corner(columns + 0.02, 0.5);
+    for (const Vec2 &x : {Vec2(0., 0.), Vec2(1., 0.), Vec2(1., 1.), Vec2(0., 1.)})
+      mesh.nodes.push_back(corner + x);
+    mesh.blocks.push_back({n, n + 1, n + 2, n + 3});
+    mesh.block_region.push_back(0);
+    return mesh;
+  }
+
+
+
   /// A straight foundation through the origin at the angle [rad], from -before to +after along it,
   /// in pieces.
   inline std::vector<Vec2> straight_foundation(const double angle,

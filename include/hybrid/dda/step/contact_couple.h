@@ -23,6 +23,7 @@ namespace hybrid::dda
    *
    * @param trial of the step's solution, evaluated last by @p springs
    * @param velocity of each block at the start of the step (u, v, r, ex, ey, gxy) [m/s, 1/s]
+   * @param mass of each block in this step
    */
   double contact_couple(const Springs                &springs,
                         const Trial                  &trial,

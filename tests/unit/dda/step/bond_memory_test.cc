@@ -11,20 +11,6 @@ using namespace hybrid::test;
 
 namespace
 {
-  /// Two bonded squares of 1 m at the origin, and a third one 0.02 m beside them, half a metre up.
-  scene::SectionMesh pair_and_square()
-  {
-    scene::SectionMesh mesh = square_blocks(2, 1);
-    const int          n    = static_cast<int>(mesh.nodes.size());
-    for (const Vec2 &corner : {Vec2(2.02, 0.5), Vec2(3.02, 0.5), Vec2(3.02, 1.5), Vec2(2.02, 1.5)})
-      mesh.nodes.push_back(corner);
-    mesh.blocks.push_back({n, n + 1, n + 2, n + 3});
-    mesh.block_region.push_back(0);
-    return mesh;
-  }
-
-
-
   Vec2 momentum(const FixedBaseRun &run)
   {
     Vec2 sum = Vec2::Zero();
@@ -46,7 +32,7 @@ TEST(BondMemory, bonded_bodies_that_turn_and_are_hit_keep_their_momentum)
   std::vector<Vec2> base                   = straight_foundation(0., 200., 200.);
   for (Vec2 &node : base)
     node.y() -= 100.;
-  FixedBaseRun run(pair_and_square(), scene, base);
+  FixedBaseRun run(row_and_square(2), scene, base);
   run.model.gravity               = 0.;
   run.state                       = initial_state(run.model);
   run.state.blocks[2].velocity[0] = -3.;

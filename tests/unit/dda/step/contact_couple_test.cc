@@ -11,20 +11,6 @@ using namespace hybrid::test;
 
 namespace
 {
-  /// A square of 1 m at the origin, and another one 0.02 m beside it, half a metre up.
-  scene::SectionMesh two_squares()
-  {
-    scene::SectionMesh mesh = square_blocks(1, 1);
-    const int          n    = static_cast<int>(mesh.nodes.size());
-    for (const Vec2 &corner : {Vec2(1.02, 0.5), Vec2(2.02, 0.5), Vec2(2.02, 1.5), Vec2(1.02, 1.5)})
-      mesh.nodes.push_back(corner);
-    mesh.blocks.push_back({n, n + 1, n + 2, n + 3});
-    mesh.block_region.push_back(0);
-    return mesh;
-  }
-
-
-
   /// About the origin [kg m/s].
   double angular_momentum(const FixedBaseRun &run)
   {
@@ -50,7 +36,7 @@ TEST(ContactCouple, blocks_that_hit_each_other_as_they_turn_keep_their_angular_m
       std::vector<Vec2> base       = straight_foundation(0., 200., 200.);
       for (Vec2 &node : base)
         node.y() -= 100.;
-      FixedBaseRun run(two_squares(), scene, base);
+      FixedBaseRun run(row_and_square(1), scene, base);
       run.model.gravity               = 0.;
       run.state                       = initial_state(run.model);
       run.state.blocks[0].velocity[2] = 4.;
