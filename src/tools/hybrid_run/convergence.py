@@ -8,7 +8,6 @@ import itertools
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import optimize
 
 EQUAL = 1e-9  # differences below this part of the value are rounding
 CLEAN = (0.5, 6.0)  # orders that are extrapolated with
@@ -25,10 +24,12 @@ def order(sizes, differences):
     if not (coarse > 0 and fine > 0):
         return np.nan
 
+    from scipy.optimize import brentq  # a third of a second, which few need
+
     def excess(p):
         return np.log((h1 / h2) ** p - 1) - np.log(1 - (h3 / h2) ** p) - np.log(coarse / fine)
 
-    return optimize.brentq(excess, 0.05, 12) if excess(0.05) < 0 < excess(12) else np.nan
+    return brentq(excess, 0.05, 12) if excess(0.05) < 0 < excess(12) else np.nan
 
 
 def order_of_errors(sizes, errors):

@@ -3,8 +3,6 @@
 
 import math
 
-from scipy import signal
-
 
 def low_pass(values, dt, corner):
     """Histories with equal steps dt [s] (a column each) below the corner [Hz]: Butterworth of second order, forwards and backwards.
@@ -13,5 +11,7 @@ def low_pass(values, dt, corner):
     """
     if len(values) < 2 or corner <= 0 or corner * dt >= 0.5:
         return values
+    from scipy import signal  # half a second, which few need
+
     b, a = signal.butter(2, corner, fs=1 / dt)
     return signal.filtfilt(b, a, values, axis=0, padtype="odd", padlen=min(len(values) - 1, math.ceil(3 / (corner * dt))))

@@ -2,7 +2,6 @@
 """Histories of several runs on one time axis: cut to the shortest, sampled as the coarsest, without aliases where these matter."""
 
 import numpy as np
-from scipy import interpolate, signal
 
 SAME = 1e-6  # of a step: times closer than this are the same
 PASS = 0.8  # anti-aliasing: corner over half of the new sampling rate
@@ -55,6 +54,8 @@ def resample(time, values, axis, has_aliases=True):
 
 
 def _interpolate(time, values, axis, has_aliases):
+    from scipy import interpolate, signal  # half a second, which few need
+
     spline = interpolate.CubicSpline(time, values)
     step = usual_step(axis)
     parts = round(step / usual_step(time))  # of a step of the axis

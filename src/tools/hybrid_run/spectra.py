@@ -2,7 +2,6 @@
 """Fourier spectra of histories with equal steps, their smoothing, and ratios of two of them."""
 
 import numpy as np
-from scipy import fft
 
 # Of the largest amplitude. A ratio to less is not that of its frequency: the spectrum of a wavelet falls so steeply there that the window
 # takes what is beside it. On a layered column (b = 40) ratios to more than this are within 8 % of the closed form, those to 0.3 % are 17 % off,
@@ -16,6 +15,8 @@ def fourier_amplitude(values, dt):
 
     Zeros are added up to a length that the transform likes: they refine the frequencies, nothing else.
     """
+    from scipy import fft  # a tenth of a second, which few need
+
     values = np.asarray(values, float)
     n = fft.next_fast_len(len(values), real=True)
     return fft.rfftfreq(n, dt), np.abs(fft.rfft(values, n, axis=0)) * dt

@@ -2,7 +2,6 @@
 """Materials of a new scene: typical values to be replaced, with strengths that let the slope stand."""
 
 import numpy as np
-from scipy.optimize import brentq
 
 GRAVITY = 9.81  # [m/s2]
 SAFETY = 1.5  # of the mass on its belt at rest, that the belt's cohesion is chosen for
@@ -53,6 +52,8 @@ def belt(mass, body_material):
     slices = Slices(mass, body_material.density)
     found.cohesion = 5e3
     if slices.safety(25.0, found.cohesion) < SAFETY:
+        from scipy.optimize import brentq  # a third of a second, which few need
+
         found.cohesion = rounded(brentq(lambda c: slices.safety(25.0, c) - SAFETY, found.cohesion, 1e9, rtol=1e-3), 2, up=True)
     found.safety = slices.safety(25.0, found.cohesion)
     if found.cohesion > body_material.cohesion:

@@ -4,7 +4,6 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy import interpolate
 
 from hybrid_run import MissingData, Run, UserError
 
@@ -47,7 +46,9 @@ class History:
         if len(times) <= len(self.time) and np.allclose(self.time[: len(times)], times, rtol=0, atol=1e-12):
             return self.values[: len(times)]
         if self._spline is None:
-            self._spline = interpolate.CubicSpline(self.time, self.values)
+            from scipy.interpolate import CubicSpline  # a third of a second, which few need
+
+            self._spline = CubicSpline(self.time, self.values)
         return self._spline(np.clip(times, self.time[0], self.time[-1]))
 
     @staticmethod
