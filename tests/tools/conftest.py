@@ -12,15 +12,25 @@ TOOLS = ROOT / "src/tools"
 ONE_RUN = ["-s", "Time/Error estimate=one run", "-s", "Mesh/Error estimate=one run"]  # no further ones, which tell its errors
 sys.path[:0] = [str(TOOLS), str(pathlib.Path(__file__).parent)]
 
-import make_synthetic_run  # noqa: E402 (needs the path above)
+import forked_tool  # noqa: E402 (needs the path above)
+import make_synthetic_run  # noqa: E402
 
 
 @pytest.fixture(scope="session")
 def hybrid():
-    """hybrid("plot", "output", ..., cwd=...): the program with these words; its output as text."""
+    """hybrid("plot", "output", ..., cwd=...): the program with these words; its output as text.
+
+    The program itself calls a tool the first time in each file of tests. Its start takes a second, that of a tool another: from then on
+    the tool runs in a copy of this process.
+    """
+    begun, limit = set(), 3000 if "HYBRID_LONG" in os.environ else 600
+
     def call(*words, **options):
-        return subprocess.run([os.environ["HYBRID_PROGRAM"], *map(str, words)], capture_output=True, text=True,
-                              timeout=3000 if "HYBRID_LONG" in os.environ else 600, **options)
+        name, *others = map(str, words)
+        if name in begun:
+            return forked_tool.run(name, others, limit, **options)
+        begun.update({name} & forked_tool.NAMES)
+        return subprocess.run([os.environ["HYBRID_PROGRAM"], name, *others], capture_output=True, text=True, timeout=limit, **options)
 
     return call
 
