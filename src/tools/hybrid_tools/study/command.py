@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """hybrid study: runs a scene with varied parameters and says what accuracy costs in time. See doc/study.md."""
 
+import itertools
 import os
 import sys
 
@@ -110,6 +111,7 @@ def make_study(words):
     study = plan.Study(scene, directory, common, varied, effects, dict(stated_closed_forms(scene, varied, common), **given), seeds=content.get("seeds"),
                        quantities=content.get("quantities", []),
                        tolerance=plan.parse_tolerance(content["tolerance"]) if "tolerance" in content else None)
+    refuse_other_scene(study)
     check(study)
     return study
 
@@ -124,12 +126,13 @@ def stated_closed_forms(scene, varied, common):
 
 
 def check(study):
-    """Ask the program about every level and effect. @raises UserError with what it refuses."""
+    """Ask the program about every level, one of each parameter at a time, and every effect. @raises UserError with what it refuses."""
     study.text = program.parameters_text(study.scene, study.common)
     study.base = parse_parameters(study.text.splitlines())
+    for levels in itertools.zip_longest(*(range(len(axis.labels)) for axis in study.axes)):
+        overrides = [axis.override(level, study.base) for axis, level in zip(study.axes, levels) if level is not None]
+        program.parameters(study.scene, study.common + overrides)
     for axis in study.axes:
-        for level in range(len(axis.labels)):
-            program.parameters(study.scene, study.common + [axis.override(level, study.base)])
         if axis.entry:  # names of numbers of the mesh are known when it is made: of the coarsest, it takes least
             program.ask("--check", study.scene, *program.options(study.common + [axis.override(0, study.base), "Output/Directory=none"]))
     for overrides in study.effects.values():
@@ -164,15 +167,20 @@ def read_study(words):
     return study
 
 
+def refuse_other_scene(study):
+    """@raises UserError if the directory holds the study of another scene."""
+    earlier = read_json(os.path.join(study.directory, "plan.json")).get("scene", study.scene)
+    if earlier != study.scene:
+        raise UserError("'%s' holds the study of '%s'; give another --directory" % (os.path.relpath(study.directory), os.path.relpath(earlier)))
+
+
 def save(study):
     """plan.json, and the scene with every parameter: what the runs are computed from, whatever becomes of its file.
 
     @raises UserError if the directory holds the study of another scene.
     """
     os.makedirs(study.directory, exist_ok=True)
-    earlier = read_json(os.path.join(study.directory, "plan.json")).get("scene", study.scene)
-    if earlier != study.scene:
-        raise UserError("'%s' holds the study of '%s'; give another --directory" % (os.path.relpath(study.directory), os.path.relpath(earlier)))
+    refuse_other_scene(study)
     if study.text:
         with open(scene_of(study), "w", encoding="utf-8") as file:
             file.write(study.text)
