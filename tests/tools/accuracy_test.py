@@ -6,7 +6,7 @@ import os
 import re
 
 import pytest
-from conftest import ROOT
+from conftest import ONE_RUN, ROOT
 
 from hybrid_tools.accuracy import coarser, estimate
 from hybrid_tools.study import quantities
@@ -18,8 +18,7 @@ BAR = ROOT / "parameters/verification/bonded_bar.prm"
 
 def bar(hybrid, directory, h, *words):
     numbers = "Width = 8; Height = 320; Resolution/h = %g" % h
-    result = hybrid(BAR, "--force", "-s", "Output/Directory=%s" % directory, "-s", "Mesh/Numbers=" + numbers,
-                    "-s", "Time/Error estimate=one run", "-s", "Mesh/Error estimate=one run", *words)
+    result = hybrid(BAR, "--force", "-s", "Output/Directory=%s" % directory, "-s", "Mesh/Numbers=" + numbers, *ONE_RUN, *words)
     assert result.returncode == 0, result.stderr
     return result
 
@@ -61,7 +60,7 @@ def test_sizes_of_a_mesh_are_those_that_it_was_given_or_the_geometry_s(tmp_path)
 
 def test_a_mesh_that_does_not_become_coarser_says_nothing(hybrid, tmp_path):
     run = tmp_path / "run"
-    bar(hybrid, run, 320)
+    bar(hybrid, run, 320, "-s", "Time/End time=0.1")
     result = hybrid("accuracy", run, "--mesh")
     assert result.returncode == 2 and "no coarser run to compare with" in result.stderr
     assert "mesh_2  is left out" in result.stdout
@@ -92,16 +91,17 @@ def test_a_changed_mesh_is_told(hybrid, tmp_path):
     (tmp_path / "bonded_blocks.geo").write_text((ROOT / "meshes/bonded_blocks.geo").read_text())
     text = BAR.read_text().replace("../../meshes/bonded_blocks.geo", str(tmp_path / "bonded_blocks.geo"))
     scene.write_text(text)
-    assert hybrid(scene, "-s", "Output/Directory=%s" % run).returncode == 0
+    assert hybrid(scene, "-s", "Output/Directory=%s" % run, "-s", "Time/End time=0.05", *ONE_RUN).returncode == 0
     os.utime(tmp_path / "bonded_blocks.geo", (2e9, 2e9))
     assert "was changed after the run began" in hybrid("accuracy", run, "--step").stdout
 
 
 def test_error_of_a_bar_is_that_against_a_finer_one(hybrid, tmp_path):
     run, fine = tmp_path / "run", tmp_path / "fine"
-    end = bar(hybrid, run, 4).stdout
+    until = ["-s", "Time/End time=1.4"]  # most of the pulse has passed the station
+    end = bar(hybrid, run, 4, *until).stdout
     assert "hybrid accuracy %s" % run in end
-    bar(hybrid, fine, 1)
+    bar(hybrid, fine, 1.5, *until)
     result = hybrid("accuracy", run)
     assert result.returncode == 0, result.stderr
     found = json.loads((run / "accuracy/accuracy.json").read_text())
@@ -125,7 +125,7 @@ def test_mistakes_are_told(hybrid, tmp_path):
     nothing = hybrid("accuracy", tmp_path)
     assert nothing.returncode == 2 and "no directory of a run" in nothing.stderr
     run = tmp_path / "run"
-    bar(hybrid, run, 8)
+    bar(hybrid, run, 8, "-s", "Time/End time=0.05")
     pattern = hybrid("accuracy", run, "--mesh", "--quantities", "crest/*")
     assert pattern.returncode == 2 and "no quantity is like 'crest/*'" in pattern.stderr
     summary = json.loads((run / "summary.json").read_text())
