@@ -15,7 +15,7 @@ from hybrid_tools.arguments import Arguments
 from hybrid_tools.fos import figure, flanks, sliding
 from hybrid_tools.fos.kinks import holding_kink, kink_of_blocks
 from hybrid_tools.fos.other_equilibrium import warn_of_other_equilibrium
-from hybrid_tools.fos.search import factor_of_safety, yield_coefficient
+from hybrid_tools.fos.search import FailsAtLowerEnd, factor_of_safety, yield_coefficient
 from hybrid_tools.fos.trial import Trials
 from hybrid_tools.fos.water import Water
 from hybrid_tools.results_place import default_directory, refuse_other_scene
@@ -46,7 +46,7 @@ def read_words(words):
     arguments.add_argument("--time", type=float, help="time of the level of the water, where Water/Level file moves it [s] (default: 0)")
     arguments.add_argument("--tolerance", type=float, default=0.005,
                            help="width of the bracket over the factor; a tenth of it for the coefficient (default 0.005)")
-    arguments.add_argument("--range", nargs=2, type=float, metavar=("LOW", "HIGH"), help="factors between which to look")
+    arguments.add_argument("--range", nargs=2, type=float, metavar=("LOW", "HIGH"), help="factors (coefficients) between which to look")
     arguments.add_argument("--output", metavar="DIR", help="where results go (default: output/SCENE_fos)")
     arguments.add_argument("--force", action="store_true", help="replace results of another scene in that directory")
     found = arguments.read(words)
@@ -90,7 +90,7 @@ def find_yield(trials, words):
             name = "ky_%.6g" % k if sign == run.downhill else "ky_back_%.6g" % k
             return at_rest if k == 0 else trials(name, k, {COEFFICIENT: sign * k})
 
-        bracket = yield_coefficient(judge, 0.1 * words.tolerance)
+        bracket = yield_coefficient(judge, 0.1 * words.tolerance, *(words.range or ()))
         bracket.towards = sign
         return bracket
 
@@ -115,6 +115,8 @@ def either(pushed, sign, trials):
         n_before = len(trials.done)
         try:
             brackets.append(pushed(way))
+        except FailsAtLowerEnd:
+            raise
         except UserError:
             if way != sign and brackets[0] is None:
                 raise

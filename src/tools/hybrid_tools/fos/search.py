@@ -6,6 +6,20 @@ from hybrid_run import UserError
 MOST_DOUBLINGS = 12
 
 
+class FailsAtLowerEnd(UserError):
+    """Of the range that was given."""
+
+    def __init__(self, low):
+        super().__init__("--range: the slope fails at its lower end, %g; give a smaller one" % low)
+
+
+class StandsAtUpperEnd(UserError):
+    """Of the range that was given."""
+
+    def __init__(self, high):
+        super().__init__("--range: the slope stands at its upper end, %g; give a larger one" % high)
+
+
 class Bracket:
     """The largest value at which the slope stands and the smallest at which it fails. towards: sign of x that it was pushed to; None: it
     was not pushed."""
@@ -36,12 +50,12 @@ def factor_of_safety(judge, tolerance, low=None, high=None):
     trial = judge(low if low else 1.0)
     growth = 1.25
     if low and not trial.stands:
-        raise UserError("--range: the slope fails at its lower end, %g; give a smaller one" % low)
+        raise FailsAtLowerEnd(low)
     stands, fails = (trial, None) if trial.stands else (None, trial)
     if high:
         fails = judge(high)
         if fails.stands:
-            raise UserError("--range: the slope stands at its upper end, %g; give a larger one" % high)
+            raise StandsAtUpperEnd(high)
     for _ in range(MOST_DOUBLINGS):
         if stands and fails:
             break
@@ -59,12 +73,21 @@ def factor_of_safety(judge, tolerance, low=None, high=None):
     return bisect(stands, fails, judge, lambda a, b: b - a <= tolerance * a)
 
 
-def yield_coefficient(judge, tolerance):
+def yield_coefficient(judge, tolerance, low=None, high=None):
     """Bracket of the horizontal coefficient at which the slope fails, its width below tolerance (absolute)."""
     stands = judge(0.0)
     if not stands.stands:
         raise UserError("the slope fails without any shaking: it has no yield acceleration; hybrid fos tells its factor of safety")
     step, fails = 0.2, None
+    if low:
+        stands = judge(low)
+        if not stands.stands:
+            raise FailsAtLowerEnd(low)
+    if high:
+        fails = judge(high)
+        if fails.stands:
+            raise StandsAtUpperEnd(high)
+        return bisect(stands, fails, judge, lambda a, b: b - a <= tolerance)
     for _ in range(MOST_DOUBLINGS):
         trial = judge(stands.value + step)
         if not trial.stands:
