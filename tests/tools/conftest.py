@@ -16,6 +16,11 @@ import forked_tool  # noqa: E402 (needs the path above)
 import make_synthetic_run  # noqa: E402
 
 
+def around(exact, error=0.005):
+    """Words of hybrid fos: two trials show a factor to be where it must be, to this part of it. Other tests search from 1 on."""
+    return ["--range", (1 - error) * exact, (1 + error) * exact, "--tolerance", 2.02 * error]
+
+
 @pytest.fixture(scope="session")
 def hybrid():
     """hybrid("plot", "output", ..., cwd=...): the program with these words; its output as text.
