@@ -288,10 +288,11 @@ def test_a_slope_on_level_ground_is_pushed_downhill_and_a_wedge_on_it_both_ways(
     (tmp_path / "wedge.prm").write_text(wedge)
     (tmp_path / "dam.csv").write_text("block,x,y\n1,0,0\n1,4,0\n1,0,10\n")
     (tmp_path / "ground.csv").write_text("x,y\n-50,0\n50,0\n")
-    result = hybrid("fos", tmp_path / "wedge.prm", "--yield", "--tolerance", "0.2", "--output", tmp_path / "out")
+    exact = (4 / 3) / (10 / 3)  # towards -x, about (0, 0)
+    result = hybrid("fos", tmp_path / "wedge.prm", "--yield", *around_yield(exact, 0.02), "--output", tmp_path / "out")
     assert result.returncode == 0, result.stderr
-    assert "pushed both ways" in result.stdout
-    assert_brackets(read(tmp_path / "out", "yield"), "yield", (4 / 3) / (10 / 3), 0.02)  # towards -x, about (0, 0)
+    assert "pushed both ways, it stands towards +x and it fails at 0.4000 towards -x" in result.stdout
+    assert_brackets(read(tmp_path / "out", "yield"), "yield", exact, 0.02)
 
 
 def valley(folder, blocks, left, right=(40, 40 * np.tan(np.radians(25)))):
