@@ -12,6 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from conftest import ONE_RUN, ROOT, TOOLS
+from moving_run import Maker
 
 import tool
 from hybrid_run import Run, UserError
@@ -121,7 +122,7 @@ def test_the_floor_of_a_valley_between_two_masses_is_in_view():
 
 def test_blocks_that_all_left_the_section_are_drawn_where_they_are(hybrid, synthetic_run):
     run = synthetic_run("away")
-    assert tool.main("plot", [str(run)]) == 0
+    assert tool.main("plot", ["--figures", "section,overview,boreholes", str(run)]) == 0
     assert "section.png" in pictures(run)
 
 
@@ -391,7 +392,7 @@ def test_everything_of_several_runs_by_one_command(hybrid, tmp_path, capsys):
     runs = []
     for name, gravity in (("one", "9.81"), ("two", "5")):
         runs.append(tmp_path / name)
-        words = ["-s", f"Output/Directory={runs[-1]}", "-s", "Output/Picture interval=0.05", "-s", f"Gravity/Acceleration={gravity}"]
+        words = ["-s", f"Output/Directory={runs[-1]}", "-s", "Output/Picture interval=0.1", "-s", f"Gravity/Acceleration={gravity}", *ONE_RUN]
         result = hybrid(ROOT / "parameters/hard/all_joints_fail.prm", *words)
         assert result.returncode == 0, result.stderr
     assert tool.main("plot", ["--all", *map(str, runs)]) == 0
@@ -409,8 +410,8 @@ def test_the_beginning_and_the_end_are_no_film(capsys):
     assert capsys.readouterr().out.startswith("film: left out, 'still' has pictures of its beginning and its end only")
 
 
-def test_runs_that_cannot_be_compared_are_drawn_all_the_same(synthetic_run, capsys):
-    runs = [str(synthetic_run(kind, kind)) for kind in ("bare", "complete")]
+def test_runs_that_cannot_be_compared_are_drawn_all_the_same(synthetic_run, tmp_path, capsys):
+    runs = [str(synthetic_run("bare", "bare")), str(Maker(tmp_path)("wide", width=11.0))]
     assert tool.main("plot", ["--all", *runs]) == 0
     said = capsys.readouterr().out
     assert said.count("film: left out, ") == 2 and said.count("side by side: left out, ") == 1 and "overview.png" in said
