@@ -9,6 +9,7 @@ import tempfile
 
 from hybrid_run import UserError
 from hybrid_tools.arguments import Arguments
+from hybrid_tools.study import program
 
 from . import sizes
 from .geometry_file import geometry_text
@@ -160,6 +161,7 @@ def stands(scene):
     """Whether the program finds the mass at rest under its weight: the static stage alone."""
     with tempfile.TemporaryDirectory() as temporary:
         words = [os.environ["HYBRID_PROGRAM"], scene, "-s", "Time/End time=0", "-s", "Output/Directory=" + os.path.join(temporary, "run")]
+        words += program.options(program.ONE_RUN)
         return subprocess.run(words, capture_output=True).returncode == 0
 
 
