@@ -6,7 +6,7 @@ import json
 import h5py
 import numpy as np
 import pytest
-from conftest import ROOT
+from conftest import ONE_RUN, ROOT
 from moving_run import STEP, Maker, quiver, wave
 
 from hybrid_run import Run
@@ -280,7 +280,7 @@ def test_peaks_that_are_far_apart_have_a_logarithmic_axis(values, scale, lowest)
 def test_runs_of_the_program(hybrid, tmp_path):
     scene = ROOT / "parameters/verification/coupled_column.prm"
     for name, words in (("fine", []), ("coarse", ["-s", "Time/Time step=0.004"]), ("hard", ["-s", "Materials/rock/Young modulus=250e6"])):
-        result = hybrid(scene, "-s", f"Output/Directory={tmp_path}/{name}", *words)
+        result = hybrid(scene, "-s", f"Output/Directory={tmp_path}/{name}", *ONE_RUN, *words)
         assert result.returncode == 0, result.stderr
     result = hybrid("compare", *(tmp_path / name for name in ("fine", "coarse", "hard")), "--tolerance", "5%")
     assert result.returncode == 1 and not result.stderr, result.stderr
