@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from conftest import ROOT
+from conftest import ONE_RUN, ROOT
 
 from hybrid_run import Run
 from hybrid_run.newmark import rate_on_slope, rigid_block
@@ -12,9 +12,9 @@ from hybrid_tools.condition.events import Events
 
 SLAB = ROOT / "parameters/verification/shakedown.prm"
 BLOCK = ROOT / "parameters/verification/incline.prm"
-SLAB_WORDS = ("--quiet", "2", "-s", "Time/End time=6", "-s", "Output/Picture interval=0")
+SLAB_WORDS = ("--quiet", "2", "-s", "Time/End time=6", "-s", "Output/Picture interval=0", *ONE_RUN)
 BLOCK_WORDS = ("--quiet", "2", "--events", "3", "-s", "Time/End time=2", "-s", "Time/Time step=0.002", "-s", "Materials/rock/Friction angle=35",
-               "-s", "Gravity/Static stage=equilibrium", "-s", "Motion/Type=ricker", "-s", "Motion/Frequency=1", "-s", "Motion/Peak=4")
+               "-s", "Gravity/Static stage=equilibrium", "-s", "Motion/Type=ricker", "-s", "Motion/Frequency=1", "-s", "Motion/Peak=4", *ONE_RUN)
 
 
 def read(directory):
