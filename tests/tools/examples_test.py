@@ -5,7 +5,7 @@ import shlex
 
 import numpy as np
 import pytest
-from conftest import ROOT
+from conftest import ONE_RUN, ROOT
 
 from hybrid_run import Run
 
@@ -18,13 +18,18 @@ def page(name):
 
 @pytest.fixture
 def follow(hybrid, tmp_path):
-    """follow(name): runs the commands of the page, from a directory of its own; what they said. Figures are drawn for one page only."""
-    def call(name, draw=False):
+    """follow(name): runs the commands of the page, from a directory of its own; what they said.
+
+    as_it_stands: with figures and with the further runs that tell errors; one page is enough for that.
+    """
+    def call(name, as_it_stands=False):
         said = []
         for line in re.findall(r"^    build/release/hybrid (.*?)(?: +#.*)?$", page(name), re.M):
-            if line.startswith("plot") and not draw:
+            if line.startswith("plot") and not as_it_stands:
                 continue
             words = [str(ROOT / word) if word.startswith("parameters/") else word for word in shlex.split(line)]
+            if words[0].endswith(".prm") and not as_it_stands:
+                words += ONE_RUN
             result = hybrid(*words, cwd=tmp_path)
             assert result.returncode == 0, line + "\n" + result.stdout + result.stderr
             said.append(result.stdout)
@@ -57,12 +62,12 @@ def test_every_example_has_its_page_with_a_sketch_a_command_a_picture_and_a_way_
 
 def test_block_on_a_plane(follow, hybrid, tmp_path):
     name = "01_block_on_a_plane"
-    follow(name, draw=True)
+    follow(name, as_it_stands=True)
     closed = 0.5 * 9.81 * (np.sin(np.radians(30)) - np.cos(np.radians(30)) * np.tan(np.radians(20)))
     assert stated(name, r"slid ([\d.]+) m after") == pytest.approx(closed, abs=5e-4)
     slip = Run(tmp_path / "output/01").summary["slip_m"]["mean_left"]
     assert slip == pytest.approx(closed, rel=0.003)
-    assert hybrid(EXAMPLES / name / "scene.prm", "-s", "Materials/rock/Friction angle=31", "-s", "Output/Directory=output/01b", cwd=tmp_path).returncode == 0
+    assert hybrid(EXAMPLES / name / "scene.prm", "-s", "Materials/rock/Friction angle=31", "-s", "Output/Directory=output/01b", *ONE_RUN, cwd=tmp_path).returncode == 0
     assert abs(Run(tmp_path / "output/01b").summary["slip_m"]["mean_left"]) < 1e-4
 
 
