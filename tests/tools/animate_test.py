@@ -7,7 +7,7 @@ import subprocess
 import numpy as np
 import pytest
 import tool
-from conftest import ROOT
+from conftest import ONE_RUN, ROOT
 from PIL import Image, ImageSequence
 
 from hybrid_run import MissingData, Run
@@ -20,7 +20,8 @@ G = 9.81
 def falling(hybrid, tmp_path_factory):
     """Two blocks slide over the end of a slope and fall into the void."""
     directory = tmp_path_factory.mktemp("falling") / "run"
-    result = hybrid(ROOT / "parameters/hard/leaves_model.prm", "-s", "Output/Picture interval=0.25", "-s", f"Output/Directory={directory}")
+    result = hybrid(ROOT / "parameters/hard/leaves_model.prm", "-s", "Output/Picture interval=0.25", "-s", f"Output/Directory={directory}",
+                    *ONE_RUN)
     assert result.returncode == 0, result.stderr
     return Run(directory)
 
@@ -30,7 +31,7 @@ def column(hybrid, tmp_path_factory):
     """A wave through a continuum into blocks: micrometres."""
     directory = tmp_path_factory.mktemp("column") / "run"
     result = hybrid(ROOT / "parameters/verification/coupled_column.prm", "-s", "Time/End time=0.3", "-s", "Output/Picture interval=0.02",
-                    "-s", f"Output/Directory={directory}")
+                    "-s", f"Output/Directory={directory}", *ONE_RUN)
     assert result.returncode == 0, result.stderr
     return Run(directory)
 

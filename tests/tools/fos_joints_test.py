@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from conftest import around
 
 SLOPE, LENGTH, DEPTH = np.radians(25), 16.0, 3.0  # of the rock above the bedding [m]
 COHESION, FRICTION, DENSITY = 6e3, 22.0, 2500.0
@@ -67,7 +68,7 @@ def factor(depth):
 
 
 def test_rock_slides_on_its_bedding_and_is_not_warned_of(hybrid, slope, tmp_path):
-    done = hybrid("fos", slope, "--range", "0.9", "1.3", "--output", tmp_path / "out")
+    done = hybrid("fos", slope, *around(factor(DEPTH), 0.0075), "--output", tmp_path / "out")
     assert done.returncode == 0, done.stderr
     found = json.loads((tmp_path / "out/fos.json").read_text())
     assert found["fos"] == pytest.approx(factor(DEPTH), rel=0.005)
@@ -78,7 +79,7 @@ def test_a_strong_joint_sends_failure_through_the_mass_above(hybrid, draw, tmp_p
     scene = draw(("rock", 0, 2, "sliding_mass_rock", ""), ("low", 2, 2 + DEPTH / 2, "", "joint_bedding"), ("high", 2 + DEPTH / 2, 2 + DEPTH, "", ""))
     settings = ["Blocks/Material=sliding_mass_rock: rock; sliding_mass: clay", "Blocks/Joint materials=rock", "Materials/clay/Density=%g" % DENSITY,
                 "Materials/clay/Young modulus=200e6", "Materials/clay/Tensile strength=2e3"]
-    done = hybrid("fos", scene, "--range", "1", "1.6", "--output", tmp_path / "out", *[word for setting in settings for word in ("-s", setting)])
+    done = hybrid("fos", scene, *around(factor(DEPTH / 2), 0.02), "--output", tmp_path / "out", *[word for setting in settings for word in ("-s", setting)])
     assert done.returncode == 0, done.stderr
     found = json.loads((tmp_path / "out/fos.json").read_text())
     assert found["fos"] == pytest.approx(factor(DEPTH / 2), rel=0.02)

@@ -2,7 +2,7 @@
 """The reader of runs: what a script of a user finds."""
 import numpy as np
 import pytest
-from conftest import ROOT
+from conftest import ONE_RUN, ROOT
 
 import hybrid_run
 from hybrid_run import Run, UserError
@@ -11,7 +11,8 @@ from hybrid_run import Run, UserError
 @pytest.fixture(scope="module")
 def column(hybrid, tmp_path_factory):
     directory = tmp_path_factory.mktemp("column") / "run"
-    result = hybrid(ROOT / "parameters/verification/coupled_column.prm", "-s", "Time/End time=0.3", "-s", f"Output/Directory={directory}")
+    result = hybrid(ROOT / "parameters/verification/coupled_column.prm", "-s", "Time/End time=0.3", "-s", f"Output/Directory={directory}",
+                    *ONE_RUN)
     assert result.returncode == 0, result.stderr
     return Run(directory)
 

@@ -37,15 +37,14 @@ def test_polygons_on_a_polyline_are_drawn(tmp_path):
     assert low == pytest.approx([-40, 0]) and high == pytest.approx([60, 25.71], abs=0.5)
 
 
-@pytest.mark.parametrize("path", [PIT, FALLING, COLUMN])
-@pytest.mark.parametrize("ending", ["png", "svg"])
+@pytest.mark.parametrize("path, ending", [(PIT, "png"), (FALLING, "svg"), (COLUMN, "svg")])
 def test_pictures_are_written_and_nothing_else(hybrid, tmp_path, path, ending):
     picture = tmp_path / ("section." + ending)
     result = hybrid("section", path, "--output", picture, cwd=tmp_path)
     assert result.returncode == 0 and not result.stderr, result.stderr
     assert [p.name for p in tmp_path.iterdir()] == [picture.name] and picture.stat().st_size > 5000
     if ending == "svg":
-        assert "monitor" in picture.read_text() or path == PIT
+        assert "monitor" in picture.read_text()
 
 
 @pytest.mark.parametrize("name", ["initial_stress", "staged_columns"])

@@ -6,7 +6,7 @@ import json
 
 import numpy as np
 import pytest
-from conftest import ROOT
+from conftest import ONE_RUN, ROOT
 from moving_run import PARAMETERS
 
 from hybrid_run import Run, misfit
@@ -83,7 +83,7 @@ def test_misfits():
 
 def test_the_low_pass_is_that_of_the_program(hybrid, tmp_path):
     scene = ROOT / "parameters/verification/coupled_column.prm"
-    result = hybrid(scene, "-s", "Time/End time=0.3", "-s", f"Output/Directory={tmp_path}/run")
+    result = hybrid(scene, "-s", "Time/End time=0.3", "-s", f"Output/Directory={tmp_path}/run", *ONE_RUN)
     assert result.returncode == 0, result.stderr
     run = Run(tmp_path / "run")
     for monitor in run.monitors.values():
