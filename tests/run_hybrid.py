@@ -6,6 +6,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 
 
 def environment():
@@ -15,19 +16,35 @@ def environment():
 class Server:
     """The program for many runs in one process (tests/fuzz/scene_server.cc): loading its libraries takes longer than a small scene."""
 
-    def __init__(self, binary):
-        path = pathlib.Path(binary).parent / "tests/fuzz/scene_server"
-        self.process = subprocess.Popen([str(path)], env=environment(), stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+    def __init__(self, binary, **variables):
+        self.path, self.variables, self.past_streams = pathlib.Path(binary).parent / "tests/fuzz/scene_server", variables, tempfile.TemporaryFile()
+        self._start()
 
-    def ask(self, words):
-        """Exit code, standard output and error of the program with these words."""
-        self.process.stdin.write(("\t".join([os.getcwd(), *words]) + "\n").encode())
+    def _start(self):
+        self.process = subprocess.Popen([str(self.path)], env=dict(environment(), **self.variables), stdin=subprocess.PIPE,
+                                        stdout=subprocess.PIPE, stderr=self.past_streams)
+
+    def ask(self, words, folder=None):
+        """Exit code, standard output and error of the program with these words, in a folder."""
+        self.process.stdin.write(("\t".join([str(folder or os.getcwd()), *map(str, words)]) + "\n").encode())
         self.process.stdin.flush()
         head = self.process.stdout.readline().split()
         if not head:
-            return self.process.wait(), "", "the process of many runs has ended"
+            code = self.process.wait()
+            self._start()  # for those that follow
+            return code, "", "the process of many runs has ended: " + self.said_elsewhere()[-1500:]
         code, out, error = map(int, head)
         return (code, *(self.process.stdout.read(size).decode(errors="replace") for size in (out, error)))
+
+    def said_elsewhere(self):
+        """What was written to standard error so far, but not by the program's own stream."""
+        self.past_streams.seek(0)
+        return self.past_streams.read().decode(errors="replace")
+
+    def processor_time(self):
+        """Of the program and of what it has started, in user mode [s]."""
+        fields = pathlib.Path("/proc/%d/stat" % self.process.pid).read_text(encoding="utf-8").rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[13])) / os.sysconf("SC_CLK_TCK")
 
     def end(self):
         self.process.stdin.close()

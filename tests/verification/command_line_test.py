@@ -16,13 +16,24 @@ import subprocess
 import sys
 import termios
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from run_hybrid import Server  # noqa: E402 (needs the path above)
+
 BINARY, SOURCE, WORK = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 SCENE = (SOURCE / "parameters/verification/coupled_column.prm").read_text(encoding="utf-8")
 complaints = []
+server = Server(BINARY)
 
 
 def run(*words):
+    """The program as it is started by hand."""
     return subprocess.run([BINARY, *map(str, words)], cwd=WORK, capture_output=True, text=True, timeout=600)
+
+
+def ask(*words):
+    """The same without a start of its own."""
+    code, out, error = server.ask(words, WORK)
+    return subprocess.CompletedProcess(words, code, out, error)
 
 
 def require(condition, text, result=None):
@@ -41,11 +52,11 @@ def scene_file(name, text):
     return path
 
 
-def expect_mistake(what, words, *parts):
-    """Both a run and --check say so in one line, with exit code 2, and leave nothing behind."""
+def expect_mistake(what, words, *parts, started=False):
+    """Both a run and --check say so in one line, with exit code 2, and leave nothing behind; started: by hand."""
     for mode in ([], ["--check"]):
         before = sorted(WORK.rglob("*"))
-        result = run(*mode, *words)
+        result = (run if started else ask)(*mode, *words)
         label = f"{what} {' '.join(mode)}".strip()
         lines = result.stderr.splitlines()
         require(result.returncode == 2, f"{label}: exit code 2", result)
@@ -66,12 +77,12 @@ def line_of(text, word):
 
 def check_mistakes():
     good = scene_file("good.prm", SCENE)
-    expect_mistake("missing file", ["nowhere.prm"], "nowhere.prm")
+    expect_mistake("missing file", ["nowhere.prm"], "nowhere.prm", started=True)
     expect_mistake("directory as file", [WORK], WORK.name)
 
     text = replaced("  set Frequency = 6", "  set Frequenzy = 6")
     expect_mistake("unknown parameter", [scene_file("unknown.prm", text)],
-                   f"unknown.prm:{line_of(text, 'Frequenzy')}", "Frequenzy", "Frequency")
+                   f"unknown.prm:{line_of(text, 'Frequenzy')}", "Frequenzy", "Frequency", started=True)
 
     text = replaced("  set Peak      = 0.5", "  set Peak      = 0.5\n  set Peak = 0.6")
     expect_mistake("duplicate key", [scene_file("duplicate.prm", text)],
@@ -101,14 +112,14 @@ def check_mistakes():
 
     (WORK / "broken.geo").write_text("Point(1) = {0, 0;\n", encoding="utf-8")
     text = replaced("../../meshes/half_blocks.geo", "broken.geo")
-    expect_mistake("broken geometry", [scene_file("broken.prm", text)], "broken.geo")
+    expect_mistake("broken geometry", [scene_file("broken.prm", text)], "broken.geo", started=True)
 
     # A curve loop that does not close.
     disc = (SOURCE / "meshes/disc.geo").read_text(encoding="utf-8")
     (WORK / "crashing.geo").write_text(disc.replace("-10, -9}", "-10, 10}"), encoding="utf-8")
     text = (SOURCE / "parameters/verification/brazilian_disc.prm").read_text(encoding="utf-8")
     text = text.replace("../../meshes/disc.geo", "crashing.geo")
-    expect_mistake("geometry on which gmsh crashes", [scene_file("crashing.prm", text)], "crashing.geo", "gmsh crashes")
+    expect_mistake("geometry on which gmsh crashes", [scene_file("crashing.prm", text)], "crashing.geo", "gmsh crashes", started=True)
 
     text = replaced("Block height = 10", "Block hight = 10")
     expect_mistake("unknown number of the mesh", [scene_file("number.prm", text)], "number.prm", "Block hight")
@@ -126,21 +137,21 @@ def check_mistakes():
     expect_mistake("impossible -s value", [good, "-s", "Time/Time step=fast"], "fast")
     expect_mistake("-s without value", [good, "-s", "Time/Time step"], "-s")
     expect_mistake("two files", [good, good], "good.prm")
-    expect_mistake("unknown option", [good, "--fast"], "--fast")
+    expect_mistake("unknown option", [good, "--fast"], "--fast", started=True)
     expect_mistake("misspelt option", [good, "--forse"], "did you mean '--force'?")
-    result = run("--chek", good)
+    result = ask("--chek", good)
     require(result.returncode == 2 and "did you mean '--check'?" in result.stderr, "--chek", result)
-    for words, part in ((["plott", "run"], "did you mean 'plot'?"), (["plot"], "required: RUN"),
-                        ([good, "plot"], "'plot' stands first"), (["plot", "run", "--hlep"], "did you mean '--help'?"),
-                        (["-"], "unknown option '-'"), (["--check=yes", good], "takes no value")):
-        result = run(*words)
+    for way, words, part in ((ask, ["plott", "run"], "did you mean 'plot'?"), (run, ["plot"], "required: RUN"),
+                             (ask, [good, "plot"], "'plot' stands first"), (run, ["plot", "run", "--hlep"], "did you mean '--help'?"),
+                             (ask, ["-"], "unknown option '-'"), (ask, ["--check=yes", good], "takes no value")):
+        result = way(*words)
         require(result.returncode == 2 and part in result.stderr and len(result.stderr.splitlines()) == 1, f"{words}", result)
     expect_mistake("quoted record", [good, "-s", "Motion/Type=text", "-s", "Motion/File='record.txt'"], "leave the quotation marks away")
     expect_mistake("~ in the output directory", [good, "-s", "Output/Directory=~/output"], "write the whole path")
 
     (WORK / "a_file").write_text("", encoding="utf-8")
     before = sorted(WORK.rglob("*"))
-    result = run(good, "-s", "Output/Directory=a_file/run")
+    result = ask(good, "-s", "Output/Directory=a_file/run")
     require(result.returncode == 2 and len(result.stderr.splitlines()) == 1 and "a_file/run" in result.stderr,
             "output directory that cannot be made", result)
     require(sorted(WORK.rglob("*")) == before, "output directory that cannot be made: nothing is left behind")
@@ -153,17 +164,17 @@ def check_good_ways():
     require(result.returncode == 0 and not result.stderr, "--check of a good scene", result)
     require(sorted(WORK.rglob("*")) == before, "--check writes nothing")
 
-    result = run("--help")
+    result = ask("--help")
     require(result.returncode == 0 and "--check" in result.stdout, "--help", result)
 
     fine = "Mesh/Numbers=Width = 10; Height = 20; Block height = 10; Resolution/h = 0.135"
-    result = run("--check", good, "-s", fine, "-s", "Model/Blocks=none", "-s", "Monitors/Points=base: 5, 0")
+    result = ask("--check", good, "-s", fine, "-s", "Model/Blocks=none", "-s", "Monitors/Points=base: 5, 0")
     require(result.returncode == 0 and "Meshing: up to 0.02" in result.stdout, "a fine mesh is announced", result)
 
     for words in (["plot", "--help"], ["help", "plot"]):
         result = run(*words)
         require(result.returncode == 0 and "Usage: hybrid plot" in result.stdout, " ".join(words), result)
-    result = run("help")
+    result = ask("help")
     require(result.returncode == 0 and "--version" in result.stdout, "help", result)
     result = run("--version")
     require(result.returncode == 0 and all(word in result.stdout for word in (
@@ -176,18 +187,18 @@ def check_good_ways():
     require(result.returncode == 0 and not result.stderr, "--print-parameters", result)
     every = WORK / "every.prm"
     every.write_text(result.stdout, encoding="utf-8")
-    result = run("--check", every, "-s", f"Mesh/File={SOURCE / 'meshes/half_blocks.geo'}")
+    result = ask("--check", every, "-s", f"Mesh/File={SOURCE / 'meshes/half_blocks.geo'}")
     require(result.returncode == 0, "--print-parameters reads back", result)
-    result = run("--print-parameters", good, "-s", "Time/End time=0.125")
+    result = ask("--print-parameters", good, "-s", "Time/End time=0.125")
     require(result.returncode == 0 and "= 0.125" in result.stdout and not result.stderr, "--print-parameters of a scene", result)
-    result = run("--print-parameters", "missing.prm")
+    result = ask("--print-parameters", "missing.prm")
     require(result.returncode == 2 and "missing.prm" in result.stderr and not result.stdout, "--print-parameters of no scene", result)
 
     result = run(good, "-s", "Output/Directory=done", "-s", "Time/End time=0.02")
     require(result.returncode == 0 and not result.stderr, "a run", result)
     for name in ("run.h5", "summary.json", "params.used.prm", "log.txt"):
         require((WORK / "done" / name).is_file(), f"a run writes {name}")
-    result = run("--check", WORK / "done/params.used.prm")
+    result = ask("--check", WORK / "done/params.used.prm")
     require(result.returncode == 0, "params.used.prm reads back", result)
 
     result = run(good, "-s", "Output/Directory=stopped", "-s", "Time/Maximum halvings=0", "-s",
@@ -224,12 +235,12 @@ def check_two_runs():
     while not (directory / "params.used.prm").exists() and first.stdout.readline():
         pass
     for second in (["--force", *words], ["--resume", directory]):
-        result = run(*second)
+        result = ask(*second)
         require(result.returncode == 2 and "another run" in result.stderr, f"{second[0]} is refused while a run is under way", result)
     require(first.poll() is None, "the first run goes on")
     first.terminate()
     first.communicate(timeout=60)
-    result = run(*words, "--force", "-s", "Time/End time=0.01")
+    result = ask(*words, "--force", "-s", "Time/End time=0.01")
     require(result.returncode == 0, "once it has ended the directory is free", result)
 
 
@@ -249,7 +260,7 @@ def check_slope_that_cannot_stand():
     scene = WORK / "slides.prm"
     scene.write_text(text.replace("../../meshes", str(SOURCE / "meshes")), encoding="utf-8")
     settings = ["-s", "Materials/rock/Friction angle=29", "-s", "Time/End time=0.01"]
-    result = run(scene, *settings, "-s", "Output/Directory=slides")
+    result = ask(scene, *settings, "-s", "Output/Directory=slides")
     require(result.returncode == 1, "a slope that cannot stand: exit code 1", result)
     for word in ("no static equilibrium", "block 0 at (", "the run ends here", "Blocks/Material", "held", "none",
                  "equilibrium or move"):
@@ -257,7 +268,7 @@ def check_slope_that_cannot_stand():
     require("Stopped   at 0 s" in result.stdout and " 0 steps" in result.stdout, "a slope that cannot stand is not shaken", result)
     require((WORK / "slides/summary.json").is_file(), "a slope that cannot stand has a summary")
     for stage in ("equilibrium or move", "held", "none"):
-        result = run(scene, *settings, "-s", f"Gravity/Static stage={stage}", "-s",
+        result = ask(scene, *settings, "-s", f"Gravity/Static stage={stage}", "-s",
                      f"Output/Directory=slides_{stage.replace(' ', '_')}")
         require(result.returncode == 0, f"a slope that cannot stand with Static stage = {stage}: exit code 0", result)
 
@@ -270,6 +281,8 @@ def main():
     check_two_runs()
     check_progress_line()
     check_slope_that_cannot_stand()
+    server.end()
+    require(not server.said_elsewhere(), f"nothing else is said: {server.said_elsewhere()[:500]!r}")
     print(f"{len(complaints)} complaints")
     return 1 if complaints else 0
 
