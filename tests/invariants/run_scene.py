@@ -1,25 +1,33 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs a scene of the net and judges it."""
 
-import os
+import atexit
+import functools
 import pathlib
 import shutil
-import subprocess
 import sys
 import traceback
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / part) for part in ("src/tools", "tests/verification/cases", "tests/invariants")]
+sys.path[:0] = [str(ROOT / part) for part in ("src/tools", "tests", "tests/verification/cases", "tests/invariants")]
 
 from finished_run import FinishedRun  # noqa: E402 (needs the path above)
 from judge import judge  # noqa: E402
+from run_hybrid import Server  # noqa: E402
+
+
+@functools.cache
+def server_of(binary):
+    """Waiting threads sleep: the machine may be busy."""
+    server = Server(binary, OMP_WAIT_POLICY="passive")
+    atexit.register(server.end)
+    return server
 
 
 def run_program(binary, arguments):
-    """Exit code and everything that was said. Waiting threads sleep: the machine may be busy."""
-    environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_WAIT_POLICY="passive")
-    done = subprocess.run([str(binary), *map(str, arguments)], capture_output=True, text=True, env=environment, check=False)
-    return done.returncode, done.stdout + done.stderr
+    """Exit code and everything that was said."""
+    code, said, errors = server_of(str(binary)).ask(arguments)
+    return code, said + errors
 
 
 def run_scene(binary, scene, directory, *overrides):
