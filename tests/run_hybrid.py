@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A run of the program, as the scenes of verification/ and stability/ need it, and what is asked of it."""
 
+import atexit
+import functools
 import os
 import pathlib
 import shutil
@@ -17,8 +19,12 @@ class Server:
     """The program for many runs in one process (tests/fuzz/scene_server.cc): loading its libraries takes longer than a small scene."""
 
     def __init__(self, binary, **variables):
-        self.path, self.variables, self.past_streams = pathlib.Path(binary).parent / "tests/fuzz/scene_server", variables, tempfile.TemporaryFile()
+        self.path, self.variables, self.past_streams = self.path_of(binary), variables, tempfile.TemporaryFile()
         self._start()
+
+    @staticmethod
+    def path_of(binary):
+        return pathlib.Path(binary).parent / "tests/fuzz/scene_server"
 
     def _start(self):
         self.process = subprocess.Popen([str(self.path)], env=dict(environment(), **self.variables), stdin=subprocess.PIPE,
@@ -51,17 +57,29 @@ class Server:
         self.process.wait()
 
 
-def run_hybrid(binary, scene, directory, overrides=(), server=None):
+@functools.cache
+def server_of(binary):
+    """The program for many runs; None: it is not there, or older than the program's libraries, as only the program was built."""
+    server, folder = Server.path_of(binary), pathlib.Path(binary).parent
+    if not server.exists() or any(library.stat().st_mtime > server.stat().st_mtime for library in folder.glob("src/**/*.a")):
+        return None
+    server = Server(binary)
+    atexit.register(server.end)
+    return server
+
+
+def run_hybrid(binary, scene, directory, overrides=()):
     """Exit code, standard output and error, and the command of a run of one thread that replaces a directory, and of no further ones
     for its errors.
 
-    overrides: "Section/Name=value". server: takes the run in place of a process of its own.
+    overrides: "Section/Name=value".
     """
     shutil.rmtree(directory, ignore_errors=True)
     command = [str(binary), str(scene), "-s", "Output/Directory=%s" % directory, "-s", "Time/Error estimate=one run",
                "-s", "Mesh/Error estimate=one run"]
     for override in overrides:
         command += ["-s", override]
+    server = server_of(str(binary))
     if server:
         return (*server.ask(command[1:]), " ".join(command))
     done = subprocess.run(command, capture_output=True, text=True, env=environment(), check=False)

@@ -16,7 +16,7 @@ import sys
 TESTS = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(TESTS))
 from determinism_test import differences, read  # noqa: E402 (needs the path above)
-from run_hybrid import Server, run_hybrid  # noqa: E402
+from run_hybrid import run_hybrid  # noqa: E402
 
 SCENES = TESTS.parent / "parameters/verification"
 
@@ -110,7 +110,6 @@ EFFECTS = {
 class Comparison:
     def __init__(self, binary, root, work):
         self.binary, self.scenes, self.work = binary, pathlib.Path(root) / "parameters/verification", work
-        self.server = Server(binary)  # eighty runs of some steps each
         self.made, self.failures = {}, 0
 
     def data(self, scene, overrides):
@@ -118,7 +117,7 @@ class Comparison:
         key = tuple(scene) + tuple(overrides)
         if key not in self.made:
             directory = self.work / str(len(self.made))
-            code, _, errors, command = run_hybrid(self.binary, self.scenes / scene[0], directory, scene[1:] + overrides, self.server)
+            code, _, errors, command = run_hybrid(self.binary, self.scenes / scene[0], directory, scene[1:] + overrides)
             if code != 0:
                 sys.exit("error: %s ended with code %d: %s" % (command, code, errors[-300:]))
             self.made[key] = read(directory)
@@ -156,7 +155,6 @@ def main():
             comparison.equal(name + ", nothing to do", scene, neutral, HELD)
         if on is not None:
             comparison.different(name, scene, on)
-    comparison.server.end()
     print("%d runs" % len(comparison.made))
     return 1 if comparison.failures else 0
 

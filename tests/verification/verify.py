@@ -24,7 +24,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "src/tools"), str(ROOT / "tests"), str(ROOT / "tests/verification/cases")]
 
 from hybrid_run import Run, read_parameters  # noqa: E402 (needs the path above)
-from run_hybrid import Server, run_hybrid  # noqa: E402
+from run_hybrid import run_hybrid  # noqa: E402
 from scene_numbers import assignments  # noqa: E402
 
 
@@ -36,11 +36,6 @@ class Case:
         self.scene = ROOT / "parameters/verification" / (name + ".prm")
         self.further = dict(split(override) for override in overrides)  # parameters of a further case, in all runs
         self.failures, self.asked = [], 0
-        self.server = None
-
-    def make_many_small_runs(self):
-        """From now on in one process."""
-        self.server = Server(self.binary)
 
     def run(self, variant="default", *overrides, expect=0, mesh=None):
         """Run of the scene with overrides ("Section/Name=value"), made in WORK_DIR/variant.
@@ -54,7 +49,7 @@ class Case:
             numbers = dict(assignments(numbers), **mesh)
             changed["Mesh/Numbers"] = "; ".join("%s = %.15g" % pair for pair in numbers.items())
         code, output, errors, command = run_hybrid(
-            self.binary, self.scene, directory, ["%s=%s" % pair for pair in changed.items()], self.server)
+            self.binary, self.scene, directory, ["%s=%s" % pair for pair in changed.items()])
         if code != expect:
             sys.exit("error: %s ended with code %d\n%s%s" % (command, code, output[-2000:], errors[-2000:]))
         return Run(str(directory)) if expect == 0 else None
@@ -111,8 +106,6 @@ def main():
     case = Case(arguments.hybrid, arguments.case, arguments.work_dir, arguments.overrides)
     module = importlib.import_module(case.name)
     module.check(case)
-    if case.server:
-        case.server.end()
     if arguments.figure:
         draw(case, module)
     if not case.asked:
