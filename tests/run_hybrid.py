@@ -57,15 +57,42 @@ class Server:
         self.process.wait()
 
 
+class Started:
+    """The same, started for each of them."""
+
+    def __init__(self, binary):
+        self.binary = str(binary)
+
+    def ask(self, words, folder=None):
+        done = subprocess.run([self.binary, *map(str, words)], cwd=folder, capture_output=True, text=True, env=environment(), check=False)
+        return done.returncode, done.stdout, done.stderr
+
+    def processor_time(self):
+        return os.times().children_user
+
+
 @functools.cache
-def server_of(binary):
-    """The program for many runs; None: it is not there, or older than the program's libraries, as only the program was built."""
+def program_of(binary):
+    """The program for many runs; started for each if that is not there, or older than the program's libraries, as only the program was built."""
     server, folder = Server.path_of(binary), pathlib.Path(binary).parent
     if not server.exists() or any(library.stat().st_mtime > server.stat().st_mtime for library in folder.glob("src/**/*.a")):
-        return None
+        return Started(binary)
     server = Server(binary)
     atexit.register(server.end)
     return server
+
+
+def run_program(binary, words, folder=None):
+    """Exit code, standard output and error of the program with these words."""
+    return program_of(str(binary)).ask(words, folder)
+
+
+def must_run(binary, words, folder=None):
+    """Standard output of the program with these words; ends the test if it fails."""
+    code, output, errors = run_program(binary, words, folder)
+    if code != 0:
+        sys.exit("error: %s ended with code %d\n%s%s" % (" ".join(map(str, words)), code, output[-2000:], errors[-2000:]))
+    return output
 
 
 def run_hybrid(binary, scene, directory, overrides=()):
@@ -79,11 +106,7 @@ def run_hybrid(binary, scene, directory, overrides=()):
                "-s", "Mesh/Error estimate=one run"]
     for override in overrides:
         command += ["-s", override]
-    server = server_of(str(binary))
-    if server:
-        return (*server.ask(command[1:]), " ".join(command))
-    done = subprocess.run(command, capture_output=True, text=True, env=environment(), check=False)
-    return done.returncode, done.stdout, done.stderr, " ".join(command)
+    return (*run_program(binary, command[1:]), " ".join(command))
 
 
 def require(fulfilled, sentence, output):

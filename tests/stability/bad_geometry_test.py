@@ -8,12 +8,13 @@ PART faults: FAULTS has one scene per fault. PART millimetres_long: every scene 
 or, where it is so small that a slope of that size exists, the program doubts the unit. PART millimetres: the first scene of each mesh.
 """
 import ctypes
-import os
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from run_hybrid import Server, Started  # noqa: E402 (needs the path above)
 
 SANITIZED = b"__asan_init" in pathlib.Path(sys.argv[1]).read_bytes()  # a list grows too slowly there to need 2 GB in 30 s
 ENDLESS = "has not come to an end of this file after 30 s" if SANITIZED else "needs more than 2 GB of memory before"
@@ -351,16 +352,17 @@ Physical Curve("bedding_1") = {5};
 complaints = []
 
 
-def check(hybrid, scene):
-    begin = os.times().children_user
+def check(program, scene):
+    """Exit code, standard output and error of --check."""
+    begin = program.processor_time()
     before = {path: path.stat().st_mtime_ns for path in scene.parent.rglob("*")}
-    result = subprocess.run([hybrid, "--check", scene.name], cwd=scene.parent, capture_output=True, text=True, timeout=300)
+    code, output, errors = program.ask(["--check", scene.name], scene.parent)
     if {path: path.stat().st_mtime_ns for path in scene.parent.rglob("*")} != before:
         complaints.append(f"{scene.parent.name}: --check wrote something")
-    taken = os.times().children_user - begin
+    taken = program.processor_time() - begin
     if taken > SECONDS:
         complaints.append(f"{scene.parent.name}: {taken:.0f} s")
-    return result
+    return code, output, errors
 
 
 def fill(work, name, files):
@@ -372,15 +374,15 @@ def fill(work, name, files):
     return folder / "scene.prm"
 
 
-def try_fault(hybrid, work, name, scene, files, parts):
-    result = check(hybrid, fill(work, name, {"scene.prm": scene, **files}))
-    lines = result.stderr.splitlines()
-    print(f"{name}:\n    {result.stderr.strip()}")
-    if result.returncode != 2 or len(lines) != 1 or not lines[0].startswith("error: "):
-        complaints.append(f"{name}: exit code {result.returncode}, {result.stderr!r}, {result.stdout[-300:]!r}")
+def try_fault(program, work, name, scene, files, parts):
+    code, output, errors = check(program, fill(work, name, {"scene.prm": scene, **files}))
+    lines = errors.splitlines()
+    print(f"{name}:\n    {errors.strip()}")
+    if code != 2 or len(lines) != 1 or not lines[0].startswith("error: "):
+        complaints.append(f"{name}: exit code {code}, {errors!r}, {output[-300:]!r}")
     for part in parts:
-        if not re.search(part, result.stderr):
-            complaints.append(f"{name}: '{part}' is not in {result.stderr!r}")
+        if not re.search(part, errors):
+            complaints.append(f"{name}: '{part}' is not in {errors!r}")
 
 
 class Gmsh:
@@ -445,21 +447,22 @@ def scale_scene(gmsh, scene, scale, work):
     return target
 
 
-def try_scaled(hybrid, gmsh, scene, work):
-    result = check(hybrid, scale_scene(gmsh, scene, 1e3, work))
-    found = [line for line in (result.stderr + result.stdout).splitlines() if "if they are millimetres" in line]
-    print(f"{scene.parent.name}/{scene.stem} in millimetres:\n    {(found or [result.stderr.strip()])[0]}")
+def try_scaled(server, gmsh, scene, work):
+    code, output, errors = check(server, scale_scene(gmsh, scene, 1e3, work))
+    found = [line for line in (errors + output).splitlines() if "if they are millimetres" in line]
+    print(f"{scene.parent.name}/{scene.stem} in millimetres:\n    {(found or [errors.strip()])[0]}")
     if not found:
-        complaints.append(f"{scene.stem} in millimetres: exit code {result.returncode}, {result.stderr!r}")
-    elif result.returncode not in (0, 2):
-        complaints.append(f"{scene.stem} in millimetres: exit code {result.returncode}")
+        complaints.append(f"{scene.stem} in millimetres: exit code {code}, {errors!r}")
+    elif code not in (0, 2):
+        complaints.append(f"{scene.stem} in millimetres: exit code {code}")
 
 
 def main():
     hybrid, source, library, work = (pathlib.Path(argument).resolve() for argument in sys.argv[1:5])
+    server, started = Server(hybrid), Started(hybrid)
     if sys.argv[5] == "faults":
-        for name, (scene, files, parts) in FAULTS.items():
-            try_fault(hybrid, work, name, scene, files, parts)
+        for name, (scene, files, parts) in FAULTS.items():  # what ends gmsh ends the program, and gmsh's parser keeps what a fault has left
+            try_fault(started if "section.geo" in files else server, work, name, scene, files, parts)
     else:
         gmsh = Gmsh(library)
         large = ("lamb", "lamb_80x60", "canyon_fine")  # a hundred thousand unknowns
@@ -471,8 +474,11 @@ def main():
             drawn = scene.parent, *re.findall(r"set (?:File|Polygons file) *= *(\S+\.(?:geo|csv))", text)
             is_new = drawn not in seen or sys.argv[5] == "millimetres_long"
             if scene.parent.name != "benchmarks" and scene.stem not in large + plausible and not includes and is_new:
-                try_scaled(hybrid, gmsh, scene, work)
+                try_scaled(server, gmsh, scene, work)
                 seen.add(drawn)
+    server.end()
+    if server.said_elsewhere():
+        complaints.append(f"something else is said: {server.said_elsewhere()[:500]!r}")
     for complaint in complaints:
         print("FAILED:", complaint)
     return 1 if complaints else 0

@@ -6,8 +6,10 @@
 """
 import pathlib
 import re
-import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from run_hybrid import run_program  # noqa: E402 (needs the path above)
 
 COLUMN = "parameters/verification/coupled_column.prm"
 SOFT_LAYER = "parameters/verification/soft_layer.prm"
@@ -30,10 +32,10 @@ CASES = [
 
 
 def warnings(hybrid, scene, setting):
-    result = subprocess.run([hybrid, "--check", "-s", setting, scene], capture_output=True, text=True, timeout=300)
-    if result.returncode != 0:
-        raise RuntimeError(f"{scene} with {setting}: {result.stderr}")
-    return [line for line in result.stdout.splitlines() + result.stderr.splitlines() if line.startswith("warning: ")]
+    code, output, errors = run_program(hybrid, ["--check", "-s", setting, scene])
+    if code != 0:
+        raise RuntimeError(f"{scene} with {setting}: {errors}")
+    return [line for line in output.splitlines() + errors.splitlines() if line.startswith("warning: ")]
 
 
 def main():
