@@ -121,6 +121,7 @@ def in_two_halves(pairs, base):
 
 
 RELATIONS = (mirrored, shifted, renumbered, heavier, threads, solved_otherwise, in_two_halves)
+OF_SIZE = (mirrored, renumbered, threads, in_two_halves)  # every day of a large mass, too: what the number of blocks may change
 
 
 def slab(bedrock, **chosen):
@@ -183,5 +184,7 @@ def relations(everything):
     for base in BASES if everything else SHORT:
         for relation in RELATIONS:
             if relation is solved_otherwise and BASES[base]["bedrock"] != "continuum":
+                continue
+            if not everything and BASES[base]["mass"] == "large" and relation not in OF_SIZE:
                 continue
             yield "%s: %s" % (base, relation.__name__), lambda pairs, r=relation, b=base: r(pairs, b)
