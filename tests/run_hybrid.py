@@ -60,26 +60,38 @@ class Server:
 class Started:
     """The same, started for each of them."""
 
-    def __init__(self, binary):
-        self.binary = str(binary)
+    def __init__(self, binary, **variables):
+        self.binary, self.variables = str(binary), variables
 
     def ask(self, words, folder=None):
-        done = subprocess.run([self.binary, *map(str, words)], cwd=folder, capture_output=True, text=True, env=environment(), check=False)
+        done = subprocess.run([self.binary, *map(str, words)], cwd=folder, capture_output=True, text=True,
+                              env=dict(environment(), **self.variables), check=False)
         return done.returncode, done.stdout, done.stderr
+
+    def said_elsewhere(self):
+        return ""
 
     def processor_time(self):
         return os.times().children_user
 
+    def end(self):
+        pass
+
+
+def program_for_many(binary, **variables):
+    """A Server; Started if there is none, or one that lacks what was built into the program since."""
+    server, built = Server.path_of(binary), pathlib.Path(binary).stat().st_mtime
+    libraries = [library.stat().st_mtime for library in pathlib.Path(binary).parent.glob("src/**/*.a")]
+    if not server.exists() or any(server.stat().st_mtime < library <= built for library in libraries):
+        return Started(binary, **variables)
+    return Server(binary, **variables)
+
 
 @functools.cache
 def program_of(binary):
-    """The program for many runs; started for each if that is not there, or older than the program's libraries, as only the program was built."""
-    server, folder = Server.path_of(binary), pathlib.Path(binary).parent
-    if not server.exists() or any(library.stat().st_mtime > server.stat().st_mtime for library in folder.glob("src/**/*.a")):
-        return Started(binary)
-    server = Server(binary)
-    atexit.register(server.end)
-    return server
+    program = program_for_many(binary)
+    atexit.register(program.end)
+    return program
 
 
 def run_program(binary, words, folder=None):
@@ -95,18 +107,18 @@ def must_run(binary, words, folder=None):
     return output
 
 
-def run_hybrid(binary, scene, directory, overrides=()):
+def run_hybrid(binary, scene, directory, overrides=(), program=None):
     """Exit code, standard output and error, and the command of a run of one thread that replaces a directory, and of no further ones
     for its errors.
 
-    overrides: "Section/Name=value".
+    overrides: "Section/Name=value". program: Server or Started that makes the run.
     """
     shutil.rmtree(directory, ignore_errors=True)
     command = [str(binary), str(scene), "-s", "Output/Directory=%s" % directory, "-s", "Time/Error estimate=one run",
                "-s", "Mesh/Error estimate=one run"]
     for override in overrides:
         command += ["-s", override]
-    return (*run_program(binary, command[1:]), " ".join(command))
+    return (*(program or program_of(str(binary))).ask(command[1:]), " ".join(command))
 
 
 def require(fulfilled, sentence, output):

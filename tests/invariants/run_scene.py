@@ -13,20 +13,20 @@ sys.path[:0] = [str(ROOT / part) for part in ("src/tools", "tests", "tests/verif
 
 from finished_run import FinishedRun  # noqa: E402 (needs the path above)
 from judge import judge  # noqa: E402
-from run_hybrid import Server  # noqa: E402
+from run_hybrid import program_for_many  # noqa: E402
 
 
 @functools.cache
-def server_of(binary):
+def program_of(binary):
     """Waiting threads sleep: the machine may be busy."""
-    server = Server(binary, OMP_WAIT_POLICY="passive")
-    atexit.register(server.end)
-    return server
+    program = program_for_many(binary, OMP_WAIT_POLICY="passive")
+    atexit.register(program.end)
+    return program
 
 
 def run_program(binary, arguments):
     """Exit code and everything that was said."""
-    code, said, errors = server_of(str(binary)).ask(arguments)
+    code, said, errors = program_of(str(binary)).ask(arguments)
     return code, said + errors
 
 

@@ -14,7 +14,7 @@ import shutil
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from run_hybrid import Server, Started  # noqa: E402 (needs the path above)
+from run_hybrid import Started, program_for_many  # noqa: E402 (needs the path above)
 
 SANITIZED = b"__asan_init" in pathlib.Path(sys.argv[1]).read_bytes()  # a list grows too slowly there to need 2 GB in 30 s
 ENDLESS = "has not come to an end of this file after 30 s" if SANITIZED else "needs more than 2 GB of memory before"
@@ -459,7 +459,7 @@ def try_scaled(server, gmsh, scene, work):
 
 def main():
     hybrid, source, library, work = (pathlib.Path(argument).resolve() for argument in sys.argv[1:5])
-    server, started = Server(hybrid), Started(hybrid)
+    server, started = program_for_many(hybrid), Started(hybrid)
     if sys.argv[5] == "faults":
         for name, (scene, files, parts) in FAULTS.items():  # what ends gmsh ends the program, and gmsh's parser keeps what a fault has left
             try_fault(started if "section.geo" in files else server, work, name, scene, files, parts)

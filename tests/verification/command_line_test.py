@@ -17,12 +17,12 @@ import sys
 import termios
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
-from run_hybrid import Server  # noqa: E402 (needs the path above)
+from run_hybrid import program_for_many  # noqa: E402 (needs the path above)
 
 BINARY, SOURCE, WORK = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 SCENE = (SOURCE / "parameters/verification/coupled_column.prm").read_text(encoding="utf-8")
 complaints = []
-server = Server(BINARY)
+server = program_for_many(BINARY)
 
 
 def run(*words):

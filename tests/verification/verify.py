@@ -36,6 +36,7 @@ class Case:
         self.scene = ROOT / "parameters/verification" / (name + ".prm")
         self.further = dict(split(override) for override in overrides)  # parameters of a further case, in all runs
         self.failures, self.asked = [], 0
+        self.program = None  # that makes the runs
 
     def run(self, variant="default", *overrides, expect=0, mesh=None):
         """Run of the scene with overrides ("Section/Name=value"), made in WORK_DIR/variant.
@@ -49,7 +50,7 @@ class Case:
             numbers = dict(assignments(numbers), **mesh)
             changed["Mesh/Numbers"] = "; ".join("%s = %.15g" % pair for pair in numbers.items())
         code, output, errors, command = run_hybrid(
-            self.binary, self.scene, directory, ["%s=%s" % pair for pair in changed.items()])
+            self.binary, self.scene, directory, ["%s=%s" % pair for pair in changed.items()], self.program)
         if code != expect:
             sys.exit("error: %s ended with code %d\n%s%s" % (command, code, output[-2000:], errors[-2000:]))
         return Run(str(directory)) if expect == 0 else None

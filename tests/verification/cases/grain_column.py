@@ -17,6 +17,7 @@ import sys
 
 import grain_packing
 import numpy as np
+from run_hybrid import Started
 from scene_numbers import Numbers
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
@@ -148,6 +149,7 @@ def growth(found, low, high):
 
 def check(case):
     """Each column by itself: a heap is one of many that as little as round-off tells apart, so powers of a are asked of means (grain_column_packings.py)."""
+    case.program = Started(case.binary)  # a summary has the processor time of its process
     case.found = {}
     for width, a in RATIO.items():
         grains = grain_packing.read_grains(case.scene.with_name(TABLES[width]))

@@ -5,6 +5,7 @@ import grain_column
 import grain_packing
 import numpy as np
 from grain_column import discs, growth, heights, rods, sand
+from run_hybrid import Started
 
 SEEDS = (1, 2, 3)
 RATIO = {16.0: 0.5, 12.0: 1.0, 8.0: 2.0, 7.0: 3.0, 5.0: 6.0}  # a of the columns, by the width between the walls [m]
@@ -26,6 +27,7 @@ def poured(case, seed, width):
 
 def check(case):
     case.scene = case.scene.with_name("grain_column.prm")
+    case.program = Started(case.binary)  # a summary has the processor time of its process
     case.all = {a: [] for a in RATIO.values()}
     for seed in SEEDS:
         for width, a in RATIO.items():
