@@ -11,10 +11,12 @@ strike, strikes where there are some.
 import json
 import pathlib
 import shutil
-import subprocess
 import sys
 
 import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from run_hybrid import must_run  # noqa: E402 (needs the path above)
 
 STEPS = (8e-3, 4e-3, 2e-3, 1e-3)
 FINE = (2.5e-4, 2e-4, 1e-3 / 6)
@@ -29,10 +31,10 @@ def compute(binary, work, name, step, further):
     place = work / name.replace(" ", "_").replace(",", "") / ("%.3g" % step)
     if not (place / "summary.json").exists():
         file = write_scene(name, place.parent)
-        words = [binary, file, "--force"]
+        words = [file, "--force"]
         for setting in ("Output/Directory=%s" % place, "Time/Time step=%.12g" % step, "Output/Picture interval=0", "Checkpoint/Wall interval=0", *further):
             words += ["-s", setting]
-        subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
+        must_run(binary, words)
     return place
 
 
