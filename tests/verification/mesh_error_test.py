@@ -14,12 +14,12 @@ import json
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 
 import mesh_scenes
 import numpy as np
 import probable_error_test as steps
+from run_hybrid import must_run
 
 SHORT = ("soft_layer_blocks", "wave_packet")
 SHORT_OTHERS = ("step of one cell", "four close planes slip")  # of mesh_scenes.py
@@ -43,11 +43,11 @@ def compute(binary, source, work, name, finer):
     """The run with sizes over `finer`, if it is not there yet. @return its directory."""
     place = work / ("%s-%g" % (name, finer))
     if not (place / "summary.json").exists():
-        words = [binary, steps.scene_file(source, name), "-s", "Output/Directory=%s" % place]
+        words = [steps.scene_file(source, name), "-s", "Output/Directory=%s" % place]
         for setting in ["Output/Picture interval=0", "Time/Error estimate=one run", meshed(source, name, finer), *SETTINGS.get(name, []),
                         *([steps.ONE_MESH, *REFERENCE.get(name, [])] if finer > 1 else [])]:
             words += ["-s", setting]
-        subprocess.run(words, check=True, cwd=source, stdout=subprocess.DEVNULL)
+        must_run(binary, words, source)
     return place
 
 
@@ -68,12 +68,12 @@ def compute_other(binary, source, work, name, finer):
     """As compute(), of mesh_scenes.py."""
     place = work / ("%s-%g" % (re.sub(r"\W+", "_", name), finer))
     if not (place / "summary.json").exists():
-        words = [binary, mesh_scenes.scene_file(binary, source, work, name), "-s", "Output/Directory=%s" % place]
+        words = [mesh_scenes.scene_file(binary, source, work, name), "-s", "Output/Directory=%s" % place]
         for setting in ["Output/Picture interval=0", "Time/Error estimate=one run", "Mesh/Numbers=" + finer_numbers(mesh_scenes.SCENES[name][1], finer),
                         *mesh_scenes.settings(source, name), *([steps.ONE_MESH] if finer > 1 else []),
                         *(mesh_scenes.REFERENCE.get(name, []) if finer == OTHERS_REFERENCE else [])]:
             words += ["-s", setting]
-        subprocess.run(words, check=True, cwd=source, stdout=subprocess.DEVNULL)
+        must_run(binary, words, source)
     return place
 
 
