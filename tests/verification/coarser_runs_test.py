@@ -12,6 +12,9 @@ import shutil
 import subprocess
 import sys
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from run_hybrid import must_run  # noqa: E402 (needs the path above)
+
 FACTOR = 3.0
 
 # name: label, Mesh/Numbers, how many times as fine the reference is, sizes that it divides, and what is set besides
@@ -38,10 +41,10 @@ def compute(binary, source, place, name, finer, further):
     _, numbers, sizes, _, settings = SCENES[name]
     if not (place / "summary.json").exists():
         meshed = "; ".join(filter(None, [numbers, *("Resolution/%s = %.10g" % (size, h / finer) for size, h in sizes.items())]))
-        words = [binary, scene_file(source, name), "-s", "Output/Directory=%s" % place]
+        words = [scene_file(source, name), "-s", "Output/Directory=%s" % place]
         for setting in [*settings, *further, "Mesh/Numbers=" + meshed, "Output/Picture interval=0", "Time/Error estimate=one run"]:
             words += ["-s", setting]
-        subprocess.run(words, check=True, cwd=source, stdout=subprocess.DEVNULL)
+        must_run(binary, words, source)
 
 
 def errors(binary, source, work, name, further=()):
