@@ -40,10 +40,18 @@ if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES ccache)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 
+# Sources that stand together in the list of a target are compiled together (HYBRID_UNITY): what they instantiate from
+# Eigen, deal.II and googletest costs more than themselves. Names in their anonymous namespaces must differ.
+function(hybrid_compile_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${HYBRID_UNITY} UNITY_BUILD_BATCH_SIZE ${HYBRID_UNITY_SOURCES})
+  if(HYBRID_UNITY) # the warning takes sources that are included for headers
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
+endfunction()
+
 # hybrid_module(<name> SOURCES ... [DEPENDS ...] [DEAL_II] [UNITY])
 # makes the static library hybrid_<name>. DEAL_II adds deal.II's include paths and libraries. UNITY compiles sources
-# that stand together in the list together (HYBRID_UNITY): what they instantiate from Eigen and deal.II costs more than
-# themselves. Names in their anonymous namespaces must differ. Other modules read the usual headers precompiled.
+# together. Other modules read the usual headers precompiled.
 function(hybrid_module name)
   cmake_parse_arguments(ARG "DEAL_II;UNITY" "" "SOURCES;DEPENDS" ${ARGN})
   set(target hybrid_${name})
@@ -53,10 +61,7 @@ function(hybrid_module name)
   endif()
   target_link_libraries(${target} PUBLIC hybrid_flags ${ARG_DEPENDS})
   if(ARG_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ${HYBRID_UNITY} UNITY_BUILD_BATCH_SIZE ${HYBRID_UNITY_SOURCES})
-    if(HYBRID_UNITY) # the warning takes sources that are included for headers
-      target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
-    endif()
+    hybrid_compile_together(${target})
   else()
     target_precompile_headers(${target} PRIVATE <Eigen/Core> <algorithm> <array> <cmath> <filesystem> <fstream>
       <functional> <map> <memory> <set> <sstream> <string> <vector>)
@@ -70,6 +75,7 @@ function(hybrid_unit_test module)
   set(target ${module}_unit_tests)
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE hybrid_${module} ${ARG_DEPENDS} GTest::gtest GTest::gtest_main)
+  hybrid_compile_together(${target})
   target_precompile_headers(${target} PRIVATE <gtest/gtest.h> <Eigen/Dense> <algorithm> <array> <cmath> <filesystem>
     <fstream> <functional> <map> <memory> <random> <set> <sstream> <string> <vector>)
   add_test(NAME unit.${module} COMMAND ${target})

@@ -245,16 +245,16 @@ namespace
 
 
   /// What blocks that are not there do to a surface: forces of joints, of contacts, of what tore.
-  SurfaceForce made_up_force(const Eigen::Index n, const int step)
+  SurfaceForce made_up_force(const Eigen::Index n, const int number)
   {
     Eigen::VectorXd all(n), contacts(n), ended(n);
     for (Eigen::Index k = 0; k < n; ++k)
       {
-        all[k] = 1e6 * std::sin(0.7 * static_cast<double>(k) + 0.3 * step);
+        all[k] = 1e6 * std::sin(0.7 * static_cast<double>(k) + 0.3 * number);
         contacts[k] =
-          step % 4 == 0 ? 0. : 3e5 * std::cos(1.1 * static_cast<double>(k) - 0.2 * step);
+          number % 4 == 0 ? 0. : 3e5 * std::cos(1.1 * static_cast<double>(k) - 0.2 * number);
         ended[k] =
-          contacts[k] + (step % 3 == 0 ? 1e5 * std::sin(0.4 * static_cast<double>(k)) : 0.);
+          contacts[k] + (number % 3 == 0 ? 1e5 * std::sin(0.4 * static_cast<double>(k)) : 0.);
       }
     return {all, contacts, ended};
   }

@@ -133,7 +133,10 @@ namespace hybrid::output
     scene.blocks.fracture_energy             = 10.;
     scene.materials["rock"].tensile_strength = 60e3;
     const auto with                          = [&scene](const double size) {
-      return fracture_warning(scene, dda::build_model(test::square_blocks(2, 1, size), scene, {}));
+      scene::SectionMesh mesh = test::square_blocks(2, 1, size);
+      mesh.lines["sliding_surface"].push_back({0, 1});
+      return fracture_warning(
+        scene, dda::build_model(mesh, scene, test::straight_foundation(0., 0., 2. * size, 2)));
     };
     EXPECT_EQ(
       with(4.),
@@ -155,7 +158,12 @@ namespace hybrid::output
     scene.materials["rock"].tensile_strength = 1e9; // never breaks
     EXPECT_EQ(with(4.), "");
     scene.materials["rock"].tensile_strength = 60e3;
-    scene.blocks.bonded                      = false;
+    scene.materials["flat"]                  = scene.materials["rock"]; // no joint is of it
+    scene.materials["flat"].tensile_strength = 90e3;
+    scene.blocks.joint_materials             = scene::RegionMaterials::parse("joint_flat: flat");
+    EXPECT_NE(with(4.), "");
+    EXPECT_EQ(with(4.).find("flat"), std::string::npos);
+    scene.blocks.bonded = false;
     EXPECT_EQ(with(4.), "");
   }
 

@@ -32,8 +32,8 @@ namespace hybrid::output
       else
         mass << 8. - next, 2. * (1. + std::conj(turn)), 2. * (1. + turn), 16.;
       const Eigen::Matrix2cd k3 = stiffness / 3., m30 = mass / 30.;
-      const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2cd> waves(k3, m30);
-      return std::sqrt(waves.eigenvalues()[0]);
+      const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2cd> eigen(k3, m30);
+      return std::sqrt(eigen.eigenvalues()[0]);
     }
 
 

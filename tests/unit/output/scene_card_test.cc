@@ -15,7 +15,7 @@ namespace hybrid::output
   namespace
   {
     /// A Ricker wavelet of 5 Hz in steps of @p dt [s].
-    scene::Motion wavelet(const double dt)
+    scene::Motion sampled_wavelet(const double dt)
     {
       std::vector<double> a;
       for (double t = -0.3; t <= 0.3; t += dt)
@@ -31,7 +31,7 @@ namespace hybrid::output
     {
       // 95 % of a Ricker wavelet's energy are below 1.664 of its frequency.
       for (const double dt : {1e-2, 1e-3, 1e-6})
-        EXPECT_NEAR(highest_frequency(wavelet(dt)), 8.32, 0.13) << dt;
+        EXPECT_NEAR(highest_frequency(sampled_wavelet(dt)), 8.32, 0.13) << dt;
       EXPECT_EQ(highest_frequency(scene::Motion()), 0.);
     }
 

@@ -17,9 +17,9 @@ namespace
   /// half of its strength.
   output::Summary::BaseShear sheared_uphill(const double downhill)
   {
-    dda::Model model = dda::build_model(test::square_blocks(2, 1, 2.),
-                                        test::block_parameters(30.),
-                                        test::straight_foundation(0., 1., 6., 7));
+    dda::Model model = dda::build_model(hybrid::test::square_blocks(2, 1, 2.),
+                                        hybrid::test::block_parameters(30.),
+                                        hybrid::test::straight_foundation(0., 1., 6., 7));
     model.downhill.sign.assign(2, downhill);
     dda::DdaState        state = dda::initial_state(model);
     const std::string    path  = std::filesystem::temp_directory_path() / "slip_recorder_test.h5";

@@ -20,9 +20,9 @@ namespace
   struct TwoBlocks
   {
     TwoBlocks()
-      : model(dda::build_model(test::square_blocks(2, 1, 2.),
-                               test::block_parameters(30.),
-                               test::straight_foundation(0., 1., 6., 7)))
+      : model(dda::build_model(hybrid::test::square_blocks(2, 1, 2.),
+                               hybrid::test::block_parameters(30.),
+                               hybrid::test::straight_foundation(0., 1., 6., 7)))
       , state(dda::initial_state(model))
     {}
 
@@ -93,10 +93,11 @@ TEST(SoleSlip, counts_from_rest_relative_to_the_ground)
 TEST(SoleSlip, of_a_sole_that_bridges_a_dip_is_that_of_a_point_beside_it)
 {
   const std::vector<Vec2> notched{{-1., 0.}, {0.7, 0.}, {1., -0.5}, {1.3, 0.}, {4., 0.}};
-  const dda::Model        model =
-    dda::build_model(test::square_blocks(1, 1, 2.), test::block_parameters(30.), notched);
-  dda::DdaState state = dda::initial_state(model);
-  SoleSlip      slip(&model);
+  const dda::Model        model = dda::build_model(hybrid::test::square_blocks(1, 1, 2.),
+                                            hybrid::test::block_parameters(30.),
+                                            notched);
+  dda::DdaState           state = dda::initial_state(model);
+  SoleSlip                slip(&model);
   ASSERT_EQ(slip.n_soles(), 1);
   slip.set_reference(state);
   for (Vec2 &vertex : state.geometry.vertices)
@@ -115,8 +116,9 @@ TEST(SoleSlip, on_a_circle_is_its_radius_times_the_angle)
   std::vector<Vec2> bowl;
   for (int k = 0; k <= 1440; ++k)
     bowl.push_back(centre + radius * Vec2(-std::cos(pi * k / 1440), -std::sin(pi * k / 1440)));
-  const dda::Model model =
-    dda::build_model(test::square_blocks(1, 1, side), test::block_parameters(30.), bowl);
+  const dda::Model model = dda::build_model(hybrid::test::square_blocks(1, 1, side),
+                                            hybrid::test::block_parameters(30.),
+                                            bowl);
   ASSERT_EQ(model.soles.size(), 1U);
   for (const double angle : {1e-4, 0.3, 1., -1.2})
     {
@@ -132,9 +134,10 @@ TEST(SoleSlip, goes_round_a_bend_and_straight_on_beyond_an_end)
   // Level, then 30 degrees down from x = 3 on for 2 m, where the surface ends.
   const double      c = std::cos(0.5235987755982988), s = 0.5;
   std::vector<Vec2> base{{-1., 0.}, {3., 0.}, {3. + 2. * c, -2. * s}};
-  dda::Model        model =
-    dda::build_model(test::square_blocks(1, 1, 2.), test::block_parameters(30.), base);
-  const auto moved = [&](const double way) { // with the middle of the sole on the surface
+  dda::Model        model = dda::build_model(hybrid::test::square_blocks(1, 1, 2.),
+                                      hybrid::test::block_parameters(30.),
+                                      base);
+  const auto        moved = [&](const double way) { // with the middle of the sole on the surface
     return slip_after(model, [&](dda::Geometry &g) {
       if (way > 2.)
         turn(g, -0.5235987755982988, Vec2(1., 0.));
@@ -187,7 +190,7 @@ TEST(SoleSlip, follows_the_point_that_the_sole_lay_on)
 /// Where a bedding plane ends on the sliding surface, the surface has a node for each of its sides.
 TEST(SoleSlip, is_known_beside_two_nodes_at_one_place)
 {
-  std::vector<Vec2> base = test::straight_foundation(0., 1., 6., 7);
+  std::vector<Vec2> base = hybrid::test::straight_foundation(0., 1., 6., 7);
   for (const double x : {1., 3.}) // below the middle of each block
     {
       const auto at = std::find_if(base.begin(), base.end(), [&](const Vec2 &p) {
@@ -196,10 +199,11 @@ TEST(SoleSlip, is_known_beside_two_nodes_at_one_place)
       ASSERT_NE(at, base.end());
       base.insert(at, *at);
     }
-  const dda::Model model =
-    dda::build_model(test::square_blocks(2, 1, 2.), test::block_parameters(30.), base);
-  dda::DdaState state = dda::initial_state(model);
-  SoleSlip      slip(&model);
+  const dda::Model model = dda::build_model(hybrid::test::square_blocks(2, 1, 2.),
+                                            hybrid::test::block_parameters(30.),
+                                            base);
+  dda::DdaState    state = dda::initial_state(model);
+  SoleSlip         slip(&model);
   ASSERT_EQ(slip.n_soles(), 2);
   slip.set_reference(state);
   for (Vec2 &vertex : state.geometry.vertices)
@@ -212,8 +216,8 @@ TEST(SoleSlip, is_known_beside_two_nodes_at_one_place)
 
 TEST(SoleSlip, blocks_in_the_air_and_scenes_without_blocks_have_no_soles)
 {
-  const dda::Model model = dda::build_model(test::square_blocks(1, 1, 2.),
-                                            test::block_parameters(30.),
+  const dda::Model model = dda::build_model(hybrid::test::square_blocks(1, 1, 2.),
+                                            hybrid::test::block_parameters(30.),
                                             {Vec2(-1., -0.2), Vec2(3., -0.2)});
   EXPECT_EQ(SoleSlip(&model).n_soles(), 0);
   EXPECT_EQ(SoleSlip(nullptr).n_soles(), 0);

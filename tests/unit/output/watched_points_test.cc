@@ -18,9 +18,9 @@ namespace
   /// Rows of squares of 2 m on a level base.
   dda::Model squares(const int columns, const int rows)
   {
-    return dda::build_model(test::square_blocks(columns, rows, 2.),
-                            test::block_parameters(30.),
-                            test::straight_foundation(0., 1., 3. * columns));
+    return dda::build_model(hybrid::test::square_blocks(columns, rows, 2.),
+                            hybrid::test::block_parameters(30.),
+                            hybrid::test::straight_foundation(0., 1., 3. * columns));
   }
 
 

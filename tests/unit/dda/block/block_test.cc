@@ -33,7 +33,7 @@ namespace
 
   /// Integral of rho T^T T over the polygon: triangles from the first corner, three-point rule
   /// (exact for quadratics).
-  Mat6 integrated_mass(const std::vector<Vec2> &points, const Vec2 &centre)
+  Mat6 integrated_mass(const std::vector<Vec2> &points, const Vec2 &centroid)
   {
     Mat6 mass = Mat6::Zero();
     for (std::size_t k = 1; k + 1 < points.size(); ++k)
@@ -42,7 +42,7 @@ namespace
         const double area = 0.5 * cross(b - a, c - a);
         for (const Vec2 &middle : {Vec2(0.5 * (a + b)), Vec2(0.5 * (b + c)), Vec2(0.5 * (c + a))})
           {
-            const Vec2                  r = middle - centre;
+            const Vec2                  r = middle - centroid;
             Eigen::Matrix<double, 2, 6> t;
             t << 1., 0., -r.y(), r.x(), 0., 0.5 * r.y(), 0., 1., r.x(), 0., r.y(), 0.5 * r.x();
             mass += rho * area / 3. * t.transpose() * t;

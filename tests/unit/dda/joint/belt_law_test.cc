@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A belt: an old sliding surface, whose residual strength is its peak unless it is set, and whose
 // cohesion is gone for good where it has opened.
+#include "joint_stiffness.h"
+
 #include <hybrid/dda/joint/belt_bond.h>
 #include <hybrid/dda/joint/joint_law.h>
 
@@ -13,7 +15,6 @@ namespace
   using namespace hybrid;
   using namespace hybrid::dda;
 
-  constexpr double k_n = 2e9, k_s = 1e9; // Pa/m
 
   /// A belt whose residual strength nobody has set.
   Material old_belt()

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "joint_stiffness.h"
+
 #include <hybrid/dda/joint/belt_bond.h>
 #include <hybrid/dda/joint/joint_law.h>
 #include <hybrid/dda/joint/rock_bond.h>
@@ -15,7 +17,6 @@ namespace
   using namespace hybrid;
   using namespace hybrid::dda;
 
-  constexpr double k_n = 2e9, k_s = 1e9;            // Pa/m
   constexpr double direct = 0.02, reference = 1e-3; // -, m/s
   constexpr double decay = 5e-3;                    // m
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "joint_stiffness.h"
+
 #include <hybrid/dda/joint/joint_law.h>
 #include <hybrid/dda/joint/rock_bond.h>
 
@@ -12,7 +14,6 @@ namespace
   using namespace hybrid;
   using namespace hybrid::dda;
 
-  constexpr double k_n = 2e9, k_s = 1e9;                               // Pa/m
   constexpr double tension = 1e4, cohesion = 2e4, gap = tension / k_n; // Pa, Pa, m
   const double     tan_phi = std::tan(M_PI / 6.);
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "joint_stiffness.h"
+
 #include <hybrid/dda/joint/joint_law.h>
 #include <hybrid/dda/joint/rock_bond.h>
 
@@ -15,8 +17,7 @@ using namespace hybrid::dda;
 // the gap.
 TEST(JointLawTangents, are_the_derivatives_of_the_tractions)
 {
-  constexpr double k_n = 2e9, k_s = 1e9; // Pa/m
-  Material         m;
+  Material m;
   m.cohesion                = 2e4;
   m.tensile_strength        = 1e4;
   m.residual_cohesion       = 5e3;

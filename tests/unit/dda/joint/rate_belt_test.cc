@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "joint_stiffness.h"
+
 #include <hybrid/dda/joint/belt_bond.h>
 #include <hybrid/dda/joint/joint_law.h>
 #include <hybrid/dda/joint/rate_belt.h>
@@ -12,7 +14,6 @@ namespace
   using namespace hybrid;
   using namespace hybrid::dda;
 
-  constexpr double k_n = 2e9, k_s = 1e9; // Pa/m
 
   Material clay(const double coefficient)
   {

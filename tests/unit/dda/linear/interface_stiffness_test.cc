@@ -15,14 +15,14 @@ namespace
   using hybrid::test::dense;
   using hybrid::test::random_block_matrix;
 
-  constexpr int n_blocks = 6, n_nodes = 8, size = 2 * n_nodes;
+  constexpr int n_blocks = 6, n_nodes = 8, n_surface = 2 * n_nodes;
 
   /// Banded stiffness as of a chain of nodes, times @p factor.
   Eigen::MatrixXd chain(const double factor)
   {
-    Eigen::MatrixXd s = Eigen::MatrixXd::Zero(size, size);
-    for (int i = 0; i < size; ++i)
-      for (int j = std::max(0, i - 3); j <= std::min(size - 1, i + 3); ++j)
+    Eigen::MatrixXd s = Eigen::MatrixXd::Zero(n_surface, n_surface);
+    for (int i = 0; i < n_surface; ++i)
+      for (int j = std::max(0, i - 3); j <= std::min(n_surface - 1, i + 3); ++j)
         s(i, j) = factor * (i == j ? 5. : -0.5 / std::abs(i - j));
     return s;
   }
@@ -30,8 +30,8 @@ namespace
   /// S + P as the factor and as the products have it must be @p expected.
   void expect_matrix(const InterfaceStiffness &foundation, const Eigen::MatrixXd &expected)
   {
-    const Eigen::VectorXd x       = Eigen::VectorXd::Random(size);
-    Eigen::VectorXd       product = Eigen::VectorXd::Zero(size);
+    const Eigen::VectorXd x       = Eigen::VectorXd::Random(n_surface);
+    Eigen::VectorXd       product = Eigen::VectorXd::Zero(n_surface);
     foundation.add_product(x.data(), product.data());
     foundation.add_nodes(x.data(), product.data(), 1.);
     EXPECT_LT((product - expected * x).norm(), 1e-13 * product.norm());
@@ -62,7 +62,7 @@ TEST(InterfaceStiffness, soft_base_is_factored_with_what_joints_add)
   InterfaceStiffness    foundation;
   foundation.set(&s);
   foundation.matrix_changed(m);
-  expect_matrix(foundation, s + dense(m).bottomRightCorner(size, size));
+  expect_matrix(foundation, s + dense(m).bottomRightCorner(n_surface, n_surface));
 }
 
 
@@ -72,7 +72,7 @@ TEST(InterfaceStiffness, unsymmetric_joints_count_with_their_symmetric_part)
   BlockMatrix m = random_block_matrix(n_blocks, n_nodes);
   m.node_diagonal[2](0, 1) += 0.4;
   m.node_next[3](1, 0) += 0.3;
-  const Eigen::MatrixXd s = chain(1.), nodes = dense(m).bottomRightCorner(size, size);
+  const Eigen::MatrixXd s = chain(1.), nodes = dense(m).bottomRightCorner(n_surface, n_surface);
   InterfaceStiffness    foundation;
   foundation.set(&s);
   foundation.matrix_changed(m);
@@ -100,7 +100,7 @@ TEST(InterfaceStiffness, without_a_base_nothing_changes)
   foundation.set(nullptr);
   foundation.matrix_changed(random_block_matrix(n_blocks, n_nodes));
   EXPECT_FALSE(foundation.exists());
-  Eigen::VectorXd x = Eigen::VectorXd::Random(size), same = x;
+  Eigen::VectorXd x = Eigen::VectorXd::Random(n_surface), same = x;
   foundation.solve(x.data());
   foundation.add_product(same.data(), x.data());
   EXPECT_EQ(x, same);

@@ -15,10 +15,10 @@ namespace
   using hybrid::test::random_block_matrix;
   using hybrid::test::unsymmetric_block_matrix;
 
-  constexpr int n_blocks = 15, n_nodes = 8;
+  constexpr int n_rows = 15, n_nodes = 8;
 
   /// Two slices: the first half of @p n blocks and the others.
-  std::vector<int> two_slices(const int n = n_blocks)
+  std::vector<int> two_slices(const int n = n_rows)
   {
     std::vector<int> slice(n, 0);
     std::fill(slice.begin() + (n + 1) / 2, slice.end(), 1);
@@ -104,7 +104,7 @@ namespace
 TEST(SsorSystem, symmetric_matrix_with_a_base)
 {
   const Eigen::MatrixXd s = stiff_foundation();
-  check(random_block_matrix(n_blocks, n_nodes), &s);
+  check(random_block_matrix(n_rows, n_nodes), &s);
 }
 
 
@@ -112,21 +112,21 @@ TEST(SsorSystem, symmetric_matrix_with_a_base)
 TEST(SsorSystem, unsymmetric_matrix_with_a_base)
 {
   const Eigen::MatrixXd s = stiff_foundation();
-  check(unsymmetric_block_matrix(n_blocks, n_nodes, 0.05), &s);
+  check(unsymmetric_block_matrix(n_rows, n_nodes, 0.05), &s);
 }
 
 
 
 TEST(SsorSystem, nodes_without_a_base)
 {
-  check(unsymmetric_block_matrix(n_blocks, n_nodes, 0.05), nullptr);
+  check(unsymmetric_block_matrix(n_rows, n_nodes, 0.05), nullptr);
 }
 
 
 
 TEST(SsorSystem, blocks_alone)
 {
-  check(random_block_matrix(n_blocks, 0), nullptr);
+  check(random_block_matrix(n_rows, 0), nullptr);
 }
 
 
@@ -134,7 +134,7 @@ TEST(SsorSystem, blocks_alone)
 TEST(SsorSystem, slices_are_swept_before_the_blocks_between_them)
 {
   const Eigen::MatrixXd s = stiff_foundation();
-  check(unsymmetric_block_matrix(n_blocks, n_nodes, 0.05), &s, two_slices());
+  check(unsymmetric_block_matrix(n_rows, n_nodes, 0.05), &s, two_slices());
 }
 
 
@@ -164,7 +164,7 @@ TEST(SsorSystem, any_number_of_threads_gives_the_same_bits)
 
 TEST(SsorSystem, what_gave_its_memory_back_has_the_same_bits_when_set_again)
 {
-  const BlockMatrix  m = unsymmetric_block_matrix(n_blocks, 0, 0.05);
+  const BlockMatrix  m = unsymmetric_block_matrix(n_rows, 0, 0.05);
   InterfaceStiffness foundation;
   foundation.set(nullptr);
   SsorSystem swept;
@@ -186,7 +186,7 @@ TEST(SsorSystem, what_gave_its_memory_back_has_the_same_bits_when_set_again)
 
 TEST(SsorSystem, pairs_that_part_and_touch_again)
 {
-  const BlockMatrix  touching = unsymmetric_block_matrix(n_blocks, 0, 0.05);
+  const BlockMatrix  touching = unsymmetric_block_matrix(n_rows, 0, 0.05);
   BlockMatrix        m        = touching;
   InterfaceStiffness foundation;
   foundation.set(nullptr);

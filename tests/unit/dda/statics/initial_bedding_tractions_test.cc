@@ -17,12 +17,12 @@ namespace
   using namespace hybrid::dda;
   using namespace hybrid::test;
 
-  constexpr int columns = 6;
+  constexpr int n_columns = 6;
 
   /// Layers of three rows each on two planes with strength; p_0 = 1 kPa.
   struct Case
   {
-    scene::SectionMesh     mesh = layered_section(columns, {3, 3, 3});
+    scene::SectionMesh     mesh = layered_section(n_columns, {3, 3, 3});
     scene::SceneParameters scene;
     Model                  model;
     DdaState               state;
@@ -65,7 +65,7 @@ namespace
       for (std::size_t j = 0; j < model.joints.size(); ++j)
         for (int end = 0; end < 2 && model.joints[j].plane == plane; ++end, ++n)
           sum += value(state.joints[j].points[end]);
-      EXPECT_EQ(n, 2 * columns);
+      EXPECT_EQ(n, 2 * n_columns);
       return sum / n;
     }
 
@@ -127,10 +127,10 @@ TEST(BeddingRest, a_mass_on_the_ground_presses_on_the_planes)
       c.mesh.lines["sliding_surface"] = c.mesh.lines["ground"];
       c.mesh.lines.erase("ground");
       c.mesh.block_region_names = {"sliding_mass"};
-      const int top = 9 * (columns + 1), above = static_cast<int>(c.mesh.nodes.size());
-      for (int i = 0; i <= columns; ++i)
+      const int top = 9 * (n_columns + 1), above = static_cast<int>(c.mesh.nodes.size());
+      for (int i = 0; i <= n_columns; ++i)
         c.mesh.nodes.emplace_back(i, 10.);
-      for (int i = 0; i < columns; ++i)
+      for (int i = 0; i < n_columns; ++i)
         {
           c.mesh.blocks.push_back({top + i, top + i + 1, above + i + 1, above + i});
           c.mesh.block_region.push_back(0);
@@ -185,7 +185,7 @@ TEST(BeddingRest, steep_planes_slip_until_the_tractions_are_within_the_strength)
   c.scene.bedding.cohesion       = 100.;
   const BeddingRest rest         = c.rest();
   EXPECT_TRUE(rest.equilibrium);
-  EXPECT_GT(rest.slipping, columns);
+  EXPECT_GT(rest.slipping, n_columns);
   EXPECT_GT(rest.largest, 0.);
   const double tan_phi = std::tan(2. * M_PI / 180.);
   for (std::size_t j = 0; j < c.model.joints.size(); ++j)

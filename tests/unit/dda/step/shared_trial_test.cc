@@ -17,7 +17,7 @@ namespace
   using namespace hybrid::dda;
   using namespace hybrid::test;
 
-  using Scene = std::function<std::unique_ptr<FixedBaseRun>()>;
+  using MakeRun = std::function<std::unique_ptr<FixedBaseRun>()>;
 
   /// A heap of loose squares that falls on a slope and slides.
   std::unique_ptr<FixedBaseRun> sliding_heap()
@@ -89,7 +89,7 @@ namespace
     return result;
   }
 
-  void expect_the_bits_of_one(const Scene &scene, const int n_steps)
+  void expect_the_bits_of_one(const MakeRun &scene, const int n_steps)
   {
     const auto alone    = scene();
     const auto expected = history(*alone, n_steps);

@@ -30,9 +30,9 @@ namespace
   constexpr double slope = 2. * M_PI / 180.;
 
   /// A wall of squares that leans a little, at rest.
-  struct Wall : FixedBaseRun
+  struct SleepyWall : FixedBaseRun
   {
-    explicit Wall(const bool sleeps)
+    explicit SleepyWall(const bool sleeps)
       : FixedBaseRun(square_blocks(4, 3, 1., slope),
                      block_parameters(25., 50e9),
                      straight_foundation(slope, 5., 10.))
@@ -119,7 +119,7 @@ namespace
 
 TEST(Sleep, mass_at_rest_sleeps_after_a_few_steps_with_the_same_bits)
 {
-  Wall         sleeper(true), other(false);
+  SleepyWall   sleeper(true), other(false);
   const Counts counts = compare(sleeper, other, 20, nothing);
   EXPECT_LE(counts.first_asleep, 8);
   EXPECT_EQ(counts.asleep, 20 - counts.first_asleep);
@@ -138,7 +138,7 @@ TEST(Sleep, load_that_rises_wakes_it)
     run.model.edge_loads.start     = 20.5 * dt;
     run.model.edge_loads.rise_time = 10. * dt;
   };
-  Wall         sleeper(true), other(false);
+  SleepyWall   sleeper(true), other(false);
   const Counts counts = compare(sleeper, other, 60, load);
   EXPECT_GT(counts.asleep, 10);
   EXPECT_LE(counts.last_asleep, 19);
@@ -157,7 +157,7 @@ TEST(Sleep, level_that_changes_wakes_it)
     run.model.water.history = std::make_shared<const scene::LinearTable>(
       scene::LinearTable{{{20.5 * dt, -9.}, {50. * dt, 1.5}}});
   };
-  Wall         sleeper(true), other(false);
+  SleepyWall   sleeper(true), other(false);
   const Counts counts = compare(sleeper, other, 80, level);
   EXPECT_GT(counts.asleep, 10);
   for (int k = 20; k < 50; ++k)
@@ -172,7 +172,7 @@ TEST(Sleep, base_that_moves_wakes_it)
     if (k >= 20 && k < 25)
       run.foundation.displacement.setConstant(1e-5 * (k - 19));
   };
-  Wall         sleeper(true), other(false);
+  SleepyWall   sleeper(true), other(false);
   const Counts counts = compare(sleeper, other, 40, shake);
   EXPECT_GT(counts.asleep, 10);
   EXPECT_TRUE(counts.slept[19]);
@@ -185,7 +185,7 @@ TEST(Sleep, base_that_moves_wakes_it)
 
 TEST(Sleep, step_of_another_size_is_computed)
 {
-  Wall run(true);
+  SleepyWall run(true);
   for (int k = 0; k < 20; ++k)
     EXPECT_TRUE(run.advance(dt, 0));
   EXPECT_TRUE(run.solver.slept());
@@ -215,7 +215,7 @@ TEST(Sleep, block_that_falls_wakes_what_it_meets)
 // A run that goes on from a state that slept comes to the same.
 TEST(Sleep, state_that_slept_can_be_gone_on_from)
 {
-  Wall first(true), second(true);
+  SleepyWall first(true), second(true);
   for (int k = 0; k < 20; ++k)
     EXPECT_TRUE(first.advance(dt, 0));
   EXPECT_TRUE(first.solver.slept());
@@ -258,7 +258,7 @@ TEST(Sleep, light_block_beside_heavy_ones_falls)
 // Blocks that stop lose what they had to the integration: the audit closes.
 TEST(Sleep, energy_of_blocks_that_stop_is_accounted_for)
 {
-  Wall run(true);
+  SleepyWall run(true);
   for (BlockState &block : run.state.blocks)
     block.velocity[0] = 1e-10; // 3e-7 of g in a step: below what a step can tell from rest
   run.state.energy     = stored_energy(run.model, run.state);

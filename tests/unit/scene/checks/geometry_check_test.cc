@@ -42,7 +42,7 @@ namespace hybrid::scene::test
     }
 
 
-    std::string error_of(const SectionMesh &mesh, const SceneParameters &scene = {})
+    std::string geometry_error(const SectionMesh &mesh, const SceneParameters &scene = {})
     {
       return message_of([&]() { check_geometry(mesh, scene); });
     }
@@ -58,8 +58,8 @@ namespace hybrid::scene::test
     ASSERT_TRUE(scene.continuum.base.is_compliant && scene.continuum.base.takes_motion);
     EXPECT_NO_THROW(check_geometry(mesh, scene));
     mesh.nodes[1].y() = -0.1;
-    expect_part(error_of(mesh, scene), "needs a level base");
-    expect_part(error_of(mesh, scene), "between y = -0.1 and 0 m");
+    expect_part(geometry_error(mesh, scene), "needs a level base");
+    expect_part(geometry_error(mesh, scene), "between y = -0.1 and 0 m");
     mesh.lines["base"] = {{0, 3}, {3, 6}}; // of a bar that lies
     EXPECT_NO_THROW(check_geometry(mesh, scene));
     mesh.lines["base"] = {{0, 1}, {1, 2}};
@@ -93,7 +93,7 @@ namespace hybrid::scene::test
       {
         SectionMesh mesh = small_section();
         add_block(mesh, vertices);
-        const std::string message = error_of(mesh);
+        const std::string message = geometry_error(mesh);
         expect_part(message, "(0.5, 2.5) m");
         expect_part(message, " overlaps the block at ");
       }
@@ -109,7 +109,7 @@ namespace hybrid::scene::test
     mesh.lines.clear();
     EXPECT_NO_THROW(check_geometry(mesh, scene));
     mesh.nodes[9].x() = mesh.nodes[7].x() = 1.1; // into the arch's leg
-    expect_part(error_of(mesh, scene), "overlaps the block at");
+    expect_part(geometry_error(mesh, scene), "overlaps the block at");
   }
 
 
@@ -117,7 +117,7 @@ namespace hybrid::scene::test
   {
     SectionMesh mesh = small_section();
     add_block(mesh, {{1.2, 1.8}, {1.8, 1.8}, {1.8, 2.8}, {1.2, 2.8}});
-    expect_part(error_of(mesh),
+    expect_part(geometry_error(mesh),
                 "The block at (1.5, 2.3) m lies inside the bedrock, in its cell at (1.5, 1.5) m.");
   }
 
@@ -134,7 +134,8 @@ namespace hybrid::scene::test
     add_block(mesh, {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}});
     EXPECT_NO_THROW(check_geometry(mesh, rigid_scene()));
     mesh.nodes[mesh.blocks[0][0]] = Vec2(-0.2, 0.1); // into the wall
-    expect_part(error_of(mesh, rigid_scene()), "has its vertex (-0.2, 0.1) m below the base.");
+    expect_part(geometry_error(mesh, rigid_scene()),
+                "has its vertex (-0.2, 0.1) m below the base.");
   }
 
 
@@ -143,14 +144,15 @@ namespace hybrid::scene::test
     SectionMesh mesh = small_section();
     EXPECT_NO_THROW(check_geometry(mesh, rigid_scene()));
     add_block(mesh, {{1.2, 1.9}, {1.8, 2.}, {1.8, 2.8}, {1.2, 2.8}});
-    expect_part(error_of(mesh, rigid_scene()),
+    expect_part(geometry_error(mesh, rigid_scene()),
                 "The block at (1.5, 2.375) m has its vertex (1.2, 1.9) m below the base.");
 
     mesh              = small_section();
     mesh.nodes[7]     = Vec2(1., 2.5); // a peak of the base
     mesh.blocks[0]    = {6, 8, 9, 10};
     mesh.nodes[9].x() = 2.;
-    expect_part(error_of(mesh, rigid_scene()), "has the point of the base at (1, 2.5) m inside");
+    expect_part(geometry_error(mesh, rigid_scene()),
+                "has the point of the base at (1, 2.5) m inside");
   }
 
 
@@ -158,7 +160,7 @@ namespace hybrid::scene::test
   {
     SectionMesh mesh = small_section();
     mesh.lines["sliding_surface"].push_back({7, 8});
-    expect_part(error_of(mesh), "There is a gap above the sliding surface at (1.5, 2) m");
+    expect_part(geometry_error(mesh), "There is a gap above the sliding surface at (1.5, 2) m");
     SceneParameters scene;
     scene.mesh.polygons_file = "blocks.csv"; // blocks that merely lie on it
     EXPECT_NO_THROW(check_geometry(mesh, scene));
@@ -170,7 +172,7 @@ namespace hybrid::scene::test
     SectionMesh mesh   = small_section();
     mesh.bedrock_cells = {{0, 1, 4, 3}, {4, 5, 8, 7}}; // a hinge
     mesh.blocks.clear();
-    expect_part(error_of(mesh), "its cells at (0, 0) m and (1, 1) m are not connected");
+    expect_part(geometry_error(mesh), "its cells at (0, 0) m and (1, 1) m are not connected");
   }
 
 
@@ -181,7 +183,8 @@ namespace hybrid::scene::test
     mesh.lines["bedding_2"] = {{1, 4}};
     EXPECT_NO_THROW(check_geometry(mesh, SceneParameters())); // it ends there
     mesh.lines["bedding_2"].push_back({4, 7});
-    expect_part(error_of(mesh), "The bedding planes bedding_1 and bedding_2 cross at (1, 1) m");
+    expect_part(geometry_error(mesh),
+                "The bedding planes bedding_1 and bedding_2 cross at (1, 1) m");
   }
 
 
@@ -191,7 +194,8 @@ namespace hybrid::scene::test
     mesh.nodes.emplace_back(3., 2.);
     mesh.nodes.emplace_back(4., 2.);
     mesh.lines["ground"].push_back({11, 12});
-    expect_part(error_of(mesh, rigid_scene()), "The base has a gap between (2, 2) m and (3, 2) m");
+    expect_part(geometry_error(mesh, rigid_scene()),
+                "The base has a gap between (2, 2) m and (3, 2) m");
     mesh.lines["ground"].push_back({8, 11});
     EXPECT_NO_THROW(check_geometry(mesh, rigid_scene()));
   }

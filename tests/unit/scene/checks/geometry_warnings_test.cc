@@ -38,7 +38,7 @@ namespace hybrid::scene
 
       void expect(const std::vector<std::string> &words) const
       {
-        test::expect_warning(geometry_warnings(mesh, scene), words);
+        hybrid::test::expect_warning(geometry_warnings(mesh, scene), words);
       }
     };
   } // namespace
@@ -83,6 +83,15 @@ namespace hybrid::scene
     scene.blocks.bonded = true;
     mesh.blocks.erase(mesh.blocks.begin() + 1); // which lies along half an edge
     expect({"next to each other", "0.0005 m apart at (2, 0) m;", "not bonded"});
+  }
+
+
+  TEST_F(GeometryWarnings, TheEndsOfAShortEdgeAreNoNearCorners)
+  {
+    scene.blocks.bonded = true;
+    mesh.blocks.erase(mesh.blocks.begin() + 1);
+    add_block({{5., 0.}, {6., 0.}, {6., 0.9995}, {5.9995, 1.}, {5., 1.}});
+    expect({});
   }
 
 

@@ -29,7 +29,7 @@ namespace hybrid::scene
 
       void expect(const std::vector<std::string> &words) const
       {
-        test::expect_warning(joint_line_warnings(mesh, scene), words);
+        hybrid::test::expect_warning(joint_line_warnings(mesh, scene), words);
       }
     };
   } // namespace

@@ -31,7 +31,7 @@ namespace hybrid::scene::test
     }
 
 
-    std::string error_of(const SectionMesh &mesh, const SceneParameters &scene = {})
+    std::string mesh_error(const SectionMesh &mesh, const SceneParameters &scene = {})
     {
       return message_of([&]() { check_section_mesh(mesh, scene); });
     }
@@ -50,18 +50,18 @@ namespace hybrid::scene::test
       {
         SectionMesh mesh = small_section();
         mesh.lines.erase(name);
-        expect_part(error_of(mesh), std::string("no curve group '") + name + "'");
+        expect_part(mesh_error(mesh), std::string("no curve group '") + name + "'");
       }
     SectionMesh mesh = small_section();
     mesh.blocks.clear();
-    expect_part(error_of(mesh), "no surface group 'sliding_mass'");
+    expect_part(mesh_error(mesh), "no surface group 'sliding_mass'");
     mesh = small_section();
     mesh.bedrock_cells.clear();
-    expect_part(error_of(mesh), "no surface group 'bedrock'");
+    expect_part(mesh_error(mesh), "no surface group 'bedrock'");
 
     SceneParameters scene;
     scene.bedding.names = {"bedding_1"};
-    expect_part(error_of(small_section(), scene),
+    expect_part(mesh_error(small_section(), scene),
                 "no curve group 'bedding_1', which the section Bedding planes needs");
   }
 
@@ -87,15 +87,15 @@ namespace hybrid::scene::test
   {
     SectionMesh mesh = small_section();
     std::swap(mesh.bedrock_cells[1][1], mesh.bedrock_cells[1][3]); // clockwise
-    expect_part(error_of(mesh), "The bedrock cell at (1, 0) m is inverted or has no area");
+    expect_part(mesh_error(mesh), "The bedrock cell at (1, 0) m is inverted or has no area");
 
     mesh          = small_section();
     mesh.nodes[5] = Vec2(1.4, 0.4); // a concave quadrilateral
-    expect_part(error_of(mesh), "The bedrock cell at (1.4, 0.4) m");
+    expect_part(mesh_error(mesh), "The bedrock cell at (1.4, 0.4) m");
 
     mesh          = small_section();
     mesh.nodes[6] = Vec2(0.5, 1.5); // on the line 3-7
-    expect_part(error_of(mesh), "The block at (0, 1) m is inverted or has no area");
+    expect_part(mesh_error(mesh), "The block at (0, 1) m is inverted or has no area");
   }
 
 
@@ -111,16 +111,16 @@ namespace hybrid::scene::test
   {
     SectionMesh mesh = small_section();
     std::swap(mesh.lines["left"], mesh.lines["right"]);
-    expect_part(error_of(mesh),
+    expect_part(mesh_error(mesh),
                 "The line left, centred at (2, 0.5) m, does not bound the bedrock on the left");
     mesh = small_section();
     std::swap(mesh.lines["left"], mesh.lines["base"]);
-    expect_part(error_of(mesh),
+    expect_part(mesh_error(mesh),
                 "The line base, centred at (0, 0.5) m, does not bound the bedrock below");
     mesh                 = small_section();
     mesh.lines["base"]   = {{4, 5}};
     mesh.lines["ground"] = {{0, 1}, {1, 2}};
-    expect_part(error_of(mesh),
+    expect_part(mesh_error(mesh),
                 "The line base, centred at (1.5, 1) m, does not bound the bedrock below");
   }
 
@@ -131,12 +131,12 @@ namespace hybrid::scene::test
     scene.continuum.region_material = "rock";
     EXPECT_NO_THROW(check_section_mesh(small_section(), scene));
     scene.continuum.region_material = RegionMaterials::parse("bedrock: rock; bedrok_2: rock");
-    expect_part(error_of(small_section(), scene),
+    expect_part(mesh_error(small_section(), scene),
                 "the mesh has no region 'bedrok_2'; it has bedrock");
     scene.continuum.region_material = "rock";
     scene.blocks.saturated_material = RegionMaterials::parse("sliding_mass_wet: rock");
     expect_part(
-      error_of(small_section(), scene),
+      mesh_error(small_section(), scene),
       "Blocks/Saturated material: the mesh has no region 'sliding_mass_wet'; it has sliding_mass");
     scene.blocks.enabled = false;
     EXPECT_NO_THROW(check_section_mesh(small_section(), scene));
@@ -152,12 +152,12 @@ namespace hybrid::scene::test
     scene.blocks.joint_materials = "clay";
     EXPECT_NO_THROW(check_section_mesh(mesh, scene));
     scene.blocks.joint_materials = RegionMaterials::parse("joint_b: clay");
-    expect_part(error_of(mesh, scene),
+    expect_part(mesh_error(mesh, scene),
                 "Blocks/Joint materials: the mesh has no line 'joint_b'; it has joint_a");
     scene.blocks.joint_materials = "clay";
-    expect_part(error_of(small_section(), scene), "the mesh has no line joint_<suffix>");
+    expect_part(mesh_error(small_section(), scene), "the mesh has no line joint_<suffix>");
     mesh.lines["joint_a"] = {{1, 4}};
-    expect_part(error_of(mesh, scene),
+    expect_part(mesh_error(mesh, scene),
                 "The line joint_a at (1, 0.5) m must run along edges of blocks of the sliding");
   }
 
@@ -166,23 +166,23 @@ namespace hybrid::scene::test
   {
     SectionMesh mesh = small_section();
     mesh.lines.erase("ground");
-    expect_part(error_of(mesh),
+    expect_part(mesh_error(mesh),
                 "The boundary edge of the bedrock at (1.5, 1) m is on none of the lines");
 
     mesh = small_section();
     mesh.lines["ground"].push_back({2, 5});
-    expect_part(error_of(mesh), "at (2, 0.5) m is on two lines, ground and right");
+    expect_part(mesh_error(mesh), "at (2, 0.5) m is on two lines, ground and right");
 
     mesh = small_section();
     mesh.lines["ground"].push_back({1, 4});
-    expect_part(error_of(mesh),
+    expect_part(mesh_error(mesh),
                 "The line ground at (1, 0.5) m must run along cell edges on the boundary");
 
     mesh                    = small_section();
     mesh.lines["bedding_1"] = {{1, 4}};
     EXPECT_NO_THROW(check_section_mesh(mesh, SceneParameters()));
     mesh.lines["bedding_1"] = {{0, 1}};
-    expect_part(error_of(mesh),
+    expect_part(mesh_error(mesh),
                 "The line bedding_1 at (0.5, 0) m must run along cell edges inside");
   }
 
@@ -192,7 +192,7 @@ namespace hybrid::scene::test
     SectionMesh mesh = small_section();
     mesh.nodes.push_back(mesh.nodes[4]);
     mesh.blocks[0][1] = 8;
-    expect_part(error_of(mesh), "separate nodes on the sliding surface at (1, 1) m");
+    expect_part(mesh_error(mesh), "separate nodes on the sliding surface at (1, 1) m");
 
     SceneParameters scene;
     scene.mesh.polygons_file = "blocks.csv"; // blocks that merely rest on the surface

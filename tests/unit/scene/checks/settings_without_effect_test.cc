@@ -25,7 +25,7 @@ namespace hybrid::scene
 
       void expect(const std::vector<std::string> &words) const
       {
-        test::expect_warning(settings_without_effect(scene), words);
+        hybrid::test::expect_warning(settings_without_effect(scene), words);
       }
     };
   } // namespace
@@ -107,6 +107,42 @@ namespace hybrid::scene
       }
     scene.motion.type = "ricker";
     expect({"Motion/Magnitude and Distance have no effect", "Motion/Type = ricker", "stochastic"});
+  }
+
+
+  TEST_F(SettingsWithoutEffect, StressAtRestIsOfWhatBodiesAreMadeOf)
+  {
+    scene.blocks.material            = RegionMaterials("rock");
+    scene.environment.initial_stress = "rock: 3; flat: 0.3";
+    expect({"Gravity/Initial stress of 'flat' has no effect"});
+    scene.environment.initial_stress = "rock: 3";
+    expect({});
+  }
+
+
+  TEST_F(SettingsWithoutEffect, LooseBlocksHaveNoBonds)
+  {
+    scene.materials["rock"].name     = "rock";
+    scene.materials["rock"].cohesion = 1e6;
+    scene.materials["flat"]          = scene.materials["rock"];
+    Material &flat                   = scene.materials["flat"];
+    flat.friction_angle              = 45.;
+    flat.residual_friction_angle     = 20.;
+    scene.blocks.material            = RegionMaterials("rock");
+    scene.blocks.joint_materials     = RegionMaterials::parse("joint_flat: flat");
+    scene.blocks.bonded              = true;
+    expect({});
+    scene.blocks.bonded                     = false;
+    const std::vector<std::string> warnings = settings_without_effect(scene);
+    ASSERT_EQ(warnings.size(), 2u);
+    EXPECT_EQ(warnings[0],
+              "Cohesion and Tensile strength of 'rock', 'flat' do not act between blocks, as "
+              "Model/Blocks = loose has no bonds");
+    EXPECT_EQ(warnings[1],
+              "contacts slide at the Residual friction angle from the start, as Model/Blocks = "
+              "loose has no bonds: 20 degrees of 'flat'");
+    scene.blocks.enabled = false;
+    expect({});
   }
 
 

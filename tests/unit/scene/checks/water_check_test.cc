@@ -53,7 +53,7 @@ namespace hybrid::scene
 
       void expect(const std::vector<std::string> &words) const
       {
-        test::expect_warning(water_warnings(mesh, scene), words);
+        hybrid::test::expect_warning(water_warnings(mesh, scene), words);
       }
     };
   } // namespace

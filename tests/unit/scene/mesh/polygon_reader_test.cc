@@ -118,6 +118,9 @@ namespace hybrid::scene::test
     expect_part(polygon_error("a,0,0\nb,1,0\na,0,1\n"),
                 "blocks.csv:3: the rows of block a do not follow each other");
     expect_part(polygon_error("# nothing\n"), "the file has no block");
+    expect_part(
+      polygon_error("block,y,x\na,0,0\na,1,0\na,0,1\n"),
+      "blocks.csv:1: the heading names 'y' as column 2; the order of the columns is block, x, y");
   }
 
 
@@ -129,6 +132,9 @@ namespace hybrid::scene::test
     EXPECT_EQ(mesh.lines.at("sliding_surface"),
               (std::vector<SectionMesh::Edge>{{0, 1}, {1, 2}, {2, 3}}));
 
+    expect_part(
+      surface_error("Y [m], X [m]\n5,-10\n0,0\n"),
+      "surface.csv:1: the heading names 'Y [m]' as column 1; the order of the columns is x, y");
     expect_part(surface_error("0,0\n"), "found 1 point;");
     expect_part(surface_error("0,0\n1,0\n0.5,0\n"),
                 "surface.csv:3: x = 0.5 is left of the point before");
