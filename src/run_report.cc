@@ -175,7 +175,8 @@ namespace hybrid
       (has_failed
          ? "; the run ends here: give it more strength (Blocks/Material, Blocks/Belt material), or "
            "set Gravity/Static stage to held (settles with unlimited strengths), none (starts "
-           "unloaded) or equilibrium or move (starts from where it has got to)"
+           "unloaded, and settles with inertia: loose blocks may find rest so that slide here) or "
+           "equilibrium or move (starts from where it has got to)"
          : starts_there(settled)));
   }
 

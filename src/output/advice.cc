@@ -42,6 +42,18 @@ namespace hybrid::output
         }
       return largest;
     }
+
+
+    /// True if any joint of the mass or its belt has the tensile strength of @p m.
+    bool bonds_with(const dda::Model &model, const Material &m)
+    {
+      return std::any_of(model.joints.begin(), model.joints.end(), [&m](const dda::Joint &joint) {
+        const double strength = joint.law.tensile_strength();
+        return !joint.within_bedrock() &&
+               std::abs(strength - m.tensile_strength * joint.strength_factor) <=
+                 round_off * strength;
+      });
+    }
   } // namespace
 
 
@@ -165,7 +177,8 @@ namespace hybrid::output
     for (const std::string &name : names)
       {
         const auto is_this = [&](const Unresolved &other) { return other.name == name; };
-        if (std::any_of(found.begin(), found.end(), is_this))
+        if (std::any_of(found.begin(), found.end(), is_this) ||
+            !bonds_with(model, scene.material(name, "Blocks/Material")))
           continue;
         const bool   is_bond  = std::count(of_mass.begin(), of_mass.end(), name) == 0;
         const double strength = scene.material(name, "Blocks/Material").tensile_strength;

@@ -64,6 +64,23 @@ namespace hybrid::output
     }
 
 
+    /// After slip [deg].
+    double residual_angle(const Material &material)
+    {
+      return material.residual_friction_angle < 0. ? material.friction_angle
+                                                   : material.residual_friction_angle;
+    }
+
+
+    /// Of contacts, which have what is left after slip: "clay (phi 12 deg, no cohesion)"
+    std::string with_friction(const Material &m)
+    {
+      return m.name + formatted(" (phi %g deg, ", residual_angle(m)) +
+             (m.residual_cohesion > 0. ? formatted("c %g Pa while pressed)", m.residual_cohesion)
+                                       : "no cohesion)");
+    }
+
+
     std::string role_of_joints(const std::string &line, const SceneParameters &scene)
     {
       const scene::BlockParameters &blocks = scene.blocks;
@@ -72,19 +89,13 @@ namespace hybrid::output
       const Material *dry = scene.joint_material(line, false);
       if (dry == nullptr)
         return "like all other edges of blocks, as Blocks/Joint materials does not list it";
-      const Material &wet = *scene.joint_material(line, true);
-      return (blocks.bonded ? "joints of " : "contacts of ") + with_strength(*dry) +
-             (scene.environment.has_water() && &wet != dry
-                ? ", below the water of " + with_strength(wet)
-                : "");
-    }
-
-
-    /// After slip [deg].
-    double residual_angle(const Material &material)
-    {
-      return material.residual_friction_angle < 0. ? material.friction_angle
-                                                   : material.residual_friction_angle;
+      const Material &wet      = *scene.joint_material(line, true);
+      const auto      in_words = [&blocks](const Material &m) {
+        return blocks.bonded ? with_strength(m) : with_friction(m);
+      };
+      return (blocks.bonded ? "joints of " : "contacts of ") + in_words(*dry) +
+             (scene.environment.has_water() && &wet != dry ? ", below the water of " + in_words(wet)
+                                                           : "");
     }
 
 

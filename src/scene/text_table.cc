@@ -3,6 +3,7 @@
 #include <hybrid/scene/text_table.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -68,6 +69,17 @@ namespace hybrid::scene
     }
 
 
+    /// "X [m]" is x.
+    std::string column_name(const std::string &field)
+    {
+      std::string name = field.substr(0, field.find_first_of(" \t[("));
+      std::transform(name.begin(), name.end(), name.begin(), [](const unsigned char letter) {
+        return static_cast<char>(std::tolower(letter));
+      });
+      return name;
+    }
+
+
     /// What would make a row readable, in brackets; empty if that is not known.
     std::string remedy_for(const std::string &text)
     {
@@ -129,6 +141,34 @@ namespace hybrid::scene
     if (stream.bad())
       throw InputError(file, 0, "the file cannot be read.");
     return rows;
+  }
+
+
+  void check_heading(const std::string &file, const std::vector<std::string> &columns)
+  {
+    std::ifstream stream(file);
+    std::string   text;
+    for (int line = 1; std::getline(stream, text); ++line)
+      {
+        check_text(text, file, line);
+        const std::vector<std::string> fields = split_fields(text);
+        if (std::any_of(fields.begin(), fields.end(), looks_like_number))
+          return;
+        for (std::size_t i = 0; i < fields.size(); ++i)
+          {
+            const auto found = std::find(columns.begin(), columns.end(), column_name(fields[i]));
+            if (found == columns.end() || found - columns.begin() == static_cast<long>(i))
+              continue;
+            std::string order;
+            for (const std::string &column : columns)
+              order += (order.empty() ? "" : ", ") + column;
+            throw InputError(file,
+                             line,
+                             "the heading names '" + fields[i] + "' as column " +
+                               std::to_string(i + 1) + "; the order of the columns is " + order +
+                               ".");
+          }
+      }
   }
 
 

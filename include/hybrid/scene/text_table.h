@@ -26,6 +26,11 @@ namespace hybrid::scene
   std::vector<TableRow> read_text_table(const std::string &file);
 
 
+  /// Throws InputError if a line of words before the first row of @p file has the name of one of
+  /// its @p columns at the place of another one. Units in brackets and capitals do not matter.
+  void check_heading(const std::string &file, const std::vector<std::string> &columns);
+
+
   /// Throws InputError for a @p line that is no text, and takes away the mark with which some
   /// editors begin a file in UTF-8.
   void check_text(std::string &text, const std::string &file, int line);

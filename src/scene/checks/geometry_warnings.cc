@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 namespace hybrid::scene
@@ -222,9 +223,22 @@ namespace hybrid::scene
     }
 
 
-    /// Corners of two blocks that are all but in one place, so that edges there are not bonded.
+    /// Ends of the edges of all blocks, the lower number first.
+    std::set<std::pair<int, int>> edges_of_blocks(const SectionMesh &mesh)
+    {
+      std::set<std::pair<int, int>> edges;
+      for (const auto &block : mesh.blocks)
+        for (std::size_t i = 0; i < block.size(); ++i)
+          edges.insert(std::minmax(block[i], block[(i + 1) % block.size()]));
+      return edges;
+    }
+
+
+    /// Corners of two blocks that are all but in one place, so that edges there are not bonded. The
+    /// ends of a short edge are none.
     void look_at_near_corners(const SectionMesh &mesh, std::vector<std::string> &warnings)
     {
+      const std::set<std::pair<int, int>> edges = edges_of_blocks(mesh);
       std::vector<double> size(mesh.nodes.size(), 0.); // of the smallest block there [m]
       for (const auto &block : mesh.blocks)
         {
@@ -250,6 +264,8 @@ namespace hybrid::scene
             if (b.x() - a.x() > touching * size[corners[k]])
               break;
             if (a == b || (b - a).norm() > reach) // a notch has two nodes in one place
+              continue;
+            if (edges.count(std::minmax(corners[k], corners[j])) > 0)
               continue;
             if (count++ == 0)
               {

@@ -2,7 +2,9 @@
 #include <hybrid/scene/checks/settings_without_effect.h>
 #include <hybrid/scene/motion/motion_source.h>
 #include <hybrid/scene/option_registry.h>
+#include <hybrid/scene/parameters/parameter_values.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace hybrid::scene
@@ -66,6 +68,57 @@ namespace hybrid::scene
     }
 
 
+    /// A ratio of stresses at rest for a material that neither blocks nor bedrock are made of.
+    void look_at_initial_stress(const SceneParameters &scene, std::vector<std::string> &warnings)
+    {
+      const std::string &given = scene.environment.initial_stress;
+      if (given.find(':') == std::string::npos)
+        return;
+      std::vector<std::string>       bodies     = scene.mass_materials();
+      const std::vector<std::string> of_bedrock = scene.continuum.region_material.names();
+      bodies.insert(bodies.end(), of_bedrock.begin(), of_bedrock.end());
+      for (const auto &[name, value] : parse_pairs(given, ':'))
+        if (std::count(bodies.begin(), bodies.end(), name) == 0)
+          warnings.push_back("Gravity/Initial stress of '" + name +
+                             "' has no effect, as neither blocks nor bedrock are made of it");
+    }
+
+
+    /// Strength of bonds, where there are none: contacts have what is left after slip.
+    void look_at_loose_blocks(const SceneParameters &scene, std::vector<std::string> &warnings)
+    {
+      if (!scene.blocks.enabled || scene.blocks.bonded)
+        return;
+      std::vector<std::string> names = scene.mass_materials();
+      for (const RegionMaterials *of_joints :
+           {&scene.blocks.joint_materials, &scene.blocks.saturated_joint_materials})
+        for (const std::string &name : of_joints->names())
+          if (std::count(names.begin(), names.end(), name) == 0)
+            names.push_back(name);
+      std::string        bonds;
+      std::ostringstream friction;
+      for (const std::string &name : names)
+        {
+          const auto found = scene.materials.find(name);
+          if (found == scene.materials.end())
+            continue;
+          const Material &m = found->second;
+          if (m.cohesion > 0. || m.tensile_strength > 0.)
+            bonds += (bonds.empty() ? "'" : ", '") + name + "'";
+          if (m.residual_friction_angle >= 0. && m.residual_friction_angle < m.friction_angle)
+            friction << (friction.tellp() > 0 ? ", " : "") << m.residual_friction_angle
+                     << " degrees of '" << name << "'";
+        }
+      if (!bonds.empty())
+        warnings.push_back("Cohesion and Tensile strength of " + bonds +
+                           " do not act between blocks, as Model/Blocks = loose has no bonds");
+      if (friction.tellp() > 0)
+        warnings.push_back("contacts slide at the Residual friction angle from the start, as "
+                           "Model/Blocks = loose has no bonds: " +
+                           friction.str());
+    }
+
+
     void look_at_surface(const SceneParameters &scene, std::vector<std::string> &warnings)
     {
       if (scene.continuum.surface_form == SurfaceForm::automatic ||
@@ -85,6 +138,8 @@ namespace hybrid::scene
     look_at_mesh(scene.mesh, warnings);
     look_at_planes(scene, warnings);
     look_at_surface(scene, warnings);
+    look_at_initial_stress(scene, warnings);
+    look_at_loose_blocks(scene, warnings);
     return warnings;
   }
 } // namespace hybrid::scene

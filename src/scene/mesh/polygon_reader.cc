@@ -57,6 +57,7 @@ namespace hybrid::scene
 
     std::vector<Polygon> collect_polygons(const std::string &file)
     {
+      check_heading(file, {"block", "x", "y", "region", "joint"});
       const std::vector<TableRow> rows = read_text_table(file);
 
       std::vector<Polygon>  polygons;
@@ -310,6 +311,7 @@ namespace hybrid::scene
 
   void read_surface(const std::string &file, SectionMesh &mesh)
   {
+    check_heading(file, {"x", "y"});
     const std::vector<TableRow> rows = read_text_table(file);
     if (rows.size() < 2)
       throw InputError(file,

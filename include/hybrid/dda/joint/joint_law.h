@@ -80,6 +80,12 @@ namespace hybrid::dda
       return strength.tensile > 0. || strength.cohesion > 0.;
     }
 
+    /// F_t [Pa]
+    double tensile_strength() const
+    {
+      return strength.tensile;
+    }
+
     /// Opening from which an intact bond bears nothing any more [m].
     double parting_opening() const;
 
