@@ -99,7 +99,8 @@ def check_readable(directory):
     for file in directory.glob("*.pvd"):
         listed = [line.split('file="')[1].split('"')[0] for line in file.read_text().splitlines() if "file=" in line]
         require(all((directory / name).is_file() for name in listed), f"{file.name} lists pictures that are there")
-    (directory / "log.txt").read_text(encoding="utf-8")
+    if (directory / "log.txt").exists():  # a run that is killed as its scene is prepared has none yet
+        (directory / "log.txt").read_text(encoding="utf-8")
     if not (directory / "run.h5").exists():
         return -1
     try:

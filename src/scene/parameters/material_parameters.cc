@@ -34,8 +34,7 @@ namespace hybrid::scene
       {"automatic", material.given_friction_angle},
       "deg",
       {0., 90., true, false},
-      "Peak friction angle phi of joints and contacts; automatic: 30, and of bedrock that of what "
-      "touches it.");
+      "Peak friction angle phi of joints; automatic: 30, and of bedrock that of what touches it.");
     section.number(strength_names[1],
                    material.cohesion,
                    "Pa",
@@ -53,11 +52,12 @@ namespace hybrid::scene
       {0., 90., true, false},
       "Angle psi at which blocks that yield (Blocks/Yielding) grow as they shear; joints "
       "do not dilate.");
-    section.number_or("Residual friction angle",
-                      {"same", material.residual_friction_angle},
-                      "deg",
-                      {0., 90., true, false},
-                      "Friction angle of a joint that has failed; same: as Friction angle.");
+    section.number_or(
+      "Residual friction angle",
+      {"same", material.residual_friction_angle},
+      "deg",
+      {0., 90., true, false},
+      "Friction angle of a joint that has failed, and of contacts; same: as Friction angle.");
     section.number_or(
       "Residual cohesion",
       {"automatic", material.residual_cohesion},
