@@ -112,15 +112,16 @@ namespace hybrid::dda
   StepProblem::Imbalance StepProblem::imbalance(std::vector<int> &blocks) const
   {
     const double part = std::max(nearly_at_rest, 100. * model->iteration.tolerance);
+    const int    n    = model->n_mass(); // the bedrock's loads at rest are not among its forces
     Imbalance    found;
-    if (whole_residual() * reference <= part * absolute.minCoeff())
+    if (n == 0 || whole_residual() * reference <= part * absolute.head(n).minCoeff())
       return found;   // the scale is at most that of left_of()
     double most = 0.; // acceleration, squared
-    for (int b = 0; b < model->n_blocks(); ++b)
+    for (int b = 0; b < n; ++b)
       most = std::max(most, inertial_acceleration(b).head<2>().squaredNorm());
     most                = std::sqrt(most);
     found.least_allowed = std::numeric_limits<double>::infinity();
-    for (int b = 0; b < model->n_blocks(); ++b)
+    for (int b = 0; b < n; ++b)
       {
         const double left    = left_of(b);
         const double allowed = part * (absolute[b] + model->blocks[b].mass * most);
