@@ -120,9 +120,8 @@ namespace hybrid::dda
     /// To the tolerance, and every block nearly.
     bool lies_in_balance() const;
 
-    /// Blocks of the mass whose own forces are not in balance: more than a millionth is left of
-    /// them, and of what would accelerate the block as much as any; with a coarse tolerance a
-    /// hundred times it.
+    /// Blocks of the mass out of balance: more than a millionth is left of their own forces, and of
+    /// what would accelerate the block as much as any; with a coarse tolerance a hundred times it.
     struct Imbalance
     {
       double worst         = 0.; ///< largest force that is left, over what may be [-]
