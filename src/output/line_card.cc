@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/formatted.h>
 #include <hybrid/output/line_card.h>
+#include <hybrid/scene/mesh/block_edges.h>
 #include <hybrid/scene/mesh/joint_lines.h>
 
 #include <algorithm>
@@ -184,17 +185,6 @@ namespace hybrid::output
     }
 
 
-    /// Edges of blocks, by the numbers of their nodes.
-    std::set<std::pair<int, int>> edges_of_blocks(const SectionMesh &mesh)
-    {
-      std::set<std::pair<int, int>> edges;
-      for (const auto &block : mesh.blocks)
-        for (std::size_t i = 0; i < block.size(); ++i)
-          edges.insert(std::minmax(block[i], block[(i + 1) % block.size()]));
-      return edges;
-    }
-
-
     /// " (8 of its 10 edges)" of a line that blocks share in part, else nothing.
     std::string shared_part(const std::set<std::pair<int, int>>  &of_blocks,
                             const std::vector<SectionMesh::Edge> &line)
@@ -247,7 +237,8 @@ namespace hybrid::output
   std::string describe_lines(const SectionMesh &mesh, const SceneParameters &scene)
   {
     const bool is_bonded = scene.blocks.enabled && scene.blocks.bonded;
-    const auto of_blocks = is_bonded ? edges_of_blocks(mesh) : std::set<std::pair<int, int>>();
+    const auto of_blocks =
+      is_bonded ? scene::edges_of_blocks(mesh) : std::set<std::pair<int, int>>();
     std::vector<Row> rows;
     for (const auto &[name, edges] : mesh.lines)
       {

@@ -2,6 +2,7 @@
 #include <hybrid/scene/checks/geometry_warnings.h>
 #include <hybrid/scene/checks/locked_foot.h>
 #include <hybrid/scene/checks/shared_edge_check.h>
+#include <hybrid/scene/mesh/block_edges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -220,17 +221,6 @@ namespace hybrid::scene
         area += 0.5 * cross(mesh.nodes[block[i]] - mesh.nodes[block[0]],
                             mesh.nodes[block[(i + 1) % block.size()]] - mesh.nodes[block[0]]);
       return area;
-    }
-
-
-    /// Ends of the edges of all blocks, the lower number first.
-    std::set<std::pair<int, int>> edges_of_blocks(const SectionMesh &mesh)
-    {
-      std::set<std::pair<int, int>> edges;
-      for (const auto &block : mesh.blocks)
-        for (std::size_t i = 0; i < block.size(); ++i)
-          edges.insert(std::minmax(block[i], block[(i + 1) % block.size()]));
-      return edges;
     }
 
 

@@ -12,7 +12,7 @@ namespace
   using namespace hybrid::coupling;
 
   /// Constant acceleration of 2 m/s2 for one second.
-  scene::GroundMotion moved_by(const scene::MotionParameters &parameters = {})
+  scene::GroundMotion uniformly_accelerated(const scene::MotionParameters &parameters = {})
   {
     return {scene::Motion(0.5, {2., 2., 2.}), parameters};
   }
@@ -25,8 +25,8 @@ TEST(RigidFoundation, follows_the_motion_from_its_start_time)
   scene::MotionParameters parameters;
   parameters.angle = std::atan2(0.8, 0.6) * 180. / M_PI;
   parameters.start = 0.25;
-  RigidFoundation                base({Vec2(0., 0.), Vec2(5., 1.)}, moved_by(parameters));
-  CoupledState                   state;
+  RigidFoundation base({Vec2(0., 0.), Vec2(5., 1.)}, uniformly_accelerated(parameters));
+  CoupledState    state;
   const dda::FoundationResponse &early = base.predict(state, 0.2);
   EXPECT_TRUE(early.prescribed);
   EXPECT_EQ(early.displacement.norm(), 0.);
@@ -46,7 +46,7 @@ TEST(RigidFoundation, follows_the_motion_from_its_start_time)
 
 TEST(RigidFoundation, changes_no_state)
 {
-  RigidFoundation       base({Vec2(0., 0.)}, moved_by());
+  RigidFoundation       base({Vec2(0., 0.)}, uniformly_accelerated());
   CoupledState          state;
   const Eigen::VectorXd once = base.predict(state, 0.1).displacement;
   EXPECT_EQ(state.time, 0.);
@@ -70,7 +70,7 @@ TEST(RigidFoundation, without_a_motion_stays)
 
 TEST(RigidFoundation, may_have_no_surface)
 {
-  RigidFoundation base({}, moved_by());
+  RigidFoundation base({}, uniformly_accelerated());
   EXPECT_EQ(base.predict({}, 0.1).displacement.size(), 0);
 }
 
