@@ -155,25 +155,37 @@ namespace hybrid::output
 
 
 
-    /// Bedding planes that have slipped or opened by what can be seen.
-    std::string planes_text(const Summary &summary, const scene::SceneParameters &scene)
+    /// A line that has slipped or opened by more than @p seen [m]; else nothing.
+    std::string
+    line_text(const std::string &name, const Summary::PlaneSlip &slip, const double seen)
     {
-      constexpr double seen         = 1e-6; // m
+      const bool slips = std::abs(slip.largest_left) > seen, opens = slip.opening_left > seen;
+      if (!slips && !opens)
+        return "";
+      std::string text = indent + name + "  ";
+      if (slips)
+        text += "has slipped by " + length_text(std::abs(slip.largest_left)) + " at most, at " +
+                formatted("(%.4g, %.4g) m", slip.where[0], slip.where[1]);
+      if (opens)
+        text += (slips ? "; it is open by " : "is open by ") + length_text(slip.opening_left) +
+                " at most";
+      return text;
+    }
+
+
+
+    /// Bedding planes, and joint lines of the mass, that have slipped or opened.
+    std::string lines_text(const Summary &summary, const scene::SceneParameters &scene)
+    {
+      constexpr double seen         = 1e-6; // m, of planes: elastic parts are not in it
       bool             slip_is_left = false;
       std::string      text;
+      for (const auto &[name, slip] : summary.joint_lines)
+        text += line_text(name, slip, scene.output.slip_threshold);
       for (const auto &[name, slip] : summary.planes)
         {
-          const bool slips = std::abs(slip.largest_left) > seen, opens = slip.opening_left > seen;
-          if (!slips && !opens)
-            continue;
-          text += indent + name + "  ";
-          if (slips)
-            text += "has slipped by " + length_text(std::abs(slip.largest_left)) + " at most, at " +
-                    formatted("(%.4g, %.4g) m", slip.where[0], slip.where[1]);
-          if (opens)
-            text += (slips ? "; it is open by " : "is open by ") + length_text(slip.opening_left) +
-                    " at most";
-          slip_is_left = slip_is_left || slips;
+          text += line_text(name, slip, seen);
+          slip_is_left = slip_is_left || std::abs(slip.largest_left) > seen;
         }
       if (slip_is_left && gives_way_to_slip(scene))
         text +=
@@ -458,7 +470,7 @@ namespace hybrid::output
                                   summary.energy_residual);
     if (summary.steps > 0)
       {
-        found += monitors_text(summary, scene.monitors.base_monitor) + planes_text(summary, scene);
+        found += monitors_text(summary, scene.monitors.base_monitor) + lines_text(summary, scene);
         if (summary.blocks > 0)
           found += indent + slip_text(summary) + shear_text(summary.base_shear) +
                    off_base_text(summary.blocks_off_base) +

@@ -23,6 +23,7 @@ namespace hybrid::output
               run.scene.bedding.slips ? run.blocks : nullptr,
               run.scene.bedding.names)
     , slip(run.blocks, run.scene.output.slip_threshold)
+    , joint_lines(run.blocks)
     , lines(run.scene, run.mesh, probes)
     , peaks(run.scene.monitors.has_peak_fields ? run.blocks : nullptr,
             run.scene.monitors.has_peak_fields ? run.continuum : nullptr,
@@ -53,6 +54,7 @@ namespace hybrid::output
     add_boreholes();
     bedding.add_series(file);
     slip.add_series(file);
+    joint_lines.add_series(file);
     lines.add_series(file);
   }
 
@@ -142,6 +144,7 @@ namespace hybrid::output
       {
         pictures.set_reference(state.blocks);
         slip.set_reference(state.blocks, file);
+        joint_lines.set_reference(state.blocks);
         for (const dda::BlockState &block : state.blocks.blocks)
           reference_centroids.push_back(block.centroid);
         peak_displacement.assign(reference_centroids.size(), 0.);
@@ -235,6 +238,7 @@ namespace hybrid::output
     if (parts.blocks != nullptr)
       overlaps.look(state.blocks.geometry, now);
     slip.record_profile(state.blocks, now, file);
+    joint_lines.record(state.blocks, now, file);
     if (interface_time < 0)
       return;
     file.append(interface_time, &now);
@@ -451,6 +455,7 @@ namespace hybrid::output
       {
         write_joints(state);
         slip.finish(state.blocks, file, summary);
+        joint_lines.summarize(state.blocks, summary);
         summary.deepest_overlap = {overlaps.deepest(), overlaps.time_of_deepest()};
         summary.blocks_off_base = blocks_off_base(*parts.blocks, state.blocks);
         count_failed_joints(*parts.blocks, state.blocks, summary);

@@ -9,8 +9,16 @@ namespace hybrid::output
 {
   void RunRecorder::serialize(restart::Archive &archive)
   {
-    archive(
-      file, pictures, probes, ledger, slip, lines, peaks, reference_centroids, peak_displacement);
+    archive(file,
+            pictures,
+            probes,
+            ledger,
+            slip,
+            joint_lines,
+            lines,
+            peaks,
+            reference_centroids,
+            peak_displacement);
     archive(overlaps);
     archive(next_picture, next_audit, last_picture, last_audit);
     for (MonitorSeries &point : watched_motion)

@@ -37,10 +37,10 @@ namespace hybrid::output
     }
 
 
-    Json planes(const Summary &summary)
+    Json slip_by_name(const std::map<std::string, Summary::PlaneSlip> &lines)
     {
       Json object = Json::object();
-      for (const auto &[name, slip] : summary.planes)
+      for (const auto &[name, slip] : lines)
         object[name] = {{"largest_left", slip.largest_left},
                         {"largest_at", slip.where},
                         {"opening_left", slip.opening_left}};
@@ -188,7 +188,8 @@ namespace hybrid::output
                          {"blocks_off_base", summary.blocks_off_base},
                          {"joints", joints(summary)},
                          {"slip_m", slip(summary.slip)},
-                         {"bedding_slip_m", planes(summary)},
+                         {"bedding_slip_m", slip_by_name(summary.planes)},
+                         {"joint_line_slip_m", slip_by_name(summary.joint_lines)},
                          {"base_shear", base_shear(summary.base_shear)},
                          {"filter_frequency_hz", summary.filter_frequency},
                          {"outcrop_peak_acceleration_m_s2", summary.outcrop_peak_acceleration},

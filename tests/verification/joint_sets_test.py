@@ -120,6 +120,12 @@ def slip(directory):
         return np.linalg.norm(run["monitors/slab/displacement"][-1])
 
 
+def slip_told(directory):
+    """The largest of the joint lines; where the line dips to the right its upper side goes along +x."""
+    lines = json.loads((directory / "summary.json").read_text())["joint_line_slip_m"].values()
+    return max((line["largest_left"] for line in lines), key=abs)
+
+
 def main():
     if len(sys.argv) != 4:
         sys.exit(__doc__)
@@ -140,6 +146,9 @@ def main():
         require(code == 0, name + " runs", output + errors)
         found = slip(work / name)
         require(abs(found - expected) < 0.01 * free, "%s: slides %.5g m, closed form %.5g m" % (name, found, expected), output)
+        told = slip_told(work / name)
+        require(abs(told - expected) < 0.01 * free, "%s: the joint's slip is told as %.5g m" % (name, told), output)
+        require(("joint_front  has slipped by" in output) == (expected > 0), "%s: the line is named if it has slipped" % name, output)
 
     # Cohesion that holds the slab where the front half of its sole has it.
     needed = DENSITY * GRAVITY * HEIGHT * LENGTH * (np.sin(DIP) - np.cos(DIP) * np.tan(PHI)) / (LENGTH / 2)

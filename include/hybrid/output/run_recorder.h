@@ -5,6 +5,7 @@
 #include <hybrid/output/bedding_recorder.h>
 #include <hybrid/output/energy_ledger.h>
 #include <hybrid/output/history_file.h>
+#include <hybrid/output/joint_line_recorder.h>
 #include <hybrid/output/line_recorder.h>
 #include <hybrid/output/overlap_watch.h>
 #include <hybrid/output/peak_fields.h>
@@ -136,17 +137,18 @@ namespace hybrid::output
       std::vector<double> row;
     };
 
-    RunParts        parts;
-    Probes          probes;
-    HistoryFile     file;
-    Pictures        pictures;
-    const double    downhill; ///< sign of x downhill; 0: level, or slides that face each other
-    BeddingRecorder bedding;
-    SlipRecorder    slip;
-    LineRecorder    lines;
-    PeakFields      peaks;
-    EnergyLedger    ledger;
-    OverlapWatch    overlaps;
+    RunParts          parts;
+    Probes            probes;
+    HistoryFile       file;
+    Pictures          pictures;
+    const double      downhill; ///< sign of x downhill; 0: level, or slides that face each other
+    BeddingRecorder   bedding;
+    SlipRecorder      slip;
+    JointLineRecorder joint_lines;
+    LineRecorder      lines;
+    PeakFields        peaks;
+    EnergyLedger      ledger;
+    OverlapWatch      overlaps;
     std::vector<MonitorSeries> monitors;
     WatchedPoints              watched;        ///< without monitors, for the error alone
     std::vector<MonitorSeries> watched_motion; ///< of these; no series of run.h5

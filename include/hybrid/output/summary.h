@@ -57,8 +57,8 @@ namespace hybrid::output
       int         off_surface = 0; ///< blocks that lay on it and touch it no more; their ways count
     };
 
-    /// What a bedding plane has slipped for good since the state at rest, of the upper side along
-    /// +x, at the end [m]: where its size is largest.
+    /// What a bedding plane, or a joint line of the mass, has slipped for good since the state at
+    /// rest, of the upper side along +x, at the end [m]: where its size is largest.
     struct PlaneSlip
     {
       double               largest_left = 0.;
@@ -203,7 +203,8 @@ namespace hybrid::output
     StaticStage    static_stage;
     Slip           slip;
     BaseShear      base_shear;
-    std::map<std::string, PlaneSlip> planes; ///< bedding planes that may slip, by name
+    std::map<std::string, PlaneSlip> planes;      ///< bedding planes that may slip, by name
+    std::map<std::string, PlaneSlip> joint_lines; ///< lines joint_<suffix> of the mass, by name
     double        first_failure_time = MonitorSummary::unknown; ///< of the dynamic stage [s]
     double        first_loss_time    = MonitorSummary::unknown; ///< of a joint that loses strength
     Wasted        wasted;

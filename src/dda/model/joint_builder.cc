@@ -155,6 +155,24 @@ namespace hybrid::dda
 
 
 
+  void JointBuilder::add_to_line(const EdgeOfBlock &first, const EdgeOfBlock &second)
+  {
+    const std::string *name = material.joint_line(first.from, first.to);
+    if (name == nullptr)
+      return;
+    const auto at     = std::lower_bound(model.joint_lines.begin(),
+                                     model.joint_lines.end(),
+                                     *name,
+                                     [](const JointLine &line, const std::string &other) {
+                                       return line.name < other;
+                                     });
+    const bool is_new = at == model.joint_lines.end() || at->name != *name;
+    const auto line   = is_new ? model.joint_lines.insert(at, {*name, {}}) : at;
+    line->edges.push_back({first.vertex, second.vertex});
+  }
+
+
+
   void JointBuilder::add_pair(const EdgeOfBlock &first, const EdgeOfBlock &second)
   {
     const Geometry &g = model.initial;
@@ -178,7 +196,9 @@ namespace hybrid::dda
                    2. * model.blocks[first.block].area / length,
                    {a, e});
       }
-    else if (scene.blocks.bonded)
+    else
+      add_to_line(first, second);
+    if (second.block < blocks.n_mass && scene.blocks.bonded)
       {
         const BlockProperties &p = model.blocks[first.block], &q = model.blocks[second.block];
         const Material        *of_line = material.joint(first.from, first.to, saturated);

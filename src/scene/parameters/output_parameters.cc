@@ -26,11 +26,13 @@ namespace hybrid::scene
                    "s",
                    ParameterRange::above(0.),
                    "Simulated time between energy audits.");
-    section.number("Slip threshold",
-                   output.slip_threshold,
-                   "m",
-                   not_negative,
-                   "A part of the sliding surface counts as slipped once it has slid farther.");
+    section.number(
+      "Slip threshold",
+      output.slip_threshold,
+      "m",
+      not_negative,
+      "A part of the sliding surface counts as slipped once it has slid farther; joint lines "
+      "that have slipped or opened by more are named at the end of a run.");
     section.number(
       "Energy warning",
       output.energy_warning,

@@ -42,11 +42,17 @@ namespace hybrid::dda
     /// strength.
     Material bond(int region, int other, bool saturated) const;
 
+    /// Line joint_<suffix> that the edge between two nodes of the mesh is on; nullptr: none.
+    const std::string *joint_line(const int node, const int other) const
+    {
+      return joint_lines.of(node, other);
+    }
+
     /// Of joints and contacts on the edge between two nodes of the mesh; nullptr: those of the
     /// blocks.
     const Material *joint(const int node, const int other, const bool saturated) const
     {
-      const std::string *line = joint_lines.of(node, other);
+      const std::string *line = joint_line(node, other);
       return line == nullptr ? nullptr : scene.joint_material(*line, saturated);
     }
 

@@ -83,6 +83,9 @@ namespace hybrid::dda
 
     void add_pair(const EdgeOfBlock &first, const EdgeOfBlock &second);
 
+    /// To the line of the mesh that an edge between two blocks of the mass is on, if there is one.
+    void add_to_line(const EdgeOfBlock &first, const EdgeOfBlock &second);
+
     void add_bedrock_joint(Joint joint, const EdgeOfBlock &edge);
 
     double softer_modulus(int block, int other) const;

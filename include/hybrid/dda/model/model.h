@@ -12,6 +12,7 @@
 #include <hybrid/dda/joint/joint_law.h>
 #include <hybrid/dda/linear/process_group.h>
 #include <hybrid/dda/model/downhill.h>
+#include <hybrid/dda/model/joint_line.h>
 #include <hybrid/dda/model/soles.h>
 #include <hybrid/scene/newmark.h>
 
@@ -135,6 +136,7 @@ namespace hybrid::dda
     std::vector<BlockProperties>  blocks;
     Geometry                      initial; ///< outlines and foundation before the first step
     std::vector<Joint>            joints;
+    std::vector<JointLine>        joint_lines; ///< of the mass, by name
     ContactLaws                   contacts;
     std::vector<std::vector<int>> neighbours; ///< per block of the mass, see held_neighbours()
     std::vector<bool>             bonded;     ///< per block: has at least one joint

@@ -164,15 +164,15 @@ def slip_rows(comparison):
 
 
 def bedding_rows(comparison):
-    """Largest slip (magnitude) of each bedding plane that slips in any run."""
+    """Largest slip (magnitude) of each bedding plane, and joint line of the mass, that slips in any run."""
     rows = []
-    for name in comparison.reference.names("bedding"):
-        path = "bedding/%s/slip" % name
+    for group, name in [(group, name) for group in ("bedding", "joint_lines") for name in comparison.reference.names(group)]:
+        path = "%s/%s/slip" % (group, name)
         if name == "time" or not comparison.has_everywhere(path):
             continue
         slips = []
         for run in comparison.runs:
-            slip, time = run.get(path), run.get("bedding/time")
+            slip, time = run.get(path), run.get(group + "/time")
             n = min(len(slip), len(time))
             slips.append(float(np.max(np.abs(slip[:n][time[:n] <= comparison.end * (1 + 1e-9)]), initial=0)))
         if max(slips) > 0:
