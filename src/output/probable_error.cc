@@ -124,6 +124,7 @@ namespace hybrid::output
     , rows(static_cast<std::size_t>(std::floor((time.back() - time.front()) / spacing + 1e-6)))
     , rows_until(rows)
     , base(record.base)
+    , base_is_prescribed(record.base_is_prescribed)
     , response(spacing, source_velocity(record, spacing, rows))
   {
     if (std::isfinite(record.until))
@@ -290,9 +291,29 @@ namespace hybrid::output
 
 
 
+  void ProbableError::add_rates(const Motion           &motion,
+                                const int               c,
+                                const StepScheme       &scheme,
+                                std::array<History, 3> &error) const
+  {
+    const double  dt = scheme.dt, filter = scheme.newmark.filter;
+    const double  first  = scheme.newmark.gamma - 0.5 - filter; // of w dt; 0 with a filter
+    const double  second = first * first - 2. * filter - of_velocity;
+    const History v      = second_rates(motion.velocity[c], spacing),
+                  a = rates(motion.velocity[c], spacing), jerk = rates(a, spacing),
+                  snap = second_rates(a, spacing);
+    for (std::size_t i = 0; i < rows; ++i)
+      error[1][i] -= of_velocity * dt * dt * v[i];
+    error[2] = rates(error[1], spacing);
+    for (std::size_t i = 0; i < rows; ++i)
+      error[2][i] += second * dt * dt * snap[i] - first * dt * jerk[i];
+  }
+
+
+
   Summary::ErrorPart ProbableError::evaluate(const FrequencyError &of_frequency,
                                              const double          highest,
-                                             const double          amplitude_step,
+                                             const StepScheme     *amplitudes,
                                              const bool            only_rock) const
   {
     ResponseDelay::Spectrum frequency;
@@ -312,9 +333,11 @@ namespace hybrid::output
         for (int c = 0; c < 2; ++c)
           {
             errors[c] = changes(motions[m], c, frequency);
-            if (amplitude_step > 0.)
-              add_amplitude(motions[m], c, amplitude_step, errors[c]);
+            if (amplitudes != nullptr && amplitudes->newmark.corrected_step > 0.)
+              add_amplitude(motions[m], c, amplitudes->dt, errors[c]);
             errors[c][2] = rates(errors[c][1], spacing);
+            if (amplitudes != nullptr && leads(motions[m], *amplitudes))
+              add_rates(motions[m], c, *amplitudes, errors[c]);
           }
         for (int q = 0; q < 3; ++q)
           {
@@ -336,28 +359,27 @@ namespace hybrid::output
 
   Summary::ErrorPart ProbableError::in_rock(const FrequencyError &error, const double highest) const
   {
-    return evaluate(error, highest, 0., true);
+    return evaluate(error, highest, nullptr, true);
   }
 
 
 
   Summary::ErrorPart ProbableError::of_steps(const StepScheme &scheme) const
   {
-    StepScheme undamped    = scheme;
-    undamped.late_damping  = 0.;
-    const double amplitude = scheme.newmark.corrected_step > 0. ? scheme.dt : 0.;
-    const auto   of_scheme = [&](const std::complex<double> s) {
+    StepScheme undamped   = scheme;
+    undamped.late_damping = 0.;
+    const auto of_scheme  = [&](const std::complex<double> s) {
       return frequency_error(undamped, s);
     };
     const auto of_all = [&](const std::complex<double> s) { return frequency_error(scheme, s); };
     const auto of_damping = [&](const std::complex<double> s) { return of_all(s) - of_scheme(s); };
-    const auto part       = [&](const FrequencyError &error, const double amplitude_step) {
-      return evaluate(error, highest_turn / scheme.dt, amplitude_step, false);
+    const auto part       = [&](const FrequencyError &error, const StepScheme *amplitudes) {
+      return evaluate(error, highest_turn / scheme.dt, amplitudes, false);
     };
-    Summary::ErrorPart result = part(of_all, amplitude);
+    Summary::ErrorPart result = part(of_all, &scheme);
     if (scheme.late_damping > 0.)
       {
-        const Summary::ErrorPart parts[] = {part(of_scheme, amplitude), part(of_damping, 0.)};
+        const Summary::ErrorPart parts[] = {part(of_scheme, &scheme), part(of_damping, nullptr)};
         for (int q = 0; q < 3; ++q)
           result.part[q] =
             std::max(result.part[q], least_of_both * (parts[0].part[q] + parts[1].part[q]));

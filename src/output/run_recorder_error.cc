@@ -311,10 +311,11 @@ namespace hybrid::output
   void RunRecorder::estimate_error(Summary &summary) const
   {
     ErrorRecord record;
-    record.time                               = times;
-    record.source                             = shaking(parts.scene, parts.motion);
-    record.corner                             = parts.scene.monitors.filter_frequency;
-    record.until                              = summary.first_loss_time;
+    record.time               = times;
+    record.source             = shaking(parts.scene, parts.motion);
+    record.corner             = parts.scene.monitors.filter_frequency;
+    record.until              = summary.first_loss_time;
+    record.base_is_prescribed = !parts.motion.empty() && !parts.scene.has_compliant_base();
     const std::vector<MonitorSeries> &points  = points_of_error();
     int                               n_loose = 0; // points on blocks that no joint holds
     for (std::size_t m = 0; m < points.size(); ++m)

@@ -27,7 +27,9 @@ namespace hybrid::output
 
     std::vector<double>  time; ///< end of each step [s]
     std::vector<Monitor> monitors;
-    int                  base = -1; ///< monitor that displacements are relative to; -1: absolute
+    int                  base = -1;    ///< monitor that displacements are relative to; -1: absolute
+    bool base_is_prescribed   = false; ///< what stands on it has velocities and accelerations by
+                                       ///< the scheme from displacements that the base has exactly
 
     /// Displacement of what shakes the model at a time [s], beyond the end as well, any unit;
     /// empty: it is set off at t = 0.
@@ -89,6 +91,7 @@ namespace hybrid::output
     double              corner, least_motion, spacing = 0.;
     std::size_t         rows = 0, rows_until = 0;
     int                 base;
+    bool                base_is_prescribed;
     std::vector<Motion> motions;
     double              largest[3] = {0., 0., 0.};
     ResponseDelay       response;
@@ -103,9 +106,24 @@ namespace hybrid::output
     std::array<History, 3>
          changes(const Motion &motion, int c, const ResponseDelay::Spectrum &frequency) const;
     void add_amplitude(const Motion &motion, int c, double dt, std::array<History, 3> &error) const;
+
+    /// Whether a base that moves as prescribed leads a monitor by an implicit scheme.
+    bool leads(const Motion &motion, const StepScheme &scheme) const
+    {
+      return base_is_prescribed && !motion.is_led && scheme.newmark.corrected_step == 0. &&
+             scheme.newmark.beta > 0.;
+    }
+
+    /// Of what a base leads: Newmark's v = 2 x / (s dt) s u and a = s'^2 u to second order.
+    void add_rates(const Motion           &motion,
+                   int                     c,
+                   const StepScheme       &scheme,
+                   std::array<History, 3> &error) const;
+
+    /// @param amplitudes of this scheme count, too; nullptr: none do
     Summary::ErrorPart evaluate(const FrequencyError &error,
                                 double                highest,
-                                double                amplitude_step,
+                                const StepScheme     *amplitudes,
                                 bool                  only_rock) const;
   };
 } // namespace hybrid::output
