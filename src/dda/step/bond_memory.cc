@@ -66,13 +66,15 @@ namespace hybrid::dda
 
 
 
-    /// Unit vector along a joint between two blocks.
+    /// Unit vector along a joint.
     Vec2 tangent_of(const Joint &joint, const Geometry &geometry)
     {
+      const std::vector<Vec2> &others =
+        joint.other == foundation_body ? geometry.foundation_nodes : geometry.vertices;
       const Vec2 &pa = geometry.vertices[joint.edge];
       const Vec2 &pb = geometry.vertices[geometry.next(joint.edge)];
-      const Vec2 &q0 = geometry.vertices[joint.points[0].other_vertex];
-      const Vec2 &q1 = geometry.vertices[joint.points[1].other_vertex];
+      const Vec2 &q0 = others[joint.points[0].other_vertex];
+      const Vec2 &q1 = others[joint.points[1].other_vertex];
       return ((joint.points[1].position - joint.points[0].position) * (pb - pa) + (q1 - q0))
         .normalized();
     }
@@ -87,17 +89,40 @@ namespace hybrid::dda
                            const int      number,
                            DdaState      &state)
   {
-    const int              first  = 2 * number;
-    const Springs::Spring &spring = springs.springs[first];
-    if (spring.other == foundation_body)
-      return;
-    const Vec2 tangent = tangent_of(model.joints[spring.joint], state.geometry);
-    const Vec2 before  = bond_force(springs, first, {tangent.y(), -tangent.x()}, tangent, true);
+    const int              first   = 2 * number;
+    const Springs::Spring &spring  = springs.springs[first];
+    const Vec2             tangent = tangent_of(model.joints[spring.joint], state.geometry);
+    const Vec2 before = bond_force(springs, first, {tangent.y(), -tangent.x()}, tangent, true);
     const Springs::Response &end    = springs.responses[first];
     const Vec2               now    = bond_force(springs, first, end.normal, end.tangent, false);
     Vec2                    &change = state.joints[spring.joint].force_change;
-    change = mean_turn(trial.motion[spring.block], trial.motion[spring.other]) *
-             (kept * change + Newmark::memory * (now - before));
+    const Turn               turn   = spring.other == foundation_body
+                                        ? Turn(trial.motion[spring.block])
+                                        : mean_turn(trial.motion[spring.block], trial.motion[spring.other]);
+    change                          = turn * (kept * change + Newmark::memory * (now - before));
+  }
+
+
+
+  double remembered_base_work(const Model    &model,
+                              const Springs  &springs,
+                              const Trial    &trial,
+                              const DdaState &state)
+  {
+    double work = 0.;
+    for (std::size_t s = 0; s < springs.first_contact(); s += 2)
+      {
+        const Springs::Spring &spring = springs.springs[s];
+        if (spring.other != foundation_body)
+          continue;
+        Vec2 moved = Vec2::Zero();
+        for (const Joint::Point &end : model.joints[spring.joint].points)
+          moved +=
+            0.5 *
+            (trial.foundation - state.foundation_displacement).segment<2>(2 * end.other_vertex);
+        work += state.joints[spring.joint].force_change.dot(moved);
+      }
+    return work;
   }
 
 

@@ -183,6 +183,13 @@ namespace hybrid::dda
       ((1. - gamma) * (state.foundation_force - state.foundation_contact_force) +
        gamma * (force_increment + state.static_force - contacts) + contacts)
         .dot(trial.foundation - state.foundation_displacement);
+    if (!foundation->prescribed || at_rest)
+      return;
+    // What the filter takes back of a bond's force acts on the base, too.
+    const double taken = model->newmark.filter_in(trial.dt, state.last_step) *
+                         remembered_base_work(*model, springs, trial, state);
+    state.energy.foundation_work -= taken;
+    state.energy.integration_loss -= taken;
   }
 
 
@@ -293,7 +300,7 @@ namespace hybrid::dda
         contact.state        = response.now.state;
         const double gap     = contact.stress_free_gap + response.now.gap;
         contact.pressed_gap  = response.now.gap < 0. ? gap : 0.;
-        if (gap >= 0.) // they have parted
+        if (gap >= 0. && response.now.gap >= 0.) // they have parted
           contact.stress_free_gap = 0.;
       }
   }

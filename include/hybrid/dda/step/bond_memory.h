@@ -11,7 +11,8 @@ namespace hybrid::dda
   // Memories turn with their blocks. Two blocks that a bond holds turn by different angles where
   // the body vibrates, so that the shares of that bond, equal and opposite before, would get a
   // resultant, which changes the momentum of the body. So the bond's share turns by the mean of
-  // both angles, on both sides.
+  // both angles, on both sides. A base does not turn, and has no memory: the share of its bonds
+  // turns with the block.
 
   /// Bring JointState::force_change of joint @p number of the step to the end of the solved step.
   /// The geometry of @p state is that where the step began. @param kept of the old memory, see
@@ -22,6 +23,13 @@ namespace hybrid::dda
                            double         kept,
                            int            number,
                            DdaState      &state);
+
+  /// Work of a base that moves as prescribed with what its bonds put into the blocks' memories in
+  /// the step before [J/m].
+  double remembered_base_work(const Model    &model,
+                              const Springs  &springs,
+                              const Trial    &trial,
+                              const DdaState &state);
 
   /// What turning a block's memory with the block has added to the bonds' shares of it [N/m], after
   /// remember_bond_force() of all joints.
