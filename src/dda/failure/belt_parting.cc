@@ -2,6 +2,8 @@
 #include <hybrid/dda/failure/belt_parting.h>
 #include <hybrid/dda/geometry/polygon.h>
 
+#include <algorithm>
+
 namespace hybrid::dda
 {
   namespace
@@ -30,9 +32,10 @@ namespace hybrid::dda
     const Joint::Point &point = bond.points[end];
     const Geometry     &g     = state.geometry;
     const Vec2         &a = g.vertices[bond.edge], &b = g.vertices[g.next(bond.edge)];
-    const Vec2          place   = (1. - point.position) * a + point.position * b;
-    const double        allowed = bond.law.parting_opening();
-    const auto          lies_on = [&](const int k) {
+    const Vec2          place = (1. - point.position) * a + point.position * b;
+    const double        allowed =
+      bond.law.parting_opening() + std::max(0., -state.joints[joint].drawn_gap[end]);
+    const auto lies_on = [&](const int k) {
       return opening(model.joints[belts[k]], g, place) <= allowed;
     };
     int &last = last_belt[joint][end];

@@ -19,12 +19,12 @@ namespace hybrid::dda
     }
 
 
-    /// Bodies of a released joint, how far its springs overlapped [m], and with which force one of
-    /// them pressed [N/m].
+    /// Bodies of a released joint, how far its springs overlapped, and by how much more than the
+    /// bodies do [m], and with which force one of them pressed [N/m].
     struct Overlap
     {
       BodyPair bodies;
-      double   depth, force;
+      double   depth, standoff, force;
     };
 
     bool operator<(const Overlap &a, const Overlap &b)
@@ -47,6 +47,7 @@ namespace hybrid::dda
           const double traction = std::max(points[0].normal, points[1].normal);
           overlaps.push_back({in_order(model, model.joints[j].block, model.joints[j].other),
                               std::max(closed, 0.),
+                              std::max({0., -joint.drawn_gap[0], -joint.drawn_gap[1]}),
                               0.5 * model.joints[j].length * std::max(traction, 0.)});
         }
       std::sort(overlaps.begin(), overlaps.end());
@@ -69,7 +70,7 @@ namespace hybrid::dda
       return;
     for (Contact &contact : state.contacts)
       {
-        const Overlap of_pair{in_order(model, contact.vertex_body, contact.edge_body), 0., 0.};
+        const Overlap of_pair{in_order(model, contact.vertex_body, contact.edge_body), 0., 0., 0.};
         const auto    found = std::equal_range(overlaps.begin(), overlaps.end(), of_pair);
         for (auto joint = found.first; joint != found.second; ++joint)
           {
@@ -77,7 +78,8 @@ namespace hybrid::dda
             const double      depth = joint->force / (law.length * law.law.normal_stiffness());
             contact.stress_free_gap =
               std::max(contact.stress_free_gap,
-                       std::min(0., gap(contact, state.geometry) + std::min(joint->depth, depth)));
+                       std::min(joint->standoff,
+                                gap(contact, state.geometry) + std::min(joint->depth, depth)));
           }
       }
   }

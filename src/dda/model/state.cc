@@ -35,10 +35,11 @@ namespace hybrid::dda
            handed_over,
            parted,
            rest_slip,
+           drawn_gap,
            force_change] = joint;
     archive(
       points, failure, failure_time, has_yielded, released, handed_over, parted[0], parted[1]);
-    archive(rest_slip[0], rest_slip[1], force_change);
+    archive(rest_slip[0], rest_slip[1], drawn_gap[0], drawn_gap[1], force_change);
   }
 
 

@@ -108,7 +108,8 @@ namespace hybrid::dda
         if (then < 0. || then == length.closeness || length.spring <= 0.)
           continue;
         const double kept       = std::sqrt(length.at(then) / length.spring);
-        contact.stress_free_gap = std::min(0., gap + kept * (contact.stress_free_gap - gap));
+        contact.stress_free_gap = std::min(std::max(0., contact.stress_free_gap),
+                                           gap + kept * (contact.stress_free_gap - gap));
         contact.plastic_slip    = contact.slip - kept * (contact.slip - contact.plastic_slip);
       }
   }

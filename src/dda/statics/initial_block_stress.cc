@@ -68,6 +68,7 @@ namespace hybrid::dda
               (2. * joint.points[end].position + joint.points[1 - end].position) / 3.;
             stretch(model, joint, stress.traction(joint, a + at * edge), now.points[end]);
             now.rest_slip[end] = now.points[end].slip;
+            now.drawn_gap[end] = now.points[end].gap;
           }
       }
   }

@@ -209,6 +209,7 @@ namespace hybrid::dda
             JointState &now = state.joints[j];
             stretch(model, model.joints[j], tractions[j][end], now.points[end]);
             now.rest_slip[end] = now.points[end].slip;
+            now.drawn_gap[end] = now.points[end].gap;
           }
     }
 

@@ -30,9 +30,10 @@ namespace hybrid::dda
       0.; ///< part of the slip that friction has taken; shear force = -k_s (slip - plastic_slip)
     ContactState state = ContactState::open; ///< when last accepted
     double       stress_free_gap =
-      0.; ///< gap above which it carries nothing, <= 0 [m]: the overlap that neighbours of the mesh
+      0.; ///< gap above which it carries nothing [m]: the overlap that neighbours of the mesh
           ///< had when they were first active, and a little more, or that with which it
-          ///< was found (contact_load.h), less that of a released joint; 0 once they part
+          ///< was found (contact_load.h), less that of a released joint; > 0 only where that had an
+          ///< initial stress; 0 once they part
     double pressed_gap = 0.; ///< gap when last accepted, if it pressed then, < 0 [m]: summed over
                              ///< the steps, see ContactFrame; 0: the gap is that of the places
     double closeness = -1.;  ///< with which its load was last set (ContactLength) [-]; < 0: not yet

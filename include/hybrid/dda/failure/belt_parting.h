@@ -12,7 +12,7 @@ namespace hybrid::dda
   /**
    * Marks ends of released belt joints that have lost their cohesion for good (JointState::parted):
    * torn before the release, or now farther from every edge of the ground that a belt bonded than
-   * an intact bond opens.
+   * an intact bond opens (from where an initial stress has stretched it).
    */
   class BeltParting
   {

@@ -48,10 +48,12 @@ namespace hybrid::dda
     bool has_yielded = false;      ///< its blocks look at all their neighbours, see joint_failure.h
     bool released    = false;      ///< slid or opened so far that vertex contacts took over
     bool handed_over = false;      ///< released, and its contacts have its load: joint_release.h
-    bool parted[2]   = {false, false};  ///< ends of a released belt that have lost their
-                                        ///< cohesion for good: belt_parting.h
-    double rest_slip[2] = {0., 0.};     ///< slip of the ends at rest, from which slip counts [m]
-    Vec2   force_change = Vec2::Zero(); ///< on its block, remembered: bond_memory.h [N/m]
+    bool parted[2]   = {false, false}; ///< ends of a released belt that have lost their
+                                       ///< cohesion for good: belt_parting.h
+    double rest_slip[2] = {0., 0.};    ///< slip of the ends at rest, from which slip counts [m]
+    double drawn_gap[2] = {0., 0.};    ///< of the ends where blocks lie as drawn, not 0 with an
+                                       ///< initial stress [m]
+    Vec2 force_change = Vec2::Zero();  ///< on its block, remembered: bond_memory.h [N/m]
   };
 
 
