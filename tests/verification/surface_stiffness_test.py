@@ -50,11 +50,12 @@ def run(name, scene, overrides, form, processes=1):
     if processes > 1:
         words = [os.environ["HYBRID_MPIEXEC"], "-n", str(processes), "--oversubscribe", "--allow-run-as-root",
                  "--mca", "mpi_yield_when_idle", "1", *words]
-    for override in [*overrides, *ONE_RUN, "Output/Picture interval=0", f"Continuum/Surface stiffness={form}",
+    for override in ["Output/Picture interval=0", *overrides, *ONE_RUN, f"Continuum/Surface stiffness={form}",
                      f"Output/Directory={directory}"]:
         words += ["-s", override]
     result = subprocess.run(words, capture_output=True, text=True, env=ENVIRONMENT, check=False)
     require(result.returncode == 0, f"{name}: exit code {result.returncode}: {result.stderr[-300:]}")
+    require(result.stdout.count("Finished") == 1 and "the first one alone" not in result.stdout, f"{name}: all compute, one speaks")
     return directory
 
 
