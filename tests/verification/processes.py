@@ -78,9 +78,10 @@ def children(process):
     return [int(line.split()[0]) for line in text.splitlines() if BINARY in line]
 
 
-def stopped(directory, how, overrides, scene="lamb", output=None):
-    """A run of two processes that is stopped once it has written a checkpoint. @param output gets what it says. @return its exit code."""
-    process = subprocess.Popen([*launcher(2), "--mca", "odls_base_sigkill_timeout", "5", *words_of(scene, directory, overrides)],
+def stopped(directory, how, overrides, scene="lamb", output=None, patience=1):
+    """A run of two processes that is stopped once it has written a checkpoint. @param output gets what it says. @param patience of mpirun
+    before it kills those that are left [s]. @return its exit code."""
+    process = subprocess.Popen([*launcher(2), "--mca", "odls_base_sigkill_timeout", str(patience), *words_of(scene, directory, overrides)],
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=ENVIRONMENT)
     while process.poll() is None and not (directory / "checkpoint/state.bin").exists():
         time.sleep(0.01)

@@ -52,7 +52,7 @@ IMPLICIT = {
     "lamb": ("lamb", [o for o in SMALL_LAMB if o != EXPLICIT] + ["Time/Time step=0.002"]),
     "free_field": ("free_field", ["Time/End time=0.3", *DAMPED]),
     "rigid": ("free_field", ["Time/End time=0.3", "Continuum/Base=rigid", "Time/Scheme=filtered"]),
-    "joints": ("oblique_joints", ["Time/End time=0.2"]),
+    "joints": ("oblique_joints", [HEAVY[0], "Time/End time=0.2"]),
     "columns": ("column_planes", [*ELASTIC, "Time/End time=0.5", "Continuum/Rayleigh stiffness=1e-4"]),
 }
 
@@ -308,7 +308,7 @@ def check_alone():
 def check_faults():
     expected = whole_lamb()
     directory = WORK / "terminated"
-    code = stopped(directory, lambda process: process.send_signal(signal.SIGTERM), LONG_LAMB)
+    code = stopped(directory, lambda process: process.send_signal(signal.SIGTERM), LONG_LAMB, patience=5)
     require(code != 0, "terminated: an exit code that tells of it")
     resume(2, directory)
     found = series(directory)

@@ -103,10 +103,10 @@ def check_stops_of_blocks():
     told = json.loads((whole / "summary.json").read_text())
     require(told["joints"]["tensile"] > 0 and told["slip_m"]["part_slipped"] > 0.01 and expected["energy/yield_loss"][-1] > 0.,
             f"torn: joints tear, blocks slide and yield: {told['joints']}, {told['slip_m']}")
-    for name, how in (("blocks_terminated", lambda process: process.send_signal(signal.SIGTERM)),
-                      ("blocks_killed", lambda process: os.kill(children(process)[1], signal.SIGKILL))):
+    for name, patience, how in (("blocks_terminated", 5, lambda process: process.send_signal(signal.SIGTERM)),
+                                ("blocks_killed", 1, lambda process: os.kill(children(process)[1], signal.SIGKILL))):
         directory = WORK / name
-        code = stopped(directory, how, overrides, scene)
+        code = stopped(directory, how, overrides, scene, patience=patience)
         require(code != 0, f"{name}: an exit code that tells of it")
         resume(3 if name == "blocks_killed" else 2, directory)
         require_same_bits(expected, directory, name)
