@@ -314,9 +314,8 @@ def check_static_stage():
     summary = json.loads((whole / "summary.json").read_text(encoding="utf-8"))
     stage = used * summary["timings_s"]["static_stage"] / summary["wall_time_s"]  # processor time of the static stage
     random.seed(int(os.environ.get("HYBRID_SEED", "1")))
-    for number in (signal.SIGINT, signal.SIGKILL):
-        for wait in (0., random.uniform(0.1, 0.5) * stage):
-            check_interrupted_stage(whole, number, wait)
+    for number, wait in ((signal.SIGINT, 0.), (signal.SIGINT, random.uniform(0.1, 0.5) * stage), (signal.SIGKILL, random.uniform(0.1, 0.5) * stage)):
+        check_interrupted_stage(whole, number, wait)
 
 
 def check_killed_preparation():
