@@ -190,6 +190,24 @@ def test_planes_are_cut_where_they_leave_the_bedrock():
         section(planes=[("sky", np.array([(0, 100), (300, 120)], float))])
 
 
+@pytest.mark.parametrize("start, end", [(-900, 150), (150, 900), (-900, 900), (-200, 600), (-195, 150)])
+def test_planes_may_reach_the_ends_of_the_profile(start, end):
+    """Its ends are the sides here, as the profile is long; a tip a little inside goes straight on."""
+    left, right = -200, 600
+    found, notes = section(ground=np.vstack([[(left, 10)], GROUND, [(right, 72)]]), planes=[("p", np.array([(start, 0.02 * start), (end, 0.02 * end)], float))])
+    assert (found.left, found.right) == (left, right) and not any("level ground" in note for note in notes)
+    kept = min(end, right) - max(start, left)
+    assert len(found.bedrock) == 2 and group_lengths(found)["bedding_1"] == pytest.approx(kept * np.hypot(1, 0.02), rel=0.02)
+    for x in [left] * (start < left + 10) + [right] * (end >= right):
+        heights = [y for at, y in found.mesh.points if at == x]
+        assert min(abs(y - 0.02 * x) for y in heights) < 1e-3
+
+
+def test_a_plane_along_a_side_is_refused():
+    with pytest.raises(UserError, match="p runs 0 m beside the right side at"):
+        section(ground=np.vstack([GROUND, [(800, 72)]]), planes=[("p", np.array([(800, -20), (800, 20)], float))])
+
+
 def test_planes_that_cross_are_refused_and_one_may_end_on_another():
     a, b = np.array([(0, 0), (100, 10)], float), np.array([(0, 10), (100, 0)], float)
     with pytest.raises(UserError, match=re.escape("a and b cross at (50, 5) m")):

@@ -125,9 +125,11 @@ class Continuations:
                 self.add(k)
 
     def free_ends(self, points):
-        """(tip, slope, direction along x) of ends that lie on nothing else."""
+        """(tip, slope, direction along x) of ends that lie on nothing else, nor at a side of the section."""
         line = LineString(points)
         for end, before in ((points[0], points[1]), (points[-1], points[-2])):
+            if min(abs(end[0] - self.left), abs(end[0] - self.right)) <= 1e-6 * self.near:
+                continue
             others = [o for o in self.obstacles if not o.equals(line)]
             if min((o.distance(Point(end)) for o in others), default=np.inf) <= 1e-6 * self.near:
                 continue
@@ -137,7 +139,10 @@ class Continuations:
             yield end, slope, direction
 
     def set_heights(self, tops):
-        """Heights at the sides, in the order in which the planes would get there: apart from each other, and from ground and base."""
+        """Heights at the sides, in the order in which the planes would get there: apart from each other, and from ground and base.
+
+        Tips that are close to their side go straight on.
+        """
         self.low = min(tip[1] for tip, _, _ in self.tips)
         self.goals, self.shrink = {}, 1.0
         for direction, top in zip((-1.0, 1.0), tops):
@@ -150,6 +155,7 @@ class Continuations:
             half = 0.5 * apart * (len(tips) - 1)
             middle = np.clip(ahead.mean(), self.base + 0.2 * height + half, top - 0.2 * height - half)
             self.goals.update({k: middle - half + apart * rank for rank, k in enumerate(tips)})
+            self.goals.update({k: y for k, y in zip(tips, ahead) if abs(self.tips[k][0][0] - self.side(direction)) < 4 * self.near})
             last = max((self.tips[k][0][0] for k in tips), key=lambda x: x * direction)
             deepest = min(self.straight_on(*self.tips[k], last) for k in tips)
             if deepest < self.low:

@@ -97,7 +97,8 @@ class Section:
         if self.mass is not None:
             rock_area = rock_area.difference(self.mass.polygon)
         self.planes = cut_planes(planes, rock_area, self.slip, limits, self.notes)
-        look_at_layers(self.planes, obstacles_of(self.slip, self.ground), self.h, self.notes)
+        sides = [("the %s side" % name, LineString([(end[0], self.base), end])) for name, end in (("left", self.ground[0]), ("right", self.ground[-1]))]
+        look_at_layers(self.planes, obstacles_of(self.slip, self.ground) + sides, self.h, self.notes)
         self.plane_size = float(np.clip(spacing(self.planes, self.slip, self.ground), 0.5 * self.h, self.far))
         obstacles = [line for _, line in obstacles_of(self.slip, self.ground)]
         tops = (self.ground[0, 1], self.ground[-1, 1])
