@@ -64,6 +64,13 @@ def tell(event, first):
         event.number, 1e3 * added, where, part_of(added, first.sizes()[0]), slip, event.failures), flush=True)
 
 
+def tell_warnings(warnings, told):
+    """Those that are new."""
+    for warning in warnings[len(told):]:
+        print(warning, flush=True)
+    told[:] = warnings
+
+
 def table_of_events(done):
     table = Table([Column("event", "", "%d"), Column("displacement added", "m", LENGTH), Column("of the first", "", lambda v: "%.0f %%" % (100 * v)),
                    Column("at"), Column("mean slip added", "m", LENGTH), Column("largest slip added", "m", LENGTH),
@@ -102,6 +109,11 @@ def verdict(done, part):
     return False, "Not conditioned: event %d %s, and at most %.0f %% are asked for; the motion leaves something every time, or wants more --events." % (last.number, text, 100 * part)
 
 
+def what_displacements_are(base):
+    said = "relative to %s" % base if base else "absolute, with the motion of the ground in them (Monitors/Base names a monitor to count from)"
+    return "Displacements are sizes of vectors, %s; the lines of a run tell the larger component." % said
+
+
 def keep_in_summary(run, content):
     """For hybrid report."""
     path = os.path.join(run.directory, "summary.json")
@@ -117,22 +129,26 @@ def main(words):
     os.makedirs(found.output, exist_ok=True)
     repetition = Repetition(found.scene, found.overrides, found.quiet, found.events, os.path.join(found.output, "run"))
     style.apply()
-    done, events = [], None
+    done, events, told = [], None, []
+    tell_warnings(repetition.warnings, told)
     while len(done) < found.events:
         if events:
             events.run.file.close()  # the program writes it
         events = Events(repetition.run_event(len(done) + 1), repetition.period)
         done.append(events.event(len(done) + 1))
         tell(done[-1], done[0])
+        tell_warnings(repetition.warnings, told)
         if leaves_nothing(done[0]) or (len(done) > 1 and is_conditioned(done[0], done[-1], found.part)):
             break
     conditioned, sentence = verdict(done, found.part)
     overview, states = table_of_events(done), table_of_states(done[0], done[-1], conditioned)
+    meaning = what_displacements_are(events.relative_to)
     more = {"scene": os.path.abspath(found.scene), "overrides": found.overrides, "part": found.part, "period_s": repetition.period,
-            "conditioned": conditioned, "verdict": sentence, "states": states.records()}
-    overview.write(found.output, "condition", more, "# Virgin and conditioned\n\n" + sentence + "\n", "\n" + states.markdown())
+            "conditioned": conditioned, "verdict": sentence, "relative_to": events.relative_to, "warnings": told, "states": states.records()}
+    above = "\n\n".join(["# Virgin and conditioned", sentence] + told) + "\n"
+    overview.write(found.output, "condition", more, above, "\n" + states.markdown() + "\n\n" + meaning)
     keep_in_summary(events.run, dict(more, events=overview.records()))
     figure.draw(events, done, found.part, found.output)
-    print("\n" + states.text() + "\nDisplacements are sizes of vectors; the lines of a run tell the larger component.\n\n" + sentence)
+    print("\n" + states.text() + "\n" + meaning + "\n\n" + sentence)
     print("files    %s: condition.json, condition.csv, condition.md, condition.png; run (all events)" % found.output)
     return 0

@@ -12,7 +12,7 @@ NOTHING_PART = 1e-5  # likewise, of the largest displacement in it: the ground s
 
 @dataclass
 class Point:
-    """A monitor in one event, relative to its place at the start of the event and to the base monitor."""
+    """A monitor in one event, relative to its place at the start of the event and to the base (Events.relative_to)."""
 
     left: np.ndarray  # [m]
     peak: float  # largest size of displacement [m]
@@ -63,8 +63,20 @@ class Events:
         histories = {name: run.relative_displacement(name) for name in run.names("monitors") if name != run.base}
         for hole in run.names("profiles"):
             histories.setdefault(hole, run.history("profiles/%s/displacement" % hole)[:, :2])
+        if self.is_relative_to_motion:
+            histories = {name: history - run.history("input/displacement") for name, history in histories.items()}
         self.histories = histories
         self.count = int(round(run.time[-1] / period))
+
+    @property
+    def is_relative_to_motion(self):
+        """Without a base monitor: relative to a rigid base, which moves as the motion says."""
+        return not self.run.base and self.run.parameters["Model/Bedrock"] == "rigid" and self.run.has("input/displacement")
+
+    @property
+    def relative_to(self):
+        """What displacements are relative to; None: to nothing."""
+        return "the base monitor " + self.run.base if self.run.base else "the rigid base" if self.is_relative_to_motion else None
 
     def span(self, number):
         """Rows of an event."""

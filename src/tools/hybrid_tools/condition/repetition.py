@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A run whose motion comes again and again: each further event resumes the run with a later end."""
 
+import math
 import os
+import re
 import subprocess
 
 from hybrid_run import Run, UserError
@@ -24,6 +26,15 @@ def settings(pairs):
     return [word for path, value in pairs.items() for word in ("-s", "%s=%s" % (path, value))]
 
 
+def refuse_part(card, period, end):
+    """A motion longer than an event goes on in the next one and adds up with that."""
+    cut = next(filter(None, (re.search(r"the run ends at t = \S+ s, the motion at (\S+) s: the rest of it is not used", line) for line in card)), None)
+    if cut:
+        enough = math.floor(10 * (float(cut[1]) - end) + 1) / 10  # its end is rounded
+        raise UserError("the motion ends at %s s, an event at %g s (Time/End time = %g s and --quiet): events would overlap and add up, so that "
+                        "each is another motion; give --quiet %g or more, or a shorter motion" % (cut[1], period, end, enough))
+
+
 class Repetition:
     """A scene whose motion comes up to `events` times."""
 
@@ -39,8 +50,11 @@ class Repetition:
         if values["Water/Level file"]:
             raise UserError("'%s' has a level of the water in time, which would differ from event to event: Water/Level file; give the level of all "
                             "events, -s \"Water/Level file=\" -s \"Water/Level=...\"" % scene)
-        step = float(values["Time/Time step"])
-        self.period = step * round((float(values["Time/End time"]) + quiet) / step)  # [s]
+        step, end = float(values["Time/Time step"]), float(values["Time/End time"])
+        self.period = step * round((end + quiet) / step)  # [s]
+        card = call(["--check", scene] + self.overrides + settings({"Time/End time": "%.12g" % self.period, "Motion/Repetitions": 1})).splitlines()
+        refuse_part(card, self.period, end)
+        self.warnings = [line for line in card if line.startswith("warning: ")]  # of the scene, and of its run
         self.fixed = {"Time/Error estimate": "one run", "Time/Error target": "none", "Mesh/Error estimate": "one run", "Time/Rest speed": "none",
                       "Motion/Repetitions": events, "Motion/Repetition interval": "%.12g" % self.period}
         if values["Checkpoint/Step interval"] == values["Checkpoint/Wall interval"] == "0":
@@ -54,6 +68,17 @@ class Repetition:
         else:
             said = call(["--resume", self.directory] + settings(end))
         run = Run(self.directory)
+        self.add_warnings()
         if abs(run.time[-1] - number * self.period) > 1e-6 * self.period:
             raise UserError("event %d ended early:\n%s" % (number, said[-500:]))
         return run
+
+    def add_warnings(self):
+        """Those of the run so far, but none that differs from one of an earlier event in its numbers alone."""
+        def without_numbers(line):
+            return re.sub(r"[\d.]+(e[+-]\d+)?", "", line)
+
+        known = set(map(without_numbers, self.warnings))
+        with open(os.path.join(self.directory, "log.txt"), encoding="utf-8") as log:
+            found = [line.rstrip() for line in log if line.startswith("warning: ")]
+        self.warnings += dict.fromkeys(line for line in found if without_numbers(line) not in known)
