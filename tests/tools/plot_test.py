@@ -246,6 +246,36 @@ def test_boreholes_are_explained_and_no_words_lie_on_their_curves(synthetic_run,
     assert ["envelope of the run", "at peak of surface", "left: mean of the last 2 s", "measured"] in legends(figures.pop())
 
 
+def test_the_overview_has_the_boreholes_that_move_most_and_names_the_others(synthetic_run, monkeypatch):
+    directory = synthetic_run("complete")
+    figures = []
+    monkeypatch.setattr(style, "save", lambda figure, *_: figures.append(figure))
+    for number, words in ((1, "without ZK0, which moves less"), (4, "without 4 others, which move less")):
+        with h5py.File(directory / "run.h5", "r+") as file:
+            for name in ["ZK%d" % k for k in (0, 5, 6, 7)][:number]:
+                if name not in file["profiles"]:
+                    file.copy("profiles/ZK1", "profiles/" + name)
+                    file["profiles/%s/displacement" % name][:] *= 0.5
+        overview.draw(Run(directory), directory)
+        figure = figures.pop()
+        assert [name for part in figure.subfigs for axes in part.axes if "ZK" in (name := axes.get_title("left"))] == ["ZK1", "ZK2"]
+        assert any(legend[-1] == words for legend in legends(figure))
+
+
+def test_bedding_planes_that_are_seen_are_in_the_legend_of_the_section(synthetic_run):
+    directory = synthetic_run("complete")
+    for planes, expected in (([[0, 100, 900, 290]], "bedding plane"), ([[0, -50, 900, -40]], None)):
+        with h5py.File(directory / "run.h5", "r+") as file:
+            file.pop("section/bedding", None)
+            file["section/bedding/bedding_1"] = np.array(planes, float)
+        axes = plt.figure().add_subplot()
+        section_view.draw_main(section_view.Section(Run(directory)), axes)
+        words = [text.get_text() for text in axes.get_legend().get_texts()]
+        assert words[-1] == expected if expected else not any("bedding" in word for word in words)
+        assert any("tensile: " in word for word in words)
+        plt.close("all")
+
+
 def test_boreholes_of_a_mass_that_still_slides_are_those_at_the_end(synthetic_run):
     """Slip that goes on growing: the mean of the last seconds is not what is left."""
     directory = synthetic_run("complete")

@@ -2,11 +2,14 @@
 """One page that says what happened: figures of the run, section, motion, displacements, boreholes, energy."""
 
 import matplotlib.pyplot as plt
+from matplotlib.lines import Line2D
 
 from hybrid_run import MissingData
 from hybrid_tools import style
 
 from . import boreholes, energy_balance, input_motion, monitor_histories, section_view
+
+MOST_PROFILES = 2  # boreholes
 
 
 def facts(run):
@@ -73,9 +76,20 @@ class Profile:
         axes.set_ylabel("depth [m]")
 
 
-def explain_profiles(part, axes):
-    """One legend for the boreholes of a row, below them."""
+def choose_profiles(run):
+    """(boreholes that are drawn, others): those that move most, in the order of their names."""
+    names = [n for n in run.names("profiles") if run.has("profiles/%s/displacement" % n) and len(run.file["profiles/%s/displacement" % n])]
+    most = sorted(names, key=lambda name: -boreholes.largest_of(run, name))[:MOST_PROFILES]
+    return [n for n in names if n in most], [n for n in names if n not in most]
+
+
+def explain_profiles(part, axes, others):
+    """One legend for the boreholes of a row, below them; it names those that are not drawn."""
     handles, labels = axes.get_legend_handles_labels()
+    if others:
+        handles.append(Line2D([], [], linestyle="none"))
+        names = ", ".join(others) if len(others) <= 3 else "%d others" % len(others)
+        labels.append("without %s, which move%s less" % (names, "s" * (len(others) == 1)))
     part.legend(handles, labels, loc="lower right", bbox_to_anchor=(0.97, -0.03), ncol=len(labels), fontsize=7, handlelength=1.4,
                 columnspacing=1.2)
 
@@ -97,14 +111,14 @@ def possible(run, function):
 
 
 def draw(run, directory):
-    holes = [n for n in run.names("profiles") if run.has("profiles/%s/displacement" % n) and len(run.file["profiles/%s/displacement" % n])][:2]
+    holes, others = choose_profiles(run)
     small = [f for f in (draw_motion, draw_displacements, draw_energy) if possible(run, f)]
     for name in holes:
         small.append(Profile(name))
     with_section = possible(run, draw_section)
     if not small and not with_section:
         raise MissingData("nothing recorded yet")
-    draw_page(run, small, with_section, directory)
+    draw_page(run, small, with_section, directory, others)
 
 
 def rows_of(small):
@@ -114,7 +128,7 @@ def rows_of(small):
     return [small[:2], small[2:]]
 
 
-def draw_page(run, small, with_section, directory):
+def draw_page(run, small, with_section, directory, others=()):
     rows = rows_of(small)
     heights = ([4.1] if with_section else []) + [3.0] * len(rows)
     figure = plt.figure(figsize=(13, sum(heights) + 0.75))
@@ -131,5 +145,5 @@ def draw_page(run, small, with_section, directory):
             axes = part.add_subplot(grid[i])
             function(run, axes)
         if is_profile(row[-1]):
-            explain_profiles(part, axes)
+            explain_profiles(part, axes, others)
     style.save(figure, directory, "overview")

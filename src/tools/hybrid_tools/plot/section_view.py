@@ -8,6 +8,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from shapely.geometry import MultiLineString, box
 
 from hybrid_run.geometry import chains
 from hybrid_tools import style
@@ -136,8 +137,10 @@ def free_corner(section):
 
 
 def draw_joints(section, axes):
+    """Failed joints. @return what they are called: [(artist, words)]."""
+    entries = []
     if section.joints is None:
-        return
+        return entries
     position, time, kind, ends = section.joints
     sets = ((2, True, style.SHEAR_PALE, "shear, static stage"), (1, True, style.TENSILE_PALE, "tensile, static stage"),
             (2, False, style.SHEAR, "shear"), (1, False, style.TENSILE, "tensile"))
@@ -145,15 +148,34 @@ def draw_joints(section, axes):
         chosen = (kind == wanted) & ((time < 0) == is_static)
         if not chosen.any():
             continue
-        label = "%s: %d" % (label, chosen.sum())
         if ends is not None:
-            axes.add_collection(LineCollection(ends[chosen].reshape(-1, 2, 2), colors=colour, lw=1.7, zorder=5, label=label, capstyle="round", path_effects=OUTLINE))
+            lines = LineCollection(ends[chosen].reshape(-1, 2, 2), colors=colour, lw=1.7, zorder=5, capstyle="round", path_effects=OUTLINE)
+            artist = axes.add_collection(lines)
         else:
-            axes.plot(position[chosen, 0], position[chosen, 1], ".", color=colour, ms=3.5, zorder=5, label=label, mew=0)
-    legend = axes.legend(loc=free_corner(section), title="failed joints", markerscale=2.0, frameon=True, framealpha=0.9,
-                         edgecolor="#cccccc", fontsize=8)
+            artist, = axes.plot(position[chosen, 0], position[chosen, 1], ".", color=colour, ms=3.5, zorder=5, mew=0)
+        entries.append((artist, "%s: %d" % (label, chosen.sum())))
+    return entries
+
+
+def planes_in_view(section, axes):
+    """How many bedding planes have a part within the axes."""
+    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    view = box(left, bottom, right, top)
+    return sum(MultiLineString(list(segments)).intersects(view) for segments in section.bedding.values())
+
+
+def explain(section, axes, joints):
+    """The legend of failed joints and bedding planes, where the mass leaves room."""
+    entries, title = list(joints), "failed joints"
+    if number := planes_in_view(section, axes):
+        plane = Line2D([], [], color=style.BEDDING, lw=0.9, ls="--")
+        entries = [(artist, "failed joints, " + words) for artist, words in joints] + [(plane, "bedding plane" + "s" * (number > 1))]
+        title = None
+    if not entries:
+        return
+    legend = axes.legend(*zip(*entries), loc=free_corner(section), title=title, markerscale=2.0, frameon=True, framealpha=0.9,
+                         edgecolor="#cccccc", fontsize=8, title_fontsize=8)
     legend.set_zorder(9)
-    legend.get_title().set_fontsize(8)
 
 
 def draw_labels(section, axes):
@@ -239,7 +261,7 @@ def draw_main(section, axes):
     set_view(axes, section.low, section.high, margin_of(section))
     make_room_for_names(section, axes)
     draw_water(section.water, axes, 0.0, section.names())
-    draw_joints(section, axes)
+    explain(section, axes, draw_joints(section, axes))
     draw_labels(section, axes)
 
 
