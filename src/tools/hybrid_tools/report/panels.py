@@ -63,7 +63,7 @@ def section(run):
     if values is None:
         return figure, "The blocks at their first place; displacements are known when a run has ended."
     farthest = np.vstack([block.mean(axis=0) for block in found.blocks])[values.argmax()]
-    marks = "" if found.joints is None else " Lines are failed joints."
+    marks = "" if found.joints is None else " Red and blue lines are failed joints."
     return figure, "Largest displacement of each block, drawn at its first place: up to %s %s, at x = %.0f m.%s" % (
         facts.length(values.max()) + (farthest[0], marks))
 
