@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/continuum/base_memory.h>
 #include <hybrid/continuum/continuum_implementation.h>
 
 namespace hybrid::continuum
@@ -159,7 +160,7 @@ namespace hybrid::continuum
   }
 
 
-  double Continuum::Implementation::add_base_energy(ContinuumState &state)
+  double Continuum::Implementation::add_base_energy(ContinuumState &state, const double dt)
   {
     if (boundary->moving_nodes().empty())
       return 0.;
@@ -186,6 +187,7 @@ namespace hybrid::continuum
         r1 += base_maxwell(maxwell1);
       }
     state.energy.input_work += moved.dot((1. - gamma) * r0 + gamma * r1 + base_inertia(c1));
+    take_back_base_work(newmark, dt, moved, r1 - r0, state);
     return moved.dot(r1 - r0);
   }
 
@@ -231,7 +233,7 @@ namespace hybrid::continuum
     // Du . K Du, from the equilibrium of both ends: what pushes from outside and damping; inertia's
     // part goes with the filter's straight into the loss.
     double strain_change = add_boundary_energy(state);
-    strain_change += add_base_energy(state);
+    strain_change += add_base_energy(state, dt);
     strain_change += add_surface_energy(state, force);
     if (!point_loads.empty())
       strain_change += add_point_load_energy(state, dt);

@@ -44,6 +44,7 @@ namespace hybrid::continuum
            acceleration,
            of_contacts,
            change,
+           base_force_change,
            force,
            contact,
            slip,
@@ -51,7 +52,7 @@ namespace hybrid::continuum
            maxwell,
            energy] = state;
     archive(time, last_step, displacement, velocity, acceleration, of_contacts, change, force);
-    archive(contact, slip, column_slip, maxwell, energy);
+    archive(base_force_change, contact, slip, column_slip, maxwell, energy);
   }
 
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <hybrid/continuum/base_memory.h>
 #include <hybrid/continuum/implicit_waves.h>
 
 // The sums of continuum_energy.cc, whose opening comment has the identity.
@@ -78,7 +79,7 @@ namespace hybrid::continuum
 
 
 
-  double ImplicitWaves::add_base_energy(ContinuumState &state)
+  double ImplicitWaves::add_base_energy(ContinuumState &state, const double dt)
   {
     if (boundary.moving_nodes().empty())
       return 0.;
@@ -88,6 +89,7 @@ namespace hybrid::continuum
                r1 = base_reaction(now, next_branch, force1);
     state.energy.input_work +=
       moved.dot((1. - newmark.gamma) * r0 + newmark.gamma * r1 + contact_reaction());
+    take_back_base_work(newmark, dt, moved, r1 - r0, state);
     return moved.dot(r1 - r0);
   }
 
@@ -163,7 +165,7 @@ namespace hybrid::continuum
     ContinuumEnergy &energy = state.energy;
     // Du . K Du, from the equilibrium of both ends.
     double strain_change = add_boundary_energy(state);
-    strain_change += add_base_energy(state);
+    strain_change += add_base_energy(state, dt);
     strain_change += add_surface_energy(state, force);
     if (!point_loads.empty())
       {

@@ -41,11 +41,14 @@ WITHIN = {"time_order within": BURST + ["Motion/Frequency=4", "Motion/Cycles=8",
                                 "Motion/Peak=1", "Time/End time=2"],
           "coupled_column begins": ["Time/End time=0.2"]}
 
+# A stiff mass that a rigid base carries, and nothing else.
+HELD = ["Materials/belt/Cohesion=1e9", "Materials/belt/Tensile strength=1e9"]
+
 # name: steps in units of the scene's own, and what is set besides
 SHORT = {"time_order": ((4, 1), []), "bedrock_triangles": ((4,), []), "block_decrement": ((1,), []), "lasting_load": ((4,), []),
          "canyon": ((4,), []), "rayleigh_decrement": ((4,), []), "shaken_base": ((2,), []), "floating_block": ((2,), []),
          "rate_belt": ((4,), []), "coupled_column within": ((2,), WITHIN["coupled_column within"]),
-         "coupled_column begins": ((2,), WITHIN["coupled_column begins"])}
+         "coupled_column begins": ((2,), WITHIN["coupled_column begins"]), "bonded_slab held": ((8,), HELD)}
 LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_layers": ((4, 1), []),
         "block_decrement": ((4, 1), []), "continuum_into_blocks": ((4, 1), []), "coupled_column": ((4, 1), []),
         "coupled_column trapezoidal": ((4, 1), SCHEME["trapezoidal"]), "coupled_column dissipative": ((4, 1), SCHEME["dissipative"]),
@@ -59,7 +62,7 @@ LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_
         "brittle_release": ((4, 1), []), "direct_shear": ((4, 1), []), "infinite_slope": ((4, 1), []), "coulomb_joint": ((4, 1), []),
         "opening_plane": ((4, 1), []), "opening_blocks": ((4, 1), []), "bedding_slip_layers": ((4, 1), []),
         "restart_coupled": ((4, 1), []), "floating_block": ((4, 1), []), "sliding_column": ((4, 1), []), "unit_squares": ((4,), []),
-        "dynamic_coefficient": ((4,), []), "shakedown": ((1,), []), "column_planes": ((4, 1), [])}
+        "bonded_slab held": ((8, 2), HELD), "dynamic_coefficient": ((4,), []), "shakedown": ((1,), []), "column_planes": ((4, 1), [])}
 LONG.update({name: ((4,), []) for name in (
     "drawdown", "flutter", "rising_reservoir", "seams", "seepage_slab", "submerged_incline", "toppling_squares",
     "bonded_slab", "direct_tension", "rate_belt", "residual_belt", "softening_reset", "brazilian_disc", "notched_beam",

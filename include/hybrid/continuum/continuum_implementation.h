@@ -254,7 +254,7 @@ namespace hybrid::continuum
     double add_boundary_energy(ContinuumState &state);
     void   add_spring_forces(const ContinuumState &state);
     void   add_spring_energy(ContinuumState &state);
-    double add_base_energy(ContinuumState &state);
+    double add_base_energy(ContinuumState &state, double dt);
     double add_surface_energy(ContinuumState &state, const SurfaceForce &force);
     double add_point_load_energy(ContinuumState &state, double dt);
 

@@ -3,6 +3,7 @@
 
 #include <hybrid/continuum/maxwell_memory.h>
 #include <hybrid/continuum/slip_state.h>
+#include <hybrid/scene/types.h>
 
 #include <vector>
 
@@ -43,6 +44,7 @@ namespace hybrid::continuum
                                               ///< none
     std::vector<double> acceleration_change;  ///< remembered by a Newmark::filter, of a without
                                               ///< contacts [m/s2]; empty without one
+    Vec2 base_force_change = Vec2::Zero();    ///< the same of the force that moves a base [N/m]
     std::vector<double> surface_force;        ///< lambda of the last step [N/m]; empty: zero
     std::vector<double> surface_contact; ///< its part that ended with the step [N/m]; empty: zero
     SlipState           slip;            ///< of bedding planes

@@ -233,7 +233,7 @@ namespace hybrid::continuum
     double add_surface_energy(ContinuumState &state, const SurfaceForce &force);
     Vec2   contact_reaction(); ///< of the moving base
     double add_boundary_energy(ContinuumState &state);
-    double add_base_energy(ContinuumState &state);
+    double add_base_energy(ContinuumState &state, double dt);
     Vec2   base_reaction(const Motion              &of,
                          const Branches            &branches,
                          const std::vector<double> &edge_force);
