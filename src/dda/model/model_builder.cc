@@ -255,8 +255,7 @@ namespace hybrid::dda
     {
       const JointedBlocks blocks{outlines, materials, n_mass};
       JointBuilder        joints(mesh, scene, laws, blocks, model);
-      if (scene.blocks.bonded || model.n_bedrock > 0)
-        joints.add_block_joints();
+      joints.add_block_joints();
       joints.add_belt_joints();
       if (model.n_bedrock > 0)
         joints.add_foundation_joints();

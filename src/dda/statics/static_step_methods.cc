@@ -79,16 +79,30 @@ namespace hybrid::dda
       {
         times += from_hold->part_times();
         from_hold.reset();
-        method                               = Method::on_path;
-        together                             = problem;
-        together->iteration.changes_together = true;
-        together->iteration.maximum_iterations =
-          std::max(iterations_on_path, problem.iteration.maximum_iterations);
-        path.emplace(*together);
-        path->set_watch(watch);
+        go_on_path();
         return first_step;
       }
+    if (method == Method::line_search && !problem.blocks_yield && !is_loose(problem, state))
+      {
+        times += plain->part_times();
+        plain.reset();
+        in_bonds = true;
+        go_on_path();
+      }
     return dt / 4.;
+  }
+
+
+
+  void StaticStepMethods::go_on_path()
+  {
+    method                               = Method::on_path;
+    together                             = problem;
+    together->iteration.changes_together = true;
+    together->iteration.maximum_iterations =
+      std::max(iterations_on_path, problem.iteration.maximum_iterations);
+    path.emplace(*together);
+    path->set_watch(watch);
   }
 
 
@@ -97,7 +111,7 @@ namespace hybrid::dda
   {
     constexpr int    many = 8;
     constexpr double fall = 0.98, flies = 0.4; // all of it falls freely at 0.5
-    if (method != Method::on_path || unbalanced > flies)
+    if (method != Method::on_path || unbalanced > flies || in_bonds)
       return false;
     vain  = unbalanced > fall * least ? vain + 1 : 0;
     least = std::min(least, unbalanced);

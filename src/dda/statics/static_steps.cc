@@ -37,10 +37,11 @@ namespace hybrid::dda
 
 
     /**
-     * How static steps of blocks that yield go on. Their plastic zones grow with every step, so
-     * that a step that was too long is so again soon; and what fails does so by many short steps.
+     * How static steps go on of blocks that yield and of bonds that slide one after the other.
+     * Plastic zones grow with every step, so that a step that was too long is so again soon; and
+     * blocks that fail do so by many short steps.
      */
-    class YieldPace
+    class PlasticPace
     {
     public:
       void step_failed(const double dt)
@@ -53,12 +54,12 @@ namespace hybrid::dda
       void step_done(const Model &problem, const DdaState &state, const double unbalanced)
       {
         constexpr double hardly = 0.9; // less than a tenth has been balanced
-        keeps                   = unbalanced > hardly * before && gains_speed(problem, state);
-        before                  = unbalanced;
+        keeps = problem.blocks_yield && unbalanced > hardly * before && gains_speed(problem, state);
+        before = unbalanced;
         ++good;
       }
 
-      /// The velocities are not set to zero: the blocks move on and gain speed.
+      /// The velocities are not set to zero: blocks that yield move on and gain speed.
       bool keeps_velocity() const
       {
         return keeps;
@@ -189,12 +190,12 @@ namespace hybrid::dda
     const OpenCloseIteration::Watch watch_step =
       watch ? watch_of_step(watch, result) : OpenCloseIteration::Watch();
     StaticStepMethods methods(problem, watch_step);
-    YieldPace         yielding;
+    PlasticPace       plastic;
     LostHold          hold;
     for (double dt = StaticStepMethods::first_step;
          result.steps < pace.maximum_steps && dt >= smallest_step;)
       {
-        if (!yielding.keeps_velocity())
+        if (!plastic.keeps_velocity())
           stop_blocks(state);
         const StepResult step = methods.solve(state, foundation, dt);
         result.iterations += step.iterations;
@@ -204,7 +205,7 @@ namespace hybrid::dda
         if (!step.converged)
           {
             ++result.cuts;
-            yielding.step_failed(dt);
+            plastic.step_failed(dt);
             const bool hopeless = result.steps == 0 || result.cuts >= many_cuts;
             dt                  = methods.step_failed(state, dt, hopeless);
             continue;
@@ -227,12 +228,9 @@ namespace hybrid::dda
           }
         if (slides_or_shears(problem, state) || methods.leads_nowhere(step.unbalanced))
           break;
-        if (problem.blocks_yield)
-          {
-            yielding.step_done(problem, state, step.unbalanced);
-            if (yielding.waits(pace.growth * dt))
-              continue;
-          }
+        plastic.step_done(problem, state, step.unbalanced);
+        if ((problem.blocks_yield || methods.slides_in_bonds()) && plastic.waits(pace.growth * dt))
+          continue;
         dt = std::min(largest_step, pace.growth * dt);
       }
     stop_blocks(state);

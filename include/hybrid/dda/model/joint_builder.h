@@ -42,7 +42,7 @@ namespace hybrid::dda
                  const JointedBlocks          &blocks,
                  Model                        &model);
 
-    /// Between blocks.
+    /// Between blocks, and the joint lines of the mass.
     void add_block_joints();
 
     /// Between the sliding mass and the foundation. @throws InputError if the two do not fit.

@@ -11,8 +11,9 @@ namespace hybrid::dda
   /**
    * How static steps are solved: by the line search; where a loose mass does not settle so, from
    * where contacts that never slide would bring it (StickPredictorSteps); and where that fails,
-   * too, by the interior point method, in which contacts change their conditions together. The last
-   * takes more iterations than small masses need, but hardly more for large ones.
+   * too, or where a bonded mass does not settle by the line search, by the interior point method,
+   * in which contacts and bonds change their conditions together. The last takes more iterations
+   * than small masses need, but hardly more for large ones.
    */
   class StaticStepMethods
   {
@@ -41,6 +42,13 @@ namespace hybrid::dda
     /// [-]
     bool leads_nowhere(double unbalanced);
 
+    /// A step of a bonded mass has not converged by the line search: bonds and contacts of many
+    /// blocks slide.
+    bool slides_in_bonds() const
+    {
+      return in_bonds;
+    }
+
     PartTimes part_times() const;
 
   private:
@@ -61,5 +69,9 @@ namespace hybrid::dda
     std::optional<BlockSolver> path;
     double least = std::numeric_limits<double>::infinity(); ///< force left after a step [-]
     int    vain  = 0; ///< steps in a row that have not lowered it
+
+    bool in_bonds = false; ///< see slides_in_bonds()
+
+    void go_on_path();
   };
 } // namespace hybrid::dda
