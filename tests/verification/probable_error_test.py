@@ -62,7 +62,7 @@ LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_
         "brittle_release": ((4, 1), []), "direct_shear": ((4, 1), []), "infinite_slope": ((4, 1), []), "coulomb_joint": ((4, 1), []),
         "opening_plane": ((4, 1), []), "opening_blocks": ((4, 1), []), "bedding_slip_layers": ((4, 1), []),
         "restart_coupled": ((4, 1), []), "floating_block": ((4, 1), []), "sliding_column": ((4, 1), []), "unit_squares": ((4,), []),
-        "bonded_slab held": ((8, 2), HELD), "dynamic_coefficient": ((4,), []), "shakedown": ((1,), []), "column_planes": ((4, 1), [])}
+        "bonded_slab held": ((8,), HELD), "dynamic_coefficient": ((4,), []), "shakedown": ((1,), []), "column_planes": ((4, 1), [])}
 LONG.update({name: ((4,), []) for name in (
     "drawdown", "flutter", "rising_reservoir", "seams", "seepage_slab", "submerged_incline", "toppling_squares",
     "bonded_slab", "direct_tension", "rate_belt", "residual_belt", "softening_reset", "brazilian_disc", "notched_beam",
