@@ -2,13 +2,15 @@
 #include <hybrid/output/joint_line_recorder.h>
 #include <hybrid/restart/archive.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 namespace hybrid::output
 {
-  JointLineRecorder::JointLineRecorder(const dda::Model *blocks)
+  JointLineRecorder::JointLineRecorder(const dda::Model *blocks, const double slip_threshold)
     : model(blocks)
+    , threshold(slip_threshold)
   {
     if (blocks == nullptr)
       return;
@@ -79,8 +81,10 @@ namespace hybrid::output
         line.slip_series    = file.add_series(path + "slip", "m", n, "of the upper side along +x");
         line.opening_series = file.add_series(path + "opening", "m", n, "parting positive");
       }
-    if (!lines.empty())
-      time_series = file.add_series("joint_lines/time", "s", 1, "times of the pictures");
+    if (lines.empty())
+      return;
+    time_series = file.add_series("joint_lines/time", "s", 1, "times of the pictures");
+    file.set_attribute("joint_lines", "threshold", std::vector<double>{threshold});
   }
 
 

@@ -21,6 +21,8 @@ namespace hybrid::output
     constexpr double least_of_both = 0.3;
     /// Of (w dt)^2, with a corrected inertia: dashpots and incoming waves [-].
     constexpr double of_displacement = 1. / 8., of_velocity = 1. / 12.;
+    /// Of (w dt)^2: tanh(x) is x (1 + (w dt)^2 of it), x = i w dt/2 [-].
+    constexpr double of_mean_rate = 1. / 12.;
 
 
 
@@ -298,12 +300,12 @@ namespace hybrid::output
   {
     const double  dt = scheme.dt, filter = scheme.newmark.filter;
     const double  first  = scheme.newmark.gamma - 0.5 - filter; // of w dt; 0 with a filter
-    const double  second = first * first - 2. * filter - of_velocity;
+    const double  second = first * first - 2. * filter - of_mean_rate;
     const History v      = second_rates(motion.velocity[c], spacing),
                   a = rates(motion.velocity[c], spacing), jerk = rates(a, spacing),
                   snap = second_rates(a, spacing);
     for (std::size_t i = 0; i < rows; ++i)
-      error[1][i] -= of_velocity * dt * dt * v[i];
+      error[1][i] -= of_mean_rate * dt * dt * v[i];
     error[2] = rates(error[1], spacing);
     for (std::size_t i = 0; i < rows; ++i)
       error[2][i] += second * dt * dt * snap[i] - first * dt * jerk[i];
@@ -335,9 +337,10 @@ namespace hybrid::output
             errors[c] = changes(motions[m], c, frequency);
             if (amplitudes != nullptr && amplitudes->newmark.corrected_step > 0.)
               add_amplitude(motions[m], c, amplitudes->dt, errors[c]);
-            errors[c][2] = rates(errors[c][1], spacing);
             if (amplitudes != nullptr && leads(motions[m], *amplitudes))
               add_rates(motions[m], c, *amplitudes, errors[c]);
+            else
+              errors[c][2] = rates(errors[c][1], spacing);
           }
         for (int q = 0; q < 3; ++q)
           {

@@ -23,7 +23,7 @@ namespace hybrid::output
               run.scene.bedding.slips ? run.blocks : nullptr,
               run.scene.bedding.names)
     , slip(run.blocks, run.scene.output.slip_threshold)
-    , joint_lines(run.blocks)
+    , joint_lines(run.blocks, run.scene.output.slip_threshold)
     , lines(run.scene, run.mesh, probes)
     , peaks(run.scene.monitors.has_peak_fields ? run.blocks : nullptr,
             run.scene.monitors.has_peak_fields ? run.continuum : nullptr,

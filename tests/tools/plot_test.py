@@ -54,19 +54,20 @@ def test_the_slip_of_a_single_block_is_drawn(synthetic_run):
     assert pictures(run) == ["slip.png"]
 
 
-def test_planes_that_have_slipped_are_drawn_from_left_to_right(synthetic_run):
+@pytest.mark.parametrize("group", planes.GROUPS)
+def test_planes_that_have_slipped_are_drawn_from_left_to_right(synthetic_run, group):
     directory = synthetic_run("complete")
     along = np.array([3.0, 1.0, 4.0, 2.0])
     with h5py.File(directory / "run.h5", "a") as file:
-        file["bedding/time"] = [0.0, 1.0, 2.0]
-        for name, angle, largest in (("bedding_1", 20, 0.3), ("bedding_2", 91, 0.1), ("bedding_3", 0, 0.0)):
+        file[group + "/time"] = [0.0, 1.0, 2.0]
+        for name, angle, largest in (("line_1", 20, 0.3), ("line_2", 91, 0.1), ("line_3", 0, 0.0)):
             points = np.outer(along, [np.cos(np.radians(angle)), np.sin(np.radians(angle))])
             for quantity, values in (("position", points), ("slip", -largest * np.outer([0, 1, 2], along)), ("opening", np.zeros((3, 4)))):
-                file["bedding/%s/%s" % (name, quantity)] = values
+                file["%s/%s/%s" % (group, name, quantity)] = values
     assert tool.main("plot", ["--figures", "planes", str(directory)]) == 0
     assert pictures(directory) == ["planes.png"]
     found = planes.planes_of(Run(str(directory)))
-    assert [plane.name for plane in found] == ["bedding_1", "bedding_2"]
+    assert [plane.name for plane in found] == ["line_1", "line_2"]
     for plane, largest in zip(found, (0.3, 0.1)):
         assert plane.along == pytest.approx([0, 1, 2, 3]) and plane.slip[-1] == pytest.approx(-2 * largest * np.arange(1, 5))
     axes = plt.figure().add_subplot()

@@ -24,8 +24,8 @@ namespace hybrid::output
   class JointLineRecorder
   {
   public:
-    /// @param blocks may be nullptr.
-    explicit JointLineRecorder(const dda::Model *blocks);
+    /// @param blocks may be nullptr.  @param threshold what slides farther has slipped [m].
+    JointLineRecorder(const dda::Model *blocks, double threshold);
 
     void add_series(HistoryFile &file);
 
@@ -56,6 +56,7 @@ namespace hybrid::output
     };
 
     const dda::Model *model;
+    const double      threshold;
     std::vector<Line> lines;
     int               time_series = -1;
 

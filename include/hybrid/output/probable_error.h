@@ -114,7 +114,8 @@ namespace hybrid::output
              scheme.newmark.beta > 0.;
     }
 
-    /// Of what a base leads: Newmark's v = 2 x / (s dt) s u and a = s'^2 u to second order.
+    /// Of what a base leads: v = (2 x / dt) u and a = s'^2 u (StepScheme) in place of s u and s^2
+    /// u, to second order. Makes the error of the acceleration.
     void add_rates(const Motion           &motion,
                    int                     c,
                    const StepScheme       &scheme,

@@ -197,9 +197,10 @@ namespace hybrid::dda
                    {a, e});
       }
     else
-      add_to_line(first, second);
-    if (second.block < blocks.n_mass && scene.blocks.bonded)
       {
+        add_to_line(first, second);
+        if (!scene.blocks.bonded)
+          return;
         const BlockProperties &p = model.blocks[first.block], &q = model.blocks[second.block];
         const Material        *of_line = material.joint(first.from, first.to, saturated);
         add_bond(joint,

@@ -183,11 +183,11 @@ namespace hybrid::dda
       ((1. - gamma) * (state.foundation_force - state.foundation_contact_force) +
        gamma * (force_increment + state.static_force - contacts) + contacts)
         .dot(trial.foundation - state.foundation_displacement);
-    if (!foundation->prescribed || at_rest)
+    const double filter = model->newmark.filter_in(trial.dt, state.last_step);
+    if (filter == 0. || !foundation->prescribed || at_rest)
       return;
     // What the filter takes back of a bond's force acts on the base, too.
-    const double taken = model->newmark.filter_in(trial.dt, state.last_step) *
-                         remembered_base_work(*model, springs, trial, state);
+    const double taken = filter * remembered_base_work(*model, springs, trial, state);
     state.energy.foundation_work -= taken;
     state.energy.integration_loss -= taken;
   }

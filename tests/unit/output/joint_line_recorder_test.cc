@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <filesystem>
+#include <algorithm>
 #include <vector>
 
 using namespace hybrid;
@@ -47,7 +46,7 @@ namespace
   left_after(const bool upright_line, const Vec2 &way, const double angle)
   {
     const dda::Model          model = pair_of_squares(upright_line);
-    output::JointLineRecorder recorder(&model);
+    output::JointLineRecorder recorder(&model, 1e-3);
     dda::DdaState             state = dda::initial_state(model);
     move(model, state, 1, {0.01, 0.02}, 0.); // at rest
     recorder.set_reference(state);
@@ -96,7 +95,7 @@ TEST(JointLineRecorder, a_mass_without_lines_has_none)
                                             hybrid::test::block_parameters(30.),
                                             hybrid::test::straight_foundation(0., -1., 6., 7));
   output::Summary  summary;
-  output::JointLineRecorder(&model).summarize(dda::initial_state(model), summary);
-  output::JointLineRecorder(nullptr).summarize({}, summary);
+  output::JointLineRecorder(&model, 1e-3).summarize(dda::initial_state(model), summary);
+  output::JointLineRecorder(nullptr, 1e-3).summarize({}, summary);
   EXPECT_TRUE(summary.joint_lines.empty());
 }

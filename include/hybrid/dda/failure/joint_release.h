@@ -11,10 +11,9 @@ namespace hybrid::dda
    * load over: they press from the overlap they have, but at most from that of the joint's springs
    * and with no more than the force of one of these (stress_free_gap), so they store no more than
    * the joint did: a short edge of large blocks is soft, and overlaps far under little load. From
-   * zero, blocks would first
-   * have to sink onto each other, without friction on the way. Contacts that already press stay as
-   * they are. With an initial stress the springs were stretched where blocks lay as drawn
-   * (JointState::drawn_gap), and contacts press from as far off.
+   * zero, blocks would first have to sink onto each other, without friction on the way. Contacts
+   * that already press stay as they are. With an initial stress the springs were stretched where
+   * blocks lay as drawn (JointState::drawn_gap), and contacts press from as far off.
    *
    * To be called after the contact search of a step. Sets JointState::handed_over.
    */

@@ -27,7 +27,7 @@ class Plane:
         along = points @ towards
         order = np.argsort(along, kind="stable")
         self.name = name
-        self.seen = SEEN if group == "bedding" else float(run.parameters.get("Output/Slip threshold", SEEN))
+        self.seen = float(np.ravel(run.attribute(group, "threshold", SEEN))[0])
         self.along = along[order] - along.min()
         self.time = run.get(group + "/time")[:n]
         self.slip = run.get(path + "slip")[:n, order]
