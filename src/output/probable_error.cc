@@ -301,14 +301,13 @@ namespace hybrid::output
     const double  dt = scheme.dt, filter = scheme.newmark.filter;
     const double  first  = scheme.newmark.gamma - 0.5 - filter; // of w dt; 0 with a filter
     const double  second = first * first - 2. * filter - of_mean_rate;
-    const History v      = second_rates(motion.velocity[c], spacing),
-                  a = rates(motion.velocity[c], spacing), jerk = rates(a, spacing),
-                  snap = second_rates(a, spacing);
-    for (std::size_t i = 0; i < rows; ++i)
-      error[1][i] -= of_mean_rate * dt * dt * v[i];
+    const History jerk = second_rates(motion.velocity[c], spacing), snap = rates(jerk, spacing);
     error[2] = rates(error[1], spacing);
-    for (std::size_t i = 0; i < rows; ++i)
-      error[2][i] += second * dt * dt * snap[i] - first * dt * jerk[i];
+    for (std::size_t i = 2; i + 2 < rows; ++i) // at the ends derivatives are not known
+      {
+        error[1][i] -= of_mean_rate * dt * dt * jerk[i];
+        error[2][i] += (second - of_mean_rate) * dt * dt * snap[i] - first * dt * jerk[i];
+      }
   }
 
 

@@ -86,7 +86,7 @@ LEFT_OUT = [
     ("a state of rest in a few steps", "the run is too short",
      ("acads", "griffiths_lane", "heterogeneous_column", "initial_stress", "initial_stress_slope", "planes_below_water", "staged_columns",
       "submerged_column")),
-    ("planes that slip under a point source: a profile is looked at", "bedding planes slip or open", ("line_source_slip",)),
+    ("planes that slip under a point source: a profile is looked at", "the run ends as the motion begins", ("line_source_slip",)),
     ("no monitors: a line or a profile is looked at", None, ("grain_column", "oblique_waves")),
     ("a state of rest", "nothing moves", ("no_creep",)),
     ("loose blocks at rest", "all monitors are on blocks that no joint holds", ("friction", "rest", "rocking_pulse")),
