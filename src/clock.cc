@@ -2,7 +2,9 @@
 #include <hybrid/clock.h>
 #include <hybrid/restart/archive.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hybrid
 {
@@ -12,6 +14,31 @@ namespace hybrid
     , end_ticks(static_cast<std::int64_t>(std::ceil(end_time / time_step - 1e-9))
                 << maximum_halvings)
   {}
+
+
+
+  void Clock::follow(std::vector<StepLevel> plan)
+  {
+    planned = std::move(plan);
+  }
+
+
+
+  int Clock::level() const
+  {
+    const double soon = time() + 0.5 * tick;
+    const auto   next =
+      std::upper_bound(planned.begin(),
+                       planned.end(),
+                       soon,
+                       [](const double t, const StepLevel &l) { return t < l.from; });
+    if (next == planned.begin())
+      return halvings;
+    int result = std::clamp((next - 1)->halvings, halvings, deepest);
+    while (ticks % ticks_of(result) != 0) // a longer step would not end on a multiple of itself
+      ++result;
+    return result;
+  }
 
 
 
@@ -31,10 +58,11 @@ namespace hybrid
   bool Clock::shorten_step()
   {
     ++n_cuts;
-    good_steps = 0;
-    if (halvings == deepest)
+    good_steps    = 0;
+    const int now = level();
+    if (now == deepest)
       return false;
-    ++halvings;
+    halvings = now + 1;
     return true;
   }
 

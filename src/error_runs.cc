@@ -13,6 +13,7 @@
 #include <hybrid/scene/parameters/corner_levels.h>
 #include <hybrid/scene/parameters/parameter_values.h>
 #include <hybrid/scene/parameters/scene_reader.h>
+#include <hybrid/step_plan.h>
 #include <hybrid/voice.h>
 
 #include <cmath>
@@ -62,19 +63,21 @@ namespace hybrid
       /// Up to a time @p end [s]. @return its record on the first process; nothing if it did not
       /// come to its end, or its mesh keeps more than @p most_left of so many blocks or unknowns:
       /// why_not() then says why.
+      /// @param plan of cuts of its steps
       std::optional<output::StepRecord> run(const std::vector<std::string> &overrides,
                                             const double                    end,
                                             const double                    many,
-                                            const double                    most_left)
+                                            const double                    most_left,
+                                            const std::vector<StepLevel>   &plan = {})
       {
         if (processes.from_first(interruption.is_requested() ? 1. : 0.) != 0.)
           return fail(was_interrupted);
         leave_nothing();           // of the run before
         if (processes.count() > 1) // one that fails ends all
-          return compute(scene_with(overrides, end), many, most_left);
+          return compute(scene_with(overrides, end), many, most_left, plan);
         try
           {
-            return compute(scene_with(overrides, end), many, most_left);
+            return compute(scene_with(overrides, end), many, most_left, plan);
           }
         catch (const std::exception &error) // no failure may spoil a run that has finished
           {
@@ -160,8 +163,10 @@ namespace hybrid
         return scene::read_scene(parameters_file(directory), overrides);
       }
 
-      std::optional<output::StepRecord>
-      compute(const scene::SceneParameters &scene, const double many, const double most_left)
+      std::optional<output::StepRecord> compute(const scene::SceneParameters &scene,
+                                                const double                  many,
+                                                const double                  most_left,
+                                                const std::vector<StepLevel> &plan)
       {
         std::ostream                nowhere(nullptr);
         output::Log                 quiet(nowhere);
@@ -175,6 +180,7 @@ namespace hybrid
           {
             return fail(std::string("the further run failed: ") + error.what());
           }
+        simulation->follow(plan);
         corners_of_last   = simulation->corners_of_bedrock();
         thickness_of_last = simulation->cell_thickness();
         const double left = simulation->mesh_count();
@@ -231,14 +237,12 @@ namespace hybrid
     {
       output::Summary::ProbableError &error = run.summary.probable_error;
       if (!other)
-        {
-          error.reason        = runs.why_not();
-          error.runs_would_do = false;
-        }
+        error.reason = runs.why_not();
       else if (other->step > run.record.step)
         output::measure_error(*other, run.record, error);
       else
         output::measure_error_by_shorter_steps(run.record, *other, error);
+      error.runs_would_do = error.reason.empty(); // no other follows
       say(output::error_text(run.summary), run, log);
     }
 
@@ -457,7 +461,11 @@ namespace hybrid
     if (end_of_second > 0.)
       {
         const auto other =
-          runs.run({"Time/Time step=" + second_step}, end_of_second, own_mesh.count, 1.);
+          runs.run({"Time/Time step=" + second_step},
+                   end_of_second,
+                   own_mesh.count,
+                   1.,
+                   from_first(step_plan(run.record.time, run.record.step), processes));
         processes.on_first([&] { tell_step_error(other, runs, run, log); });
       }
     if (end_of_coarser > 0.)

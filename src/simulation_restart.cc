@@ -23,6 +23,7 @@ namespace hybrid
     , rest(solver != nullptr ? simulation.model.scene.time.rest_speed : 0.,
            simulation.model.end_of_loads())
   {
+    clock.follow(simulation.plan);
     const SceneModel &model = simulation.model;
     if (simulation.is_first())
       recorder.emplace(output::RunParts{model.scene,

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <hybrid/restart/archive_forward.h>
+#include <hybrid/step_plan.h>
 
 #include <cstdint>
+#include <vector>
 
 namespace hybrid
 {
@@ -12,13 +14,17 @@ namespace hybrid
    *
    * Counts whole ticks of the smallest step, so time does not drift. A step
    * that failed is halved; after a few good steps the clock tries the next
-   * longer step again, where it ends on a multiple of itself.
+   * longer step again, where it ends on a multiple of itself. Steps may be cut
+   * beforehand, as those of another run were.
    */
   class Clock
   {
   public:
     /// @param time_step dt [s].  @param end_time [s].  @param maximum_halvings largest k.
     Clock(double time_step, double end_time, int maximum_halvings);
+
+    /// Steps are to be cut at least so far, by number of halvings. Not in the checkpoint.
+    void follow(std::vector<StepLevel> plan);
 
     /// Time now [s].
     double time() const
@@ -63,9 +69,19 @@ namespace hybrid
     int          good_steps = 0;
     long         n_cuts     = 0;
 
+    std::vector<StepLevel> planned;
+
+    std::int64_t ticks_of(const int level) const
+    {
+      return std::int64_t{1} << (deepest - level);
+    }
+
+    /// Halvings of the step to try next.
+    int level() const;
+
     std::int64_t step_ticks() const
     {
-      return std::int64_t{1} << (deepest - halvings);
+      return ticks_of(level());
     }
   };
 } // namespace hybrid

@@ -14,6 +14,7 @@
 #include <hybrid/scene/mesh/reentrant_corner.h>
 #include <hybrid/scene_model.h>
 #include <hybrid/step_choice.h>
+#include <hybrid/step_plan.h>
 
 #include <map>
 #include <optional>
@@ -37,6 +38,12 @@ namespace hybrid
     const RunReport &report() const
     {
       return run_report;
+    }
+
+    /// Before it runs: steps are cut as those of another run were.
+    void follow(std::vector<StepLevel> cuts)
+    {
+      plan = std::move(cuts);
     }
 
     /// Run to the end and write everything to the output directory.
@@ -139,6 +146,7 @@ namespace hybrid
     dda::StaticResult                 settled;
     continuum::StaticSlip             planes_at_rest;
     coupling::CoupledState            state;
+    std::vector<StepLevel>            plan;   ///< of cuts, of another run
     output::Summary                   found;  ///< by the run that has finished
     std::optional<output::StepRecord> record; ///< of it
 
