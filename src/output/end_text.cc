@@ -15,6 +15,8 @@ namespace hybrid::output
     constexpr std::size_t most_monitors = 4;
     constexpr double      g             = 9.80665; ///< [m/s2]
     const std::string     indent        = "\n          ";
+    const char *const     strikes =
+      "; blocks strike each other, runs in other steps may go another way";
 
     using NamedMonitor = std::pair<const std::string, MonitorSummary>;
 
@@ -268,9 +270,20 @@ namespace hybrid::output
     {
       if (std::isnan(until))
         return "";
-      return formatted(failed_in_other ? ", until a joint failed in the other run at %.3g s"
-                                       : ", until a joint failed at %.3g s",
-                       until);
+      const char *where = failed_in_other ? "in the other run " : "";
+      return formatted(", until a joint failed %sat %.4g s", where, until);
+    }
+
+
+
+    /// When a joint failed in the other of two runs: how well that time is known.
+    std::string later_text(const Summary::ProbableError &error)
+    {
+      if (std::isnan(error.until + error.measured_from) || error.until_later == error.until)
+        return "";
+      const double      at  = error.until_later;
+      const std::string run = error.failed_in_other ? " in this one)" : " in the other run)";
+      return " (" + (std::isnan(at) ? "not yet" : formatted("at %.4g s", at)) + run;
     }
 
 
@@ -340,19 +353,17 @@ namespace hybrid::output
         (error.watched.empty() ? "" : " at " + error.watched + ", as there are no monitors");
       if (!error.reason.empty())
         return begin + ": not estimated, " + error.reason + who_finds_it(summary);
-      const std::string until   = until_text(error.until, error.failed_in_other);
-      const bool        of_runs = !std::isnan(error.measured_from);
-      const std::string as_much = !of_runs || error.blocks_strike
+      const bool        is_own  = std::isnan(error.measured_from); // told by this run
+      const std::string as_much = is_own || error.blocks_strike
                                     ? "half the step leaves as much"
                                     : "the runs do not come closer to each other, this is how far "
                                       "they scatter";
-      const std::string strikes =
-        error.blocks_strike ? "; blocks strike each other, runs in other steps may go another way"
-                            : "";
       const std::string source =
-        of_runs ? formatted("by the run in steps of %.4g s", error.measured_from) : "probably";
-      return begin + ", " + source + until + ": " + peaks_text(error.step) +
-             half_text(error.step, error.left_by_half(), "step", as_much) + strikes;
+        is_own ? "probably" : formatted("by the run in steps of %.4g s", error.measured_from);
+      return begin + ", " + source + until_text(error.until, error.failed_in_other) +
+             later_text(error) + ": " + peaks_text(error.step) +
+             half_text(error.step, error.left_by_half(), "step", as_much) +
+             (error.blocks_strike ? strikes : "");
     }
 
 
@@ -430,12 +441,11 @@ namespace hybrid::output
     const std::string begin = "Error     of the mesh";
     if (!error.reason.empty())
       return {begin + ": not known, " + error.reason, begin + ": not known, " + error.reason};
-    const std::string until = until_text(error.until, error.failed_in_other);
     const std::string text =
       begin + ", by " +
       (error.meshes > 1 ? "those twice and four times as large" : "one twice as large") +
-      (error.of_corners ? " and smaller cells at inward corners" : "") + until + ": " +
-      peaks_text(error.size) +
+      (error.of_corners ? " and smaller cells at inward corners" : "") +
+      until_text(error.until, error.failed_in_other) + ": " + peaks_text(error.size) +
       half_text(error.size,
                 error.half_size,
                 error.with_step ? "size and half the step" : "size",

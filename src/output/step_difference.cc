@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/output/filter_reach.h>
+#include <hybrid/output/formatted.h>
 #include <hybrid/output/step_difference.h>
 #include <hybrid/scene/motion/filter.h>
 
@@ -16,6 +17,7 @@ namespace hybrid::output
     constexpr double first_order  = 1.;   ///< differences that fall more slowly do so by chance
     constexpr double least_excess = 0.05; ///< of a peak at an end over the others, to be told
     constexpr double least_ratio  = 1.5;  ///< of steps that were taken, for a difference that tells
+    constexpr double most_alike   = 0.05; ///< of the time, in steps with less than this ratio
 
     using History = std::vector<double>;
 
@@ -186,6 +188,25 @@ namespace hybrid::output
 
 
 
+    /// Part of the time before @p end in which two runs took steps of nearly one size: there the
+    /// one is no better than the other.
+    double part_alike(const StepRecord &longer, const StepRecord &shorter, const double end)
+    {
+      double      alike = 0.;
+      std::size_t j     = 1; // of the shorter step in the middle of the longer one
+      for (std::size_t i = 1; i < longer.time.size() && longer.time[i] <= end; ++i)
+        {
+          const double begin = longer.time[i - 1], step = longer.time[i] - begin;
+          while (j + 1 < shorter.time.size() && shorter.time[j] < begin + 0.5 * step)
+            ++j;
+          if (step < least_ratio * (shorter.time[j] - shorter.time[j - 1]))
+            alike += step;
+        }
+      return alike / (end - longer.time.front());
+    }
+
+
+
     /// What both runs have.
     Rows common_rows(const StepRecord &longer, const StepRecord &shorter)
     {
@@ -195,6 +216,19 @@ namespace hybrid::output
       return {begin,
               spacing,
               static_cast<std::size_t>(std::max(std::floor((end - begin) / spacing + 1e-6), 0.))};
+    }
+
+
+
+    /// When a joint failed in the other of two runs, too [s]; NaN: none did. Within a step of the
+    /// first, it is as if at once.
+    double later_failure(const StepRecord &longer, const StepRecord &shorter)
+    {
+      constexpr double rounding = 1e-6;
+      if (std::isnan(longer.until) || std::isnan(shorter.until))
+        return MonitorSummary::unknown;
+      const auto [first, later] = std::minmax(longer.until, shorter.until);
+      return later - first < (1. + rounding) * longer.step ? first : later;
     }
 
 
@@ -270,8 +304,9 @@ namespace hybrid::output
 
 
 
-    /// Whether the difference of two runs tells the error of either; sets the reason, and if it
-    /// does the time up to which, and the difference as the error.
+    /// Whether the difference of two runs tells the error of either; sets the reason, whether a run
+    /// in yet shorter steps would, and if it does the time up to which, and the difference as the
+    /// error.
     bool tells(const Summary::ErrorPart &difference,
                const StepRecord         &longer,
                const StepRecord         &shorter,
@@ -279,17 +314,24 @@ namespace hybrid::output
     {
       if (!(longer.step > shorter.step))
         return false; // the record of something else
-      const double end = common_end(longer, shorter);
+      const double end = common_end(longer, shorter), alike = part_alike(longer, shorter, end);
       error.reason.clear();
-      if (steps_until(shorter, end) < least_ratio * steps_until(longer, end))
+      const bool none_shorter = steps_until(shorter, end) < least_ratio * steps_until(longer, end);
+      if (none_shorter)
         error.reason = "steps are cut, and another step hardly changes them";
+      else if (alike > most_alike)
+        error.reason =
+          formatted("steps are cut, and for %.2g %% of the time both runs take the same",
+                    100. * alike);
       else if (std::isnan(deciding(difference.part)))
         error.reason =
           std::isnan(shorter.until) ? "nothing moves" : "a joint failed in the first steps";
-      error.runs_would_do = error.reason.empty();
+      const bool is_told  = error.reason.empty();
+      error.runs_would_do = is_told || (alike > most_alike && !none_shorter);
       error.until         = std::fmin(longer.until, shorter.until);
+      error.until_later   = later_failure(longer, shorter);
       error.step = error.half_step = difference;
-      return error.runs_would_do;
+      return is_told;
     }
   } // namespace
 
@@ -334,9 +376,9 @@ namespace hybrid::output
   void measure_error(const StepRecord &longer, StepRecord &shorter, Summary::ProbableError &error)
   {
     const Summary::ErrorPart difference = step_difference(longer, shorter);
-    shorter.difference                  = difference.part;
     if (!tells(difference, longer, shorter, error))
       return;
+    shorter.difference = difference.part;
     const double ratio = longer.step / shorter.step;
     const double order =
       std::log(deciding(longer.difference) / deciding(difference.part)) / std::log(ratio);

@@ -123,6 +123,7 @@ namespace hybrid::output
               {"watched", error.watched},
               {"measured_from_time_step_s", error.measured_from},
               {"until_s", error.until},
+              {"failed_in_both_by_s", error.until_later},
               {"blocks_strike", error.blocks_strike},
               {"time_step", error_part(error.step)},
               {"half_the_step", error_part(error.left_by_half())},

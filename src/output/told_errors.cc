@@ -49,6 +49,7 @@ namespace hybrid::output
            measured_from,
            until,
            failed_in_other,
+           until_later,
            step,
            half_step,
            peak_at_end,
@@ -57,8 +58,8 @@ namespace hybrid::output
            mesh_has_corners,
            cost] = error;
     archive(watched, reason, runs_would_do, may_flutter, blocks_strike, second_step, assumed_order);
-    archive(measured_from, until, failed_in_other, step, half_step, peak_at_end, parts, mesh);
-    archive(mesh_has_corners, cost);
+    archive(measured_from, until, failed_in_other, until_later, step, half_step, peak_at_end);
+    archive(parts, mesh, mesh_has_corners, cost);
   }
 
 

@@ -285,6 +285,9 @@ def test_errors_are_those_of_the_summary():
     assert [len(row) for row in rows] == [len(errors.HEAD)] * 3
     assert rows[0] == ["of the time step"] + ["1.2 (crest)"] * 3 + ["3", "a run in steps of 0.002 s, until a joint failed at 1.25 s"]
     assert rows[1][0] == "with half of it" and rows[1][1] == "0.3 (crest)"
+    for both, words in ((1.25, "1.25 s"), (1.257, "1.25 s (by 1.257 s in both runs)"), (None, "1.25 s (not yet in one of both runs)")):
+        Finished.summary["probable_error"]["failed_in_both_by_s"] = both
+        assert errors.rows_of(Finished)[0][-1].endswith("failed at " + words)
     assert rows[2][-1] == "not known: the next mesh is hardly coarser"
     Finished.summary["probable_error"].update(half_the_step=error(0.012), blocks_strike=True)
     assert errors.rows_of(Finished)[1][-1] == "as much; blocks strike each other, runs in other steps may go another way"

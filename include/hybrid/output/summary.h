@@ -139,9 +139,11 @@ namespace hybrid::output
       double assumed_order = 1.45;
       double measured_from = MonitorSummary::unknown; ///< told by a run in steps of this [s]; NaN:
                                                       ///< estimated from this run
-      double      until           = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all
-      bool        failed_in_other = false; ///< the joint that failed then did so in the other run
-      ErrorPart   step;                    ///< of the time step
+      double until           = MonitorSummary::unknown; ///< estimated up to here [s]; NaN: all
+      bool   failed_in_other = false; ///< the joint that failed then did so in the other run
+      double until_later     = MonitorSummary::unknown; ///< one failed in both runs by here [s];
+                                                        ///< NaN: in one of them none did
+      ErrorPart   step;                                 ///< of the time step
       ErrorPart   half_step;   ///< what would be left of it with half the step, by order
       std::string peak_at_end; ///< monitor whose acceleration peaks near an end of the record,
                                ///< where it is not compared (filter_reach.h); empty: none

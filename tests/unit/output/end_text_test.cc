@@ -192,7 +192,7 @@ namespace hybrid::output
       run.mesh_error.follows = true; // and tells them
       EXPECT_EQ(end_text(run, scene).in_file.find(corners), std::string::npos);
       error.until = 2.345;
-      EXPECT_NE(end_text(run, scene).in_file.find("probably, until a joint failed at 2.35 s: dis"),
+      EXPECT_NE(end_text(run, scene).in_file.find("probably, until a joint failed at 2.345 s: dis"),
                 std::string::npos);
       error.reason = "bedding planes slip or open";
       EXPECT_NE(end_text(run, scene)
@@ -204,6 +204,33 @@ namespace hybrid::output
       EXPECT_EQ(error_text(run).on_screen,
                 "Error     of the time step: not estimated, bedding planes slip or open; the scene "
                 "once more in steps of 0.002 s tells it, below");
+    }
+
+
+
+    TEST(EndText, SaysWhenAJointFailedInTheOtherRun)
+    {
+      Summary                 run   = a_run();
+      Summary::ProbableError &error = run.probable_error;
+      error.reason                  = "";
+      error.step.part[0]            = 0.01;
+      error.until                   = 1.64;
+      error.until_later             = 1.64;
+      error.measured_from           = 2e-3;
+      const auto says               = [&](const std::string &words) {
+        return error_text(run).in_file.find("until a joint failed " + words + ": displacement") !=
+               std::string::npos;
+      };
+      EXPECT_TRUE(says("at 1.64 s"));
+      error.until_later = 1.647;
+      EXPECT_TRUE(says("at 1.64 s (at 1.647 s in the other run)"));
+      error.until_later = MonitorSummary::unknown;
+      EXPECT_TRUE(says("at 1.64 s (not yet in the other run)"));
+      error.failed_in_other = true;
+      EXPECT_TRUE(says("in the other run at 1.64 s (not yet in this one)"));
+      error.failed_in_other = false;
+      error.measured_from   = MonitorSummary::unknown; // there is no other run
+      EXPECT_TRUE(says("at 1.64 s"));
     }
 
 

@@ -155,6 +155,73 @@ namespace hybrid::output
 
 
 
+    /// Twice as many steps from a time on.
+    StepRecord with_cuts(const StepRecord &run, const double from)
+    {
+      StepRecord result = run;
+      result.time.clear();
+      for (StepRecord::Monitor &monitor : result.monitors)
+        monitor.histories = {};
+      for (std::size_t i = 0; i < run.time.size(); ++i)
+        for (int part = i > 0 && run.time[i - 1] >= from ? 0 : 1; part < 2; ++part)
+          {
+            result.time.push_back(run.time[i] - (part == 0 ? 0.5 * run.step : 0.));
+            for (std::size_t m = 0; m < run.monitors.size(); ++m)
+              for (int q = 0; q < 3; ++q)
+                for (int c = 0; c < 2; ++c)
+                  result.monitors[m].histories[q].push_back(
+                    run.monitors[m].histories[q][2 * i + c]);
+          }
+      return result;
+    }
+
+
+
+    TEST(StepDifference, tells_nothing_where_a_twentieth_of_the_time_went_in_the_same_steps)
+    {
+      const StepRecord longer = run_with(4e-3, 0.02), shorter = run_with(2e-3, 0.01);
+      const double     end = longer.time.back();
+      for (const double part : {0.03, 0.1})
+        {
+          Summary::ProbableError error = unknown_error();
+          measure_error_by_shorter_steps(with_cuts(longer, (1. - part) * end), shorter, error);
+          EXPECT_TRUE(error.runs_would_do); // yet shorter ones
+          EXPECT_EQ(error.reason,
+                    part < 0.05
+                      ? ""
+                      : "steps are cut, and for 10 % of the time both runs take the same");
+          error = unknown_error(); // the other is cut as well
+          measure_error_by_shorter_steps(with_cuts(longer, (1. - part) * end),
+                                         with_cuts(shorter, (1. - part) * end),
+                                         error);
+          EXPECT_EQ(error.reason, "");
+        }
+    }
+
+
+
+    TEST(StepDifference, tells_when_a_joint_failed_in_the_other_run)
+    {
+      StepRecord             run = run_with(4e-3, 0.02), shorter = run_with(2e-3, 0.01);
+      Summary::ProbableError error = unknown_error();
+      measure_error_by_shorter_steps(run, shorter, error);
+      EXPECT_TRUE(std::isnan(error.until) && std::isnan(error.until_later));
+      run.until = 1.2;
+      measure_error_by_shorter_steps(run, shorter, error);
+      EXPECT_EQ(error.until, 1.2);
+      EXPECT_TRUE(std::isnan(error.until_later));
+      shorter.until = 1.204; // a step of the run
+      measure_error_by_shorter_steps(run, shorter, error);
+      EXPECT_EQ(error.until_later, error.until);
+      shorter.until = 1.206;
+      measure_error_by_shorter_steps(run, shorter, error);
+      EXPECT_EQ(error.until, 1.2);
+      EXPECT_EQ(error.until_later, 1.206);
+      EXPECT_FALSE(error.failed_in_other);
+    }
+
+
+
     TEST(StepDifference, of_three_runs_tells_first_order)
     {
       const double p      = 1.;

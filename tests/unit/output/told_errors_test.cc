@@ -33,6 +33,7 @@ namespace hybrid::output
       told.step.step.part       = {{0.01, 0.02, 0.03}};
       told.step.step.where      = {{"S1", "S2", "S3"}};
       told.step.failed_in_other = true;
+      told.step.until_later     = 1.5;
       told.mesh.reason          = "the next mesh is hardly coarser";
       told.mesh.order_is_seen   = true;
       write_told_errors(file, told);
@@ -45,6 +46,7 @@ namespace hybrid::output
       EXPECT_EQ(read->step.step.where, told.step.step.where);
       EXPECT_TRUE(std::isnan(read->step.step.slip_left));
       EXPECT_TRUE(read->step.failed_in_other);
+      EXPECT_EQ(read->step.until_later, 1.5);
       EXPECT_EQ(read->mesh.reason, told.mesh.reason);
       EXPECT_TRUE(read->mesh.order_is_seen);
     }

@@ -26,7 +26,15 @@ def cells(found):
 
 def until(found):
     """What is later is not known."""
-    return "" if found.get("until_s") is None else ", until a joint failed at %.3g s" % found["until_s"]
+    if found.get("until_s") is None:
+        return ""
+    text = ", until a joint failed at %.4g s" % found["until_s"]
+    if found.get("measured_from_time_step_s") is None or "failed_in_both_by_s" not in found:
+        return text
+    both = found["failed_in_both_by_s"]
+    if both == found["until_s"]:
+        return text
+    return text + (" (not yet in one of both runs)" if both is None else " (by %.4g s in both runs)" % both)
 
 
 def watched(found):
