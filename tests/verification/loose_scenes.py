@@ -12,7 +12,7 @@ GAP = 1e-3  # between blocks that are cut from one area [m]
 NET = {"bedrock": "continuum", "blocks": "loose", "strength": "strong", "belt": "none", "bedding": "off", "static": "equilibrium", "water": "none",
        "scheme": "automatic", "base": "compliant", "sides": "viscous", "kind": "quads", "mass": "small", "nodes": "shared", "ratio": 1.0,
        "angle": 20.0, "surface": "plane", "degree": 2, "rock": "stiff", "friction": "holds", "motion": "outcrop", "springs": False,
-       "damping": "none", "belt rate": 0.0, "threads": 1}
+       "damping": "none", "belt rate": 0.0, "threads": 1, "rock solver": "factor"}
 RIGID = {"bedrock": "rigid", "base": "rigid"}
 SLIDES = {"friction": "slides", "static": "held"}
 BIN = [(-4, 5), (-2, 0), (2, 0), (4, 5)]
