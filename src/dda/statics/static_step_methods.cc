@@ -99,6 +99,7 @@ namespace hybrid::dda
     method                               = Method::on_path;
     together                             = problem;
     together->iteration.changes_together = true;
+    together->iteration.few_settle_alone = true;
     together->iteration.maximum_iterations =
       std::max(iterations_on_path, problem.iteration.maximum_iterations);
     path.emplace(*together);

@@ -91,7 +91,7 @@ namespace hybrid::dda
   {
     constexpr double   few_changes = 0.01, near_balance = 1e-2, wider = 100.;
     constexpr int      most_widenings = 4;
-    constexpr Patience to_finish{4, 0};
+    constexpr Patience to_finish{12, 1};
     path_progress = {};
     if (begin_path() <= 0.)
       return Attempt::failed;
