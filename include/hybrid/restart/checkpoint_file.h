@@ -21,7 +21,7 @@ namespace hybrid::restart
   };
 
   /// Version of the file format that this program writes and reads.
-  constexpr std::uint32_t checkpoint_version = 15;
+  constexpr std::uint32_t checkpoint_version = 16;
 
   /// Write under a temporary name, bring to the disk, rename: after a kill or a power failure there
   /// is the old checkpoint or the new one. The state is never in memory as a whole.

@@ -74,12 +74,13 @@ namespace hybrid::scene
         "Dominant frequency of the Ricker wavelet, that of the sine burst, predominant one of the "
         "synthetic motion.");
       section.number("Cycles", motion.cycles, "", positive, "Number of cycles of the sine burst.");
-      section.number("Taper",
-                     motion.taper,
-                     "",
-                     ParameterRange::at_least(0.),
-                     "Cycles over which the sine burst rises to its peak, and falls at the end; at "
-                     "most half of Cycles.");
+      section.number_or(
+        "Taper",
+        {"automatic", motion.taper},
+        "",
+        ParameterRange::at_least(0.),
+        "Cycles over which the sine burst rises to its peak, and falls at the end; at "
+        "most half of Cycles; automatic: 2, or half of Cycles where that is less.");
       section.number(
         "Lowest frequency",
         motion.lowest_frequency,

@@ -20,7 +20,10 @@ namespace hybrid::scene
 
   Motion make_sine_burst(const MotionParameters &parameters, const double time_step)
   {
-    const double f = parameters.frequency, cycles = parameters.cycles, taper = parameters.taper;
+    constexpr double usual = 2.;
+    const double     f = parameters.frequency, cycles = parameters.cycles;
+    const double     taper =
+      std::isnan(parameters.taper) ? std::min(usual, 0.5 * cycles) : parameters.taper;
     if (2. * taper > cycles)
       {
         std::ostringstream sentence;

@@ -10,9 +10,10 @@ namespace hybrid::scene
   /**
    * Sine burst of n = parameters.cycles cycles of f = parameters.frequency:
    *   a(t) = w(t) sin(2 pi f t),  0 <= t <= n/f,
-   * where w rises from 0 to 1 as sin^2 over the first parameters.taper cycles and falls likewise
-   * over the last ones (0: a plain burst). Baseline-corrected if asked for: without, an integer
-   * number of cycles ends at rest but displaced. Largest |a| is about 1 m/s2.
+   * where w rises from 0 to 1 as sin^2 over the first parameters.taper cycles (NaN: two, at most
+   * half of all) and falls likewise over the last ones (0: a plain burst). Baseline-corrected if
+   * asked for: without, an integer number of cycles ends at rest but displaced. Largest |a| is
+   * about 1 m/s2.
    *
    * @param time_step dt of the run [s]; the burst is sampled at an integer fraction of it.
    */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <string>
 
 namespace hybrid::scene
@@ -39,16 +40,17 @@ namespace hybrid::scene
     double start               = 0.;  ///< the motion starts at this time [s]
     int    repetitions         = 1;   ///< how often it comes, >= 1
     double repetition_interval = 60.; ///< from one start to the next [s]
-    double frequency         = 2.; ///< ricker: dominant; sine: its own; synthetic: predominant [Hz]
-    double cycles            = 10.; ///< sine: number of cycles [-], > 0
-    double taper             = 2.;  ///< sine: cycles over which it rises, and falls [-], >= 0
-    double lowest_frequency  = 0.3; ///< synthetic, stochastic, spectrum: lowest [Hz]
-    double highest_frequency = 8.;  ///< the same: highest [Hz]
-    double duration          = 12.; ///< synthetic and spectrum [s]
-    int    seed              = 1;   ///< synthetic, stochastic, spectrum
-    EarthquakeSource earthquake;    ///< stochastic
-    bool             clough_penzien = false; ///< synthetic: with the second filter
-    std::string      spectrum_file;          ///< spectrum: the target, two columns; resolved path
+    double frequency = 2.;  ///< ricker: dominant; sine: its own; synthetic: predominant [Hz]
+    double cycles    = 10.; ///< sine: number of cycles [-], > 0
+    /// sine: cycles over which it rises, and falls [-], >= 0; NaN: two, at most half of all
+    double           taper             = std::numeric_limits<double>::quiet_NaN();
+    double           lowest_frequency  = 0.3; ///< synthetic, stochastic, spectrum: lowest [Hz]
+    double           highest_frequency = 8.;  ///< the same: highest [Hz]
+    double           duration          = 12.; ///< synthetic and spectrum [s]
+    int              seed              = 1;   ///< synthetic, stochastic, spectrum
+    EarthquakeSource earthquake;              ///< stochastic
+    bool             clough_penzien = false;  ///< synthetic: with the second filter
+    std::string      spectrum_file;           ///< spectrum: the target, two columns; resolved path
     bool   spectrum_by_frequency = false; ///< its first column is frequency [Hz]; else period [s]
     double spectrum_damping      = 0.05;  ///< of critical [-], (0, 1)
     bool   baseline_correction =

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace hybrid::scene::test
 {
@@ -72,6 +73,19 @@ namespace hybrid::scene::test
         const double ratio = step / make_sine_burst(burst(4., 1., false), step).time_step();
         EXPECT_NEAR(ratio, std::round(ratio), 1e-12);
         EXPECT_GE(ratio * (0.5 / step), 399.);
+      }
+  }
+
+
+  TEST(SineBurst, automatic_taper_is_two_cycles_or_half_of_a_short_burst)
+  {
+    const double automatic = MotionParameters().taper;
+    for (const auto &[cycles, taper] : {std::pair(10., 2.), std::pair(2., 1.)})
+      {
+        const Motion found  = make_sine_burst(burst(cycles, automatic, false), 1e-3);
+        const Motion wanted = make_sine_burst(burst(cycles, taper, false), 1e-3);
+        for (int i = 0; i < 100; ++i)
+          EXPECT_EQ(found.acceleration(0.013 * i), wanted.acceleration(0.013 * i));
       }
   }
 
