@@ -45,6 +45,23 @@ namespace hybrid::output
 
 
 
+    /// What may help. Springs that give way to others under load give what they held, at any step.
+    const char *advice(const EnergyLedger &ledger)
+    {
+      double given = 0., by_springs = 0.;
+      for (const EnergyTerm &term : ledger.scheme_terms())
+        {
+          given += std::max(-term.value, 0.);
+          by_springs += term.name == "spring_replacement_loss" ? std::max(-term.value, 0.) : 0.;
+        }
+      return ledger.given_by_scheme() > ledger.residual() && by_springs > 0.5 * given
+               ? ", contacts give way to others under load where blocks are soft for their weight: "
+                 "a stiffer Young modulus helps, a smaller step does not"
+               : ", a smaller Time/Time step may do";
+    }
+
+
+
     std::string finding(const EnergyLedger &ledger)
     {
       const std::string in_play = " % of the " + number(ledger.exchanged()) + " J/m in play";
@@ -72,7 +89,7 @@ namespace hybrid::output
     if (is_over(ledger))
       return "stopped at t = " + number(time) + " s, because " + fault(ledger) + ": " +
              finding(ledger) + "; the results are wrong from about here on, allowed are " +
-             number(100. * limit) + " % (Output/Energy limit), a smaller Time/Time step may do";
+             number(100. * limit) + " % (Output/Energy limit)" + advice(ledger);
     if (!has_told_gain && warning > 0. && ledger.given_back() > most_on_loan)
       {
         has_told_gain = true;
@@ -86,8 +103,8 @@ namespace hybrid::output
       return "";
     has_warned = true;
     return fault(ledger) + (" at t = " + number(time)) + " s: " + finding(ledger) +
-           "; warned from " + number(100. * warning) +
-           " % on (Output/Energy warning), a smaller Time/Time step may do";
+           "; warned from " + number(100. * warning) + " % on (Output/Energy warning)" +
+           advice(ledger);
   }
 
 

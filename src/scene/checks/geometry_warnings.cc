@@ -214,6 +214,22 @@ namespace hybrid::scene
 
 
 
+    /// Blocks strain as a whole, so a mass of polygons that yield has few ways to shear.
+    void look_at_yielding_polygons(const SectionMesh &mesh, std::vector<std::string> &warnings)
+    {
+      constexpr double few = 0.05;
+      const int        n   = std::count_if(mesh.blocks.begin(),
+                                  mesh.blocks.end(),
+                                  [](const std::vector<int> &block) { return block.size() > 3; });
+      if (n <= few * mesh.blocks.size())
+        return;
+      warnings.push_back(std::to_string(n) + " of " + std::to_string(mesh.blocks.size()) +
+                         " blocks that yield have more than three corners: such a mass is too "
+                         "strong, by a third with a dozen over its height; make them triangles");
+    }
+
+
+
     double area_of(const SectionMesh &mesh, const std::vector<int> &block)
     {
       double area = 0.;
@@ -317,6 +333,8 @@ namespace hybrid::scene
         if (const std::string text = partly_shared_edges(mesh); !text.empty())
           warnings.push_back(text);
       }
+    if (scene.blocks.yielding)
+      look_at_yielding_polygons(mesh, warnings);
     if (const std::string text = locked_foot(mesh); !text.empty())
       warnings.push_back(text);
     look_at_origin(mesh, warnings);

@@ -127,4 +127,9 @@ TEST(EnergyWatch, stops_where_the_scheme_gives)
   EXPECT_TRUE(watch.is_over(ledger));
   const std::string text = watch.look(ledger, 0.4);
   EXPECT_NE(text.find("gives energy: 9.09 % of the 220 J/m in play"), std::string::npos) << text;
+  EXPECT_NE(text.find("contacts give way to others under load"), std::string::npos) << text;
+  state.blocks.energy.spring_replacement_loss = 0.;
+  state.blocks.energy.integration_loss        = -20.;
+  ledger.update(state);
+  EXPECT_NE(watch.look(ledger, 0.4).find("smaller Time/Time step may do"), std::string::npos);
 }

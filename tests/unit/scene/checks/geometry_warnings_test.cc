@@ -102,6 +102,16 @@ namespace hybrid::scene
   }
 
 
+  TEST_F(GeometryWarnings, PolygonsThatYieldAreNamed)
+  {
+    scene.blocks.yielding = true;
+    expect({"2 of 2 blocks that yield have more than three corners", "make them triangles"});
+    mesh.blocks.clear();
+    add_block({{1., 0.}, {2., 0.}, {1.5, 1.}});
+    expect({});
+  }
+
+
   TEST_F(GeometryWarnings, ASectionFarFromTheOriginIsNamed)
   {
     for (Vec2 &node : mesh.nodes)
