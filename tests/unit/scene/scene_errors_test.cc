@@ -331,7 +331,7 @@ TEST_F(SceneErrors, MotionsNeedWhatTheirTypeUses)
                {"Motion/Spectrum file", "is not used unless Motion/Type is set to spectrum"});
   expect_error(write_scene(),
                {"Motion/Taper", "at most half of Motion/Cycles = 3"},
-               {"Motion/Type=sine", "Motion/Cycles=3"});
+               {"Motion/Type=sine", "Motion/Cycles=3", "Motion/Taper=2"});
 }
 
 TEST_F(SceneErrors, EdgeLoadsNeedABoxAndSixNumbers)
