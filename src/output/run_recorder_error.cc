@@ -49,15 +49,6 @@ namespace hybrid::output
 
 
 
-    /// More than the ends of a sole that give way a little.
-    bool slides(const EnergyLedger &ledger)
-    {
-      return part_of_friction(ledger) > largest_friction &&
-             lost(ledger, "friction_loss") > largest_friction * ledger.exchanged();
-    }
-
-
-
     /// Steepest friction of the mass on the ground, tan phi [-]: of its belts, or without any of
     /// contacts.
     double friction_on_ground(const dda::Model &model)
@@ -359,7 +350,8 @@ namespace hybrid::output
     if (!error.reason.empty())
       {
         const bool is_damped = parts.scene.time.dynamic_coefficient < 1.;
-        error.may_flutter    = slides(ledger) && !is_damped && may_flutter(parts.blocks);
+        error.may_flutter =
+          part_of_friction(ledger) > largest_friction && !is_damped && may_flutter(parts.blocks);
         error.runs_would_do =
           times.size() >= least_rows && !points.empty() && !is_damped && !error.may_flutter;
         if (error.may_flutter)
