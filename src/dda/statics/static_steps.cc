@@ -129,7 +129,7 @@ namespace hybrid::dda
     copy.iteration.tolerance = 0.1 * static_target;
     // Without inertia full steps go anywhere: a column of 50 took 1,629 iterations, not 114.
     copy.iteration.changes_together = false;
-    copy.iteration.few_settle_alone = false; // with a line search; in great steps one moves all
+    copy.iteration.few_settle_alone = false; // but along the central path, see StaticStepMethods
     copy.iteration.stops_at_rest    = false; // one update at least: it may find what slides
     return copy;
   }

@@ -21,8 +21,8 @@ namespace hybrid::dda
    * Contacts change their conditions (open, sticking, sliding) in three ways, each tried where the
    * one before has not settled the step: Newton's method on the active set, from the conditions of
    * the last step; the interior point method on the full Coulomb law (InteriorContacts), which
-   * changes all of them together; and a line search with the laws alone, which is all that steps
-   * without inertia know. Between updates few bodies settle alone (LocalAttempt).
+   * changes all of them together; and a line search with the laws alone, which static stages begin
+   * with. Between updates few bodies settle alone (LocalAttempt).
    */
   class OpenCloseIteration
   {
