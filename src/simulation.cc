@@ -373,16 +373,16 @@ namespace hybrid
   std::optional<double> Simulation::end_of_coarser_runs() const
   {
     if (!model.scene.mesh.coarser_runs || !record || record->monitors.empty() ||
-        !may_tell_mesh_error())
+        !has_coarser_mesh())
       return {};
     return end_of_further_run(time_step());
   }
 
 
 
-  bool Simulation::may_tell_mesh_error() const
+  bool Simulation::has_coarser_mesh() const
   {
-    return !coarser_mesh(2.).empty() && !found.probable_error.may_flutter;
+    return !coarser_mesh(2.).empty();
   }
 
 
@@ -459,7 +459,7 @@ namespace hybrid
     if (end_of_second_run())
       summary.probable_error.second_step = second_time_step();
     summary.mesh_error.follows       = end_of_coarser_runs().has_value();
-    summary.mesh_error.runs_would_do = may_tell_mesh_error();
+    summary.mesh_error.runs_would_do = has_coarser_mesh();
     summary.mesh_error.with_step =
       model.scene.time.newmark.corrected_step > 0. && !model.scene.continuum.is_explicit;
     summary.mesh_error.never = why_no_coarser_mesh();

@@ -18,13 +18,15 @@ namespace hybrid
 
 
 
-    /// What an error that is known up to a time leaves open; nothing if it is known to the end.
-    std::string holds_until(const double until)
+    /// What an error that meets the target leaves open; nothing if it is known to the end.
+    std::string left_open(const output::Summary::ProbableError &error)
     {
-      if (std::isnan(until))
-        return "";
+      if (std::isnan(error.until))
+        return error.may_flutter ? "blocks without damping slide, and may flutter in yet shorter "
+                                   "steps (Blocks/Damping ratio)"
+                                 : "";
       std::ostringstream text;
-      text << std::setprecision(3) << "it is met until a joint failed at " << until
+      text << std::setprecision(3) << "it is met until a joint failed at " << error.until
            << " s, and what follows is not known";
       return text.str();
     }
@@ -44,7 +46,7 @@ namespace hybrid
       return {"the error is not estimated, " + error.reason, {}, ""};
     const double now = largest(error.step), half = largest(error.half_step);
     if (now <= target)
-      return {holds_until(error.until), {}, ""};
+      return {left_open(error), {}, ""};
     if (error.parts > 1) // only a step that is shorter than a part changes the error
       {
         int to_one_part = 1;

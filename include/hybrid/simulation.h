@@ -79,8 +79,8 @@ namespace hybrid
     /// The same of runs with coarser meshes (Mesh/Error estimate).
     std::optional<double> end_of_coarser_runs() const;
 
-    /// There are coarser meshes, and what they leave is an error.
-    bool may_tell_mesh_error() const;
+    /// The mesh has numbers to make it coarser by.
+    bool has_coarser_mesh() const;
 
     /// Mesh/Numbers with all Resolution/... so many times as large; empty: there are none.
     std::string coarser_mesh(double factor) const;

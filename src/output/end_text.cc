@@ -413,13 +413,19 @@ namespace hybrid::output
 
 
 
-    /// What the error of accelerations leaves out.
-    std::string peak_text(const Summary::ProbableError &error)
+    /// What the error leaves out.
+    std::string left_out_text(const Summary::ProbableError &error)
     {
-      return !error.reason.empty() || error.peak_at_end.empty()
-               ? ""
-               : "; the acceleration of " + error.peak_at_end +
-                   " is largest at an end of the record, where nothing is filtered nor told";
+      if (!error.reason.empty())
+        return "";
+      const std::string flutters =
+        "; at least, as blocks without damping slide, and may flutter in yet shorter steps "
+        "(Blocks/Damping ratio)";
+      return (error.may_flutter ? flutters : "") +
+             (error.peak_at_end.empty()
+                ? ""
+                : "; the acceleration of " + error.peak_at_end +
+                    " is largest at an end of the record, where nothing is filtered nor told");
     }
   } // namespace
 
@@ -431,7 +437,7 @@ namespace hybrid::output
     if (text.empty())
       return {};
     const Summary::ProbableError &error = summary.probable_error;
-    return {text + cost_text(error) + peak_text(error), text + peak_text(error)};
+    return {text + cost_text(error) + left_out_text(error), text + left_out_text(error)};
   }
 
 

@@ -352,12 +352,7 @@ namespace hybrid::output
         const bool is_damped = parts.scene.time.dynamic_coefficient < 1.;
         error.may_flutter =
           part_of_friction(ledger) > largest_friction && !is_damped && may_flutter(parts.blocks);
-        error.runs_would_do =
-          times.size() >= least_rows && !points.empty() && !is_damped && !error.may_flutter;
-        if (error.may_flutter)
-          error.reason =
-            "blocks without damping slide, and may flutter in steps that resolve it: set "
-            "Blocks/Damping ratio";
+        error.runs_would_do = times.size() >= least_rows && !points.empty() && !is_damped;
         return;
       }
     error.until = record.until;

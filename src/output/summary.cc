@@ -125,6 +125,7 @@ namespace hybrid::output
               {"until_s", error.until},
               {"failed_in_both_by_s", error.until_later},
               {"blocks_strike", error.blocks_strike},
+              {"blocks_may_flutter", error.may_flutter},
               {"time_step", error_part(error.step)},
               {"half_the_step", error_part(error.left_by_half())},
               {"acceleration_peaks_at_an_end", error.peak_at_end},

@@ -278,6 +278,8 @@ def write(binary, source, work, page):
             label = LABELS.get(name, name)
             if said.get("measured_from_time_step_s") is not None:
                 label += ", two runs"
+            if said.get("blocks_may_flutter"):
+                label += ", at least"
             if estimated is None:
                 rows.append("| %s | %g | %s | %s | |" % (label, 1e3 * step, percent(true), "not estimated: " + said["reason"]))
             else:

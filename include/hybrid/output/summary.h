@@ -131,7 +131,7 @@ namespace hybrid::output
       std::string watched; ///< what was watched, as there are no monitors; empty: these were
       std::string reason        = "no step was taken"; ///< why it is not estimated; empty: it is
       bool        runs_would_do = false; ///< it is not, but the difference to another run tells it
-      bool        may_flutter   = false; ///< blocks do in finer steps and meshes: no run tells it
+      bool        may_flutter   = false; ///< blocks do in yet finer steps: it may be larger
       bool        blocks_strike = false; ///< each other: runs in other steps may go another way
       double      second_step   = 0.;    ///< of such a run, which follows [s]; 0: none does
       /// That the difference of two runs is taken to have, where no third one tells it: 2^p - 1 is

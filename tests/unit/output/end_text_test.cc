@@ -315,6 +315,27 @@ namespace hybrid::output
 
 
 
+    TEST(EndText, SaysThatBlocksMayFlutter)
+    {
+      Summary                 run   = a_run();
+      Summary::ProbableError &error = run.probable_error;
+      error.reason                  = "";
+      error.measured_from           = 5e-4;
+      error.step.part               = {{0.04, 0.1, 0.5}};
+      error.half_step.part          = {{0.02, 0.05, 0.2}};
+      error.step.where              = {{"a", "b", "b"}};
+      error.cost                    = 10.;
+      error.may_flutter             = true;
+      EXPECT_EQ(
+        error_text(run).in_file,
+        "Error     of the time step, by the run in steps of 0.0005 s: displacement 4 % of the "
+        "peak (a), velocity 10 % (b), acceleration 50 % (b); with half the step 2, 5, 20 %; at "
+        "least, as blocks without damping slide, and may flutter in yet shorter steps "
+        "(Blocks/Damping ratio)");
+    }
+
+
+
     TEST(EndText, SaysTheErrorOfTheMeshAndWhereNoOrderIsSeen)
     {
       Summary::MeshError error;

@@ -103,6 +103,17 @@ TEST(StepChoice, says_that_what_follows_a_failure_is_open)
 
 
 
+TEST(StepChoice, says_that_blocks_may_flutter_in_shorter_steps)
+{
+  Summary::ProbableError error = estimated(0.009, 0.002);
+  error.may_flutter            = true;
+  EXPECT_FALSE(choose_step(error, 4e-3, 0.01).step);
+  EXPECT_NE(choose_step(error, 4e-3, 0.01).unmet.find("flutter"), std::string::npos);
+  EXPECT_EQ(choose_step(error, 4e-3, 0.001).unmet, ""); // not met: shorter steps follow
+}
+
+
+
 TEST(StepChoice, says_what_it_cannot_know)
 {
   Summary::ProbableError error = estimated(0.04, 0.01);
