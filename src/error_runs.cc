@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <hybrid/error_runs.h>
-#include <hybrid/output/end_text.h>
+#include <hybrid/output/error_text.h>
 #include <hybrid/output/formatted.h>
 #include <hybrid/output/mesh_difference.h>
 #include <hybrid/output/step_difference.h>

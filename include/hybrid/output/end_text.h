@@ -15,11 +15,5 @@ namespace hybrid::output
     std::string in_file;   ///< without
   };
 
-  /// The line on the error of the time step, with what half the step costs on the screen only.
-  EndText error_text(const Summary &summary);
-
-  /// The line on the error of the mesh of blocks, the same way.
-  EndText mesh_error_text(const Summary::MeshError &error);
-
   EndText end_text(const Summary &summary, const scene::SceneParameters &scene);
 } // namespace hybrid::output

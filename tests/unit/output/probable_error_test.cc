@@ -9,7 +9,7 @@ namespace hybrid::output
 {
   namespace
   {
-    constexpr double dt = 4e-3;
+    constexpr double step_size = 4e-3;
 
 
     /// A smooth pulse of displacement about t = 1 s with the period of 0.5 s.
@@ -29,10 +29,10 @@ namespace hybrid::output
         record.source = pulse;
         for (int i = 1; i <= 1000; ++i)
           {
-            record.time.push_back(i * dt);
-            ground.insert(ground.end(), {pulse(i * dt), 0.});
-            top.insert(top.end(), {2. * pulse(i * dt - late), 0.});
-            still.insert(still.end(), {1e-9 * pulse(i * dt), 0.});
+            record.time.push_back(i * step_size);
+            ground.insert(ground.end(), {pulse(i * step_size), 0.});
+            top.insert(top.end(), {2. * pulse(i * step_size - late), 0.});
+            still.insert(still.end(), {1e-9 * pulse(i * step_size), 0.});
           }
         record.monitors = {{"ground", &ground}, {"top", &top}, {"still", &still}};
       }
@@ -47,10 +47,10 @@ namespace hybrid::output
     {
       const Section            section(0.8);
       const Summary::ErrorPart error =
-        ProbableError(section.record).of_steps({Newmark::preset("trapezoidal"), dt, 0., 0.});
-      // Delays by dt^2/12 w^2 of the way: dt^2/12 0.8 u''' of u; largest values of derivatives of
-      // exp(-x^2): 1, 0.858, 2, 3.90, 12.
-      const double k = 2. * M_PI, way = dt * dt / 12. * 0.8 * k * k * k;
+        ProbableError(section.record).of_steps({Newmark::preset("trapezoidal"), step_size, 0., 0.});
+      // Delays by step_size^2/12 w^2 of the way: step_size^2/12 0.8 u''' of u; largest values of
+      // derivatives of exp(-x^2): 1, 0.858, 2, 3.90, 12.
+      const double k = 2. * M_PI, way = step_size * step_size / 12. * 0.8 * k * k * k;
       EXPECT_NEAR(error.part[0], way * 3.90, 0.1 * way * 3.90);
       EXPECT_NEAR(error.part[1], way * 12. / 0.858, 0.1 * way * 12. / 0.858);
       EXPECT_EQ(error.where[0], "top");
@@ -63,12 +63,12 @@ namespace hybrid::output
       Section section(0.8);
       section.record.monitors[1].is_led = true;
       const Summary::ErrorPart error =
-        ProbableError(section.record).of_steps({Newmark::preset("trapezoidal"), dt, 0., 0.});
+        ProbableError(section.record).of_steps({Newmark::preset("trapezoidal"), step_size, 0., 0.});
       EXPECT_EQ(error.where[1], "top");
       EXPECT_EQ(error.where[2], "ground");
       section.record.monitors[0].is_led = section.record.monitors[2].is_led = true;
       EXPECT_TRUE(std::isnan(ProbableError(section.record)
-                               .of_steps({Newmark::preset("trapezoidal"), dt, 0., 0.})
+                               .of_steps({Newmark::preset("trapezoidal"), step_size, 0., 0.})
                                .part[2]));
     }
 
@@ -78,13 +78,13 @@ namespace hybrid::output
       const Section section(0.8);
       const auto    error = [&](const double beta) {
         return ProbableError(section.record)
-          .of_steps({Newmark::preset("trapezoidal"), dt, beta, 0.})
+          .of_steps({Newmark::preset("trapezoidal"), step_size, beta, 0.})
           .part[1];
       };
-      const double alone = error(0.); // (w dt)^2/12; the damping has -beta w^2 dt/4
-      EXPECT_NEAR(error(dt / 3.), 0.6 * alone, 0.05 * alone);
-      EXPECT_NEAR(error(dt / 30.), 0.9 * alone, 0.05 * alone);
-      EXPECT_NEAR(error(3. * dt), 8. * alone, 0.8 * alone);
+      const double alone = error(0.); // (w step_size)^2/12; the damping has -beta w^2 step_size/4
+      EXPECT_NEAR(error(step_size / 3.), 0.6 * alone, 0.05 * alone);
+      EXPECT_NEAR(error(step_size / 30.), 0.9 * alone, 0.05 * alone);
+      EXPECT_NEAR(error(3. * step_size), 8. * alone, 0.8 * alone);
     }
 
 
@@ -94,7 +94,7 @@ namespace hybrid::output
       Section section(0.);
       section.record.base = 1; // top: all that moves does so with it
       const Summary::ErrorPart no =
-        ProbableError(section.record).of_steps({Newmark::preset("trapezoidal"), dt, 0., 0.});
+        ProbableError(section.record).of_steps({Newmark::preset("trapezoidal"), step_size, 0., 0.});
       EXPECT_NE(no.where[0], "top");
       EXPECT_LT(no.part[0], 1e-4);
     }
@@ -105,7 +105,7 @@ namespace hybrid::output
       Section section(1.5);
       section.record.until = 1.5; // before the wave is there
       const Summary::ErrorPart error =
-        ProbableError(section.record).of_steps({Newmark::preset("trapezoidal"), dt, 0., 0.});
+        ProbableError(section.record).of_steps({Newmark::preset("trapezoidal"), step_size, 0., 0.});
       EXPECT_EQ(error.where[1], "ground");
       EXPECT_LT(error.part[1], 1e-3);
     }
@@ -117,7 +117,8 @@ namespace hybrid::output
         Section section(0.3);
         while (section.record.time.back() > end)
           section.record.time.pop_back();
-        return ProbableError(section.record).of_steps({Newmark::preset("trapezoidal"), dt, 0., 0.});
+        return ProbableError(section.record)
+          .of_steps({Newmark::preset("trapezoidal"), step_size, 0., 0.});
       };
       const Summary::ErrorPart whole = error(4.), cut = error(1.4); // the peak comes at 1.3 s
       for (int q = 0; q < 2; ++q)
@@ -153,11 +154,13 @@ namespace hybrid::output
     {
       const Section section(0.);
       Newmark       newmark  = Newmark::preset("fourth order");
-      newmark.corrected_step = dt;
+      newmark.corrected_step = step_size;
       const Summary::ErrorPart error =
-        ProbableError(section.record).of_steps({newmark, dt, 0., 1.});
+        ProbableError(section.record).of_steps({newmark, step_size, 0., 1.});
       const double k = 2. * M_PI;
-      EXPECT_NEAR(error.part[0], dt * dt / 8. * k * k * 2., 0.05 * dt * dt / 8. * k * k * 2.);
+      EXPECT_NEAR(error.part[0],
+                  step_size * step_size / 8. * k * k * 2.,
+                  0.05 * step_size * step_size / 8. * k * k * 2.);
     }
   } // namespace
 } // namespace hybrid::output
