@@ -2,7 +2,6 @@
 #include <hybrid/coupling/block_foundation.h>
 #include <hybrid/coupling/condensed_foundation.h>
 #include <hybrid/coupling/rigid_foundation.h>
-#include <hybrid/dda/linear/shared_loop.h>
 #include <hybrid/dda/model/model_builder.h>
 #include <hybrid/dda/statics/lifts.h>
 #include <hybrid/dda/step/initial_state.h>
@@ -36,11 +35,18 @@ namespace hybrid
 
 
 
+    bool shares_blocks(const scene::SceneParameters &scene, const std::size_t n_blocks)
+    {
+      return n_blocks >= static_cast<std::size_t>(scene.shared_blocks);
+    }
+
+
+
     /// Processes that keep a factor of the bedrock in the memory of this machine: where blocks are
     /// shared out each has its own.
-    int factors_here(const std::size_t n_blocks, const MPI_Comm communicator)
+    int factors_here(const bool has_shared_blocks, const MPI_Comm communicator)
     {
-      if (!dda::is_worth_sharing(n_blocks))
+      if (!has_shared_blocks)
         return 1;
       MPI_Comm here;
       MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here);
@@ -118,7 +124,7 @@ namespace hybrid
         !continuum->resolution().finds_band || !scene::why_not_iterated(scene).empty())
       return;
     const double needed  = output::estimate_memory(scene, mesh, nullptr, continuum.get()).total();
-    const int    factors = factors_here(mesh.blocks.size(), communicator);
+    const int    factors = factors_here(shares_blocks(scene, mesh.blocks.size()), communicator);
     int          fits    = factors * needed <= output::available_memory() ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &fits, 1, MPI_INT, MPI_MIN, communicator); // all do the same
     if (fits == 1)
@@ -160,7 +166,7 @@ namespace hybrid
 
   void SceneModel::share_blocks()
   {
-    if (size_of(processes) > 1 && dda::is_worth_sharing(blocks->blocks.size()))
+    if (size_of(processes) > 1 && shares_blocks(scene, blocks->blocks.size()))
       blocks->processes = std::make_shared<Partners>(processes);
     else if (continuum == nullptr || continuum->ownership() == nullptr)
       processes = MPI_COMM_SELF; // else all compute all blocks, and the bedrock together

@@ -13,7 +13,8 @@ namespace hybrid::scene
 {
   namespace
   {
-    const int max_threads = 1024;
+    const int max_threads       = 1024;
+    const int max_shared_blocks = 1000000000;
 
     /// First pass: the names of the materials, which are sections of the second pass.
     void make_material_table(const std::vector<ParameterLine> &lines, SceneParameters &scene)
@@ -142,11 +143,16 @@ namespace hybrid::scene
     declare(table, scene.monitors);
     declare(table, scene.output);
     declare(table, scene.checkpoint);
-    ParameterSection(table, {"Parallel"})
-      .integer("Threads",
-               scene.threads,
-               {1, max_threads},
-               "Threads of one run; results do not depend on it.");
+    ParameterSection parallel(table, {"Parallel"});
+    parallel.integer("Threads",
+                     scene.threads,
+                     {1, max_threads},
+                     "Threads of one run; results do not depend on it.");
+    parallel.integer("Shared blocks",
+                     scene.shared_blocks,
+                     {2, max_shared_blocks},
+                     "Under mpirun, the number of blocks from which on processes share them out; "
+                     "results do not depend on it.");
   }
 
   void check(const SceneParameters &scene, const ParameterTable &table)

@@ -225,6 +225,7 @@ namespace hybrid::scene
     std::map<std::string, Material> materials;
     double                          strength_reduction = 1.; ///< strengths are divided by it, > 0
     int                             threads            = 1;
+    int                             shared_blocks      = 2000; ///< among processes, from here on
     std::string used_prm; ///< the scene with every parameter, as a valid parameter file
 
     /// The bedrock is finite elements.
