@@ -22,9 +22,10 @@ namespace hybrid
     std::string left_open(const output::Summary::ProbableError &error)
     {
       if (std::isnan(error.until))
-        return error.may_flutter ? "blocks without damping slide, and may flutter in yet shorter "
-                                   "steps (Blocks/Damping ratio)"
-                                 : "";
+        return error.may_flutter
+                 ? "blocks with little damping slide, and may flutter in yet shorter "
+                   "steps (Blocks/Damping ratio)"
+                 : "";
       std::ostringstream text;
       text << std::setprecision(3) << "it is met until a joint failed at " << error.until
            << " s, and what follows is not known";

@@ -165,7 +165,7 @@ namespace hybrid::output
       if (!error.reason.empty())
         return "";
       const std::string flutters =
-        "; at least, as blocks without damping slide, and may flutter in yet shorter steps "
+        "; at least, as blocks with little damping slide, and may flutter in yet shorter steps "
         "(Blocks/Damping ratio)";
       return (error.may_flutter ? flutters : "") +
              (error.peak_at_end.empty()

@@ -18,6 +18,7 @@ namespace hybrid::output
     constexpr double      largest_abrupt   = 0.02; ///< of the peak acceleration, at once [-]
     constexpr double      largest_fracture = 0.05; ///< of all that the blocks lost [-]
     constexpr double      flutter_friction = 15.;  ///< undamped blocks do above 18 degrees [deg]
+    constexpr double      flutter_damping  = 0.08; ///< ends it, over tan phi (doc/accuracy.md) [-]
 
 
 
@@ -70,16 +71,21 @@ namespace hybrid::output
 
 
 
-    /// Blocks without damping that slide on steep friction flutter as soon as steps resolve it
-    /// (doc/verification/flutter.md).
-    bool may_flutter(const dda::Model *model)
+    /// Blocks with little damping that slide on steep friction flutter as soon as steps resolve it
+    /// (doc/verification/flutter.md). What these steps do not resolve, vibrations of more than
+    /// 1/step, has a damping ratio of at least half of damping time over step; that of Maxwell
+    /// branches ends with their band.
+    bool may_flutter(const dda::Model *model, const double time_step)
     {
-      bool any_undamped = false;
-      for (int b = 0; model != nullptr && b < model->n_mass(); ++b)
-        any_undamped = any_undamped || (model->blocks[b].damping_time == 0. &&
-                                        (model->bonded[b] || !model->damps_loose));
-      return any_undamped && !model->maxwell.is_on() &&
-             friction_on_ground(*model) > std::tan(flutter_friction * M_PI / 180.);
+      if (model == nullptr)
+        return false;
+      const double friction      = friction_on_ground(*model);
+      const double least_damping = 2. * time_step * flutter_damping * friction;
+      bool         any           = false;
+      for (int b = 0; b < model->n_mass(); ++b)
+        any = any || (model->blocks[b].damping_time < least_damping &&
+                      (model->bonded[b] || !model->damps_loose));
+      return any && friction > std::tan(flutter_friction * M_PI / 180.);
     }
 
 
@@ -350,8 +356,8 @@ namespace hybrid::output
     if (!error.reason.empty())
       {
         const bool is_damped = parts.scene.time.dynamic_coefficient < 1.;
-        error.may_flutter =
-          part_of_friction(ledger) > largest_friction && !is_damped && may_flutter(parts.blocks);
+        error.may_flutter    = part_of_friction(ledger) > largest_friction && !is_damped &&
+                            may_flutter(parts.blocks, parts.scene.time.time_step);
         error.runs_would_do = times.size() >= least_rows && !points.empty() && !is_damped;
         return;
       }

@@ -292,7 +292,7 @@ def test_errors_are_those_of_the_summary():
     Finished.summary["probable_error"].update(half_the_step=error(0.012), blocks_strike=True)
     assert errors.rows_of(Finished)[1][-1] == "as much; blocks strike each other, runs in other steps may go another way"
     Finished.summary["probable_error"].update(blocks_strike=False, blocks_may_flutter=True)
-    assert errors.rows_of(Finished)[1][-1] == "as much; at least, as blocks without damping slide, and may flutter in yet shorter steps"
+    assert errors.rows_of(Finished)[1][-1] == "as much; at least, as blocks with little damping slide, and may flutter in yet shorter steps"
     Finished.summary["probable_error"].update(watched="8 blocks", acceleration_peaks_at_an_end="crest")
     assert errors.rows_of(Finished)[0][-1].startswith("a run in steps of 0.002 s, at 8 blocks")
     assert errors.rows_of(Finished)[1][-1].endswith("the acceleration of crest is largest at an end of the record, where nothing is filtered nor told")

@@ -185,13 +185,16 @@ def check_failure(words, work, require):
 
 
 def check_flutter(words, work, require):
-    """Blocks without damping slide: what runs in longer steps damp, others resolve, so they tell the least that the error is."""
+    """Blocks with little damping slide: what runs in longer steps damp, others resolve, so they tell the least that the error is."""
     _, output = run(*words, "direct_shear", work / "flutter")
     _, damped = run(*words, "direct_shear", work / "damped", "Blocks/Damping ratio=0.05")
     require("by the run in steps" in output and "may flutter in yet shorter steps (Blocks/Damping ratio)" in output
             and summary_of(work / "flutter")["probable_error"]["blocks_may_flutter"],
             "blocks that may flutter: the least that their error is, and what helps", output)
     require("by the run in steps" in damped and "flutter" not in damped, "damped ones have theirs", damped)
+    for little in ("Blocks/Damping ratio=0.001", "Maxwell damping/Block ratio=0.02"):
+        _, output = run(*words, "direct_shear", work / "little", little)
+        require("may flutter" in output, "nor does %s end it" % little, output)
     _, flat = run(*words, "direct_shear", work / "flat", "Materials/joint/Friction angle=10")
     require("by the run in steps" in flat and "flutter" not in flat, "so have those on a belt of 10 degrees", flat)
 

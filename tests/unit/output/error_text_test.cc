@@ -180,7 +180,7 @@ namespace hybrid::output
         error_text(run).in_file,
         "Error     of the time step, by the run in steps of 0.0005 s: displacement 4 % of the "
         "peak (a), velocity 10 % (b), acceleration 50 % (b); with half the step 2, 5, 20 %; at "
-        "least, as blocks without damping slide, and may flutter in yet shorter steps "
+        "least, as blocks with little damping slide, and may flutter in yet shorter steps "
         "(Blocks/Damping ratio)");
     }
 

@@ -55,7 +55,7 @@ def halved(found, part, half):
     if found.get("blocks_strike"):
         notes.append("blocks strike each other, runs in other steps may go another way")
     if found.get("blocks_may_flutter"):
-        notes.append("at least, as blocks without damping slide, and may flutter in yet shorter steps")
+        notes.append("at least, as blocks with little damping slide, and may flutter in yet shorter steps")
     if found.get("acceleration_peaks_at_an_end"):
         notes.append("the acceleration of %s is largest at an end of the record, where nothing is filtered nor told" % found["acceleration_peaks_at_an_end"])
     if found.get("order_is_seen") is False:

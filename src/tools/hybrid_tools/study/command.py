@@ -84,6 +84,8 @@ def content_of_words(words):
 
 def make_study(words):
     """The study that the words ask for. @raises UserError for what is wrong with it."""
+    if not os.path.exists(words.what):
+        raise UserError("there is no '%s': give a scene, a study file or the directory of a study" % words.what)
     own = content_of_words(words)
     content = study_file.read(words.what) if words.what.endswith(".toml") else {"scene": words.what}
     varied = [axes.make_axis(key, values) for key, values in content.get("vary", {}).items()] + own["vary"]
