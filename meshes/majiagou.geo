@@ -9,7 +9,7 @@ toe_part   = 0.6; // of h up to toe_end
 toe_end    = 345; // where its slip ends, at rest and in the Badong earthquake [m]
 toe_growth = 60;  // and h from there on over this distance [m]
 
-size_far     = 24;  // bedrock far from the slip surface [m]
+DefineConstant[ size_far = {24, Min 1, Name "Section/far"} ]; // bedrock far from the slip surface [m]
 growth_start = h;   // the size stays h up to this distance below the slip surface [m]
 growth_end   = 130; // and reaches size_far here [m]
 
