@@ -60,8 +60,8 @@ namespace
     log.warning("mpirun started " + std::to_string(processes.count()) +
                 " processes, and this scene is computed by the first one alone: shared out are "
                 "2,000 blocks or more (Parallel/Shared blocks), a bedrock with Continuum/Linear "
-                "solver = conjugate "
-                "gradients, and waves alone with Continuum/Time integrator = explicit");
+                "solver = conjugate gradients, and waves alone with Continuum/Time integrator = "
+                "explicit");
     return processes.is_first();
   }
 

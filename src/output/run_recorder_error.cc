@@ -79,11 +79,11 @@ namespace hybrid::output
     {
       if (model == nullptr)
         return false;
-      const double friction      = friction_on_ground(*model);
-      const double least_damping = 2. * time_step * flutter_damping * friction;
-      bool         any           = false;
+      const double friction   = friction_on_ground(*model);
+      const double least_time = 2. * time_step * flutter_damping * friction;
+      bool         any        = false;
       for (int b = 0; b < model->n_mass(); ++b)
-        any = any || (model->blocks[b].damping_time < least_damping &&
+        any = any || (model->blocks[b].damping_time < least_time &&
                       (model->bonded[b] || !model->damps_loose));
       return any && friction > std::tan(flutter_friction * M_PI / 180.);
     }
