@@ -59,9 +59,8 @@ namespace
     processes.compute_alone();
     log.warning("mpirun started " + std::to_string(processes.count()) +
                 " processes, and this scene is computed by the first one alone: shared out are "
-                "2,000 blocks or more (Parallel/Shared blocks), a bedrock with Continuum/Linear "
-                "solver = conjugate gradients, and waves alone with Continuum/Time integrator = "
-                "explicit");
+                "blocks, from Parallel/Shared blocks on, a bedrock with Continuum/Linear solver = "
+                "conjugate gradients, and waves alone with Continuum/Time integrator = explicit");
     return processes.is_first();
   }
 

@@ -219,6 +219,7 @@ namespace hybrid::output
   }
 
 
+
   std::string bedrock_mesh_text(const Summary &summary)
   {
     const Summary::ProbableError &error = summary.probable_error;

@@ -235,6 +235,7 @@ def test_a_scene_states_its_closed_form_and_its_order_is_that_of_the_elements(hy
     (["scene.prm"], "nothing is varied"),
     (["."], "plan.json"),
     (["nothing.toml"], "nothing.toml"),
+    (["nothing"], "there is no 'nothing'"),
 ])
 def test_mistakes_are_one_line(hybrid, tmp_path, words, message):
     (tmp_path / "scene.prm").write_text("include %s\n" % (SCENES / "incline.prm"))

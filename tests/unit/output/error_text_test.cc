@@ -9,6 +9,21 @@ namespace hybrid::output
 {
   namespace
   {
+    Summary told_by_two_runs()
+    {
+      Summary                 run   = a_run();
+      Summary::ProbableError &error = run.probable_error;
+      error.reason                  = "";
+      error.measured_from           = 5e-4;
+      error.step.part               = {{0.04, 0.1, 0.5}};
+      error.half_step.part          = {{0.02, 0.05, 0.2}}; // by order
+      error.step.where              = {{"a", "b", "b"}};
+      error.cost                    = 10.;
+      return run;
+    }
+
+
+
     TEST(ErrorText, SaysTheProbableErrorAndOnTheScreenWhatHalfTheStepCosts)
     {
       Summary                 run   = a_run();
@@ -140,14 +155,8 @@ namespace hybrid::output
 
     TEST(ErrorText, SaysThatBlocksStrikeEachOther)
     {
-      Summary                 run   = a_run();
+      Summary                 run   = told_by_two_runs();
       Summary::ProbableError &error = run.probable_error;
-      error.reason                  = "";
-      error.measured_from           = 5e-4;
-      error.step.part               = {{0.04, 0.1, 0.5}};
-      error.half_step.part          = {{0.02, 0.05, 0.2}}; // by order
-      error.step.where              = {{"a", "b", "b"}};
-      error.cost                    = 10.;
       error.blocks_strike           = true;
       EXPECT_EQ(
         error_text(run).in_file,
@@ -167,14 +176,8 @@ namespace hybrid::output
 
     TEST(ErrorText, SaysThatBlocksMayFlutter)
     {
-      Summary                 run   = a_run();
+      Summary                 run   = told_by_two_runs();
       Summary::ProbableError &error = run.probable_error;
-      error.reason                  = "";
-      error.measured_from           = 5e-4;
-      error.step.part               = {{0.04, 0.1, 0.5}};
-      error.half_step.part          = {{0.02, 0.05, 0.2}};
-      error.step.where              = {{"a", "b", "b"}};
-      error.cost                    = 10.;
       error.may_flutter             = true;
       EXPECT_EQ(
         error_text(run).in_file,
