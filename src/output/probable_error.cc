@@ -30,6 +30,10 @@ namespace hybrid::output
     /// has hardly begun [-].
     constexpr double most_late = 0.9, late = 0.2;
 
+    /// Of the peak velocity, at the end of the record: more of what is no answer is a wave that has
+    /// just come [-].
+    constexpr double most_left_at_end = 0.05;
+
 
 
     /// Linear between the times of a record.
@@ -199,9 +203,10 @@ namespace hybrid::output
           double most = 0.;
           for (const double v : motion.velocity[c])
             most = std::max(most, std::abs(v));
-          motion.delay[c] = most > unseen * largest[1]
-                              ? response.delay(motion.velocity[c])
-                              : ResponseDelay::Spectrum(response.frequencies().size(), 0.);
+          motion.delay[c] =
+            most > unseen * largest[1]
+              ? response.delay(motion.velocity[c])
+              : ResponseDelay::Delay{ResponseDelay::Spectrum(response.frequencies().size(), 0.)};
         }
   }
 
@@ -255,16 +260,31 @@ namespace hybrid::output
 
 
 
+  std::string ProbableError::reached_at_end() const
+  {
+    for (std::size_t m = 0; largest[1] > at_rest && m < motions.size(); ++m)
+      {
+        const ResponseDelay::Delay *delay = motions[m].delay;
+        if ((counts(m, 0) || counts(m, 1) || counts(m, 2)) &&
+            std::hypot(delay[0].left_at_end, delay[1].left_at_end) >
+              most_left_at_end * motions[m].peak[1])
+          return motions[m].name;
+      }
+    return "";
+  }
+
+
+
   std::array<ProbableError::History, 3>
   ProbableError::changes(const Motion                  &motion,
                          const int                      c,
                          const ResponseDelay::Spectrum &frequency) const
   {
     std::array<History, 3> error;
-    error[1] = response.change(motion.delay[c], frequency);
+    error[1] = response.change(motion.delay[c].spectrum, frequency);
     error[0] = error[1];
     const auto of_base =
-      base >= 0 ? response.change(motions[base].delay[c], frequency) : History(rows, 0.);
+      base >= 0 ? response.change(motions[base].delay[c].spectrum, frequency) : History(rows, 0.);
     double sum = 0.; // of what is before the middle of a row
     for (std::size_t i = 0; i < rows; ++i)
       {

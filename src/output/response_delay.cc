@@ -13,6 +13,7 @@ namespace hybrid::output
   {
     constexpr double tapered_end = 0.05; ///< of a record [-]
     constexpr double least_cut   = 10.;  ///< at the ends of what is set off at t = 0 [rows]
+    constexpr double end_part    = 0.1;  ///< of a record: where a last wave is looked for [-]
 
 
 
@@ -28,6 +29,17 @@ namespace hybrid::output
     std::size_t taper(const std::size_t rows)
     {
       return std::max<std::size_t>(1, tapered_end * rows);
+    }
+
+
+
+    double largest_at_end(const std::vector<double> &x)
+    {
+      double result = 0.;
+      for (std::size_t i = x.size() - static_cast<std::size_t>(end_part * x.size()); i < x.size();
+           ++i)
+        result = std::max(result, std::abs(x[i]));
+      return result;
     }
 
 
@@ -94,9 +106,10 @@ namespace hybrid::output
 
 
 
-  ResponseDelay::Spectrum ResponseDelay::delay(const std::vector<double> &velocity) const
+  ResponseDelay::Delay ResponseDelay::delay(const std::vector<double> &velocity) const
   {
     assert(velocity.size() == rows);
+    Delay               result;
     std::vector<double> pulse = velocity, rest(rows, 0.);
     if (is_set_off)
       fade_out(pulse, taper(rows));
@@ -105,14 +118,16 @@ namespace hybrid::output
         MotionAnswer::Answer found = answer.find(velocity);
         pulse.swap(found.pulse);
         rest.swap(found.rest);
+        result.left_at_end = largest_at_end(rest);
         fade_out(rest, taper(rows));
       }
     for (std::size_t i = 0; i < rows; ++i)
       pulse[i] *= -spacing * i;
-    Spectrum       result  = forward(pulse);
+    result.spectrum        = forward(pulse);
     const Spectrum of_rest = forward(rest);
     for (std::size_t k = 0; k < s.size(); ++k)
-      result[k] = result[k] * source_spectrum[k] + (k > 0 ? of_rest[k] / s[k] : 0.);
+      result.spectrum[k] =
+        result.spectrum[k] * source_spectrum[k] + (k > 0 ? of_rest[k] / s[k] : 0.);
     return result;
   }
 

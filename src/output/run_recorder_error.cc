@@ -225,6 +225,18 @@ namespace hybrid::output
     }
 
 
+    /// Empty: it tells how the model answers.
+    std::string why_record_does_not_do(const ProbableError &estimate)
+    {
+      const std::string hardly_begun = estimate.hardly_begun();
+      if (!hardly_begun.empty())
+        return "the run ends as the motion begins at " + hardly_begun;
+      const std::string reached = estimate.reached_at_end();
+      return reached.empty() ? "" : "the run ends as a wave reaches " + reached;
+    }
+
+
+
     /// Of the step and half of it, and of the finite elements; or the reason why this run does not
     /// tell it.
     void estimate_by_this_run(const RunParts         &parts,
@@ -232,10 +244,9 @@ namespace hybrid::output
                               Summary::ProbableError &error)
     {
       const ProbableError estimate(record);
-      const std::string   hardly_begun = estimate.hardly_begun();
-      if (!hardly_begun.empty())
+      error.reason = why_record_does_not_do(estimate);
+      if (!error.reason.empty())
         {
-          error.reason        = "the run ends as the motion begins at " + hardly_begun;
           error.runs_would_do = true;
           return;
         }

@@ -48,7 +48,7 @@ HELD = ["Materials/belt/Cohesion=1e9", "Materials/belt/Tensile strength=1e9"]
 SHORT = {"time_order": ((4, 1), []), "bedrock_triangles": ((4,), []), "block_decrement": ((1,), []), "lasting_load": ((4,), []),
          "canyon": ((4,), []), "rayleigh_decrement": ((4,), []), "shaken_base": ((2,), []), "floating_block": ((2,), []),
          "rate_belt": ((4,), []), "coupled_column within": ((2,), WITHIN["coupled_column within"]),
-         "coupled_column begins": ((2,), WITHIN["coupled_column begins"]), "bonded_slab held": ((8,), HELD),
+         "coupled_column begins": ((2,), WITHIN["coupled_column begins"]), "bonded_bar within": ((1,), WITHIN["bonded_bar within"]), "bonded_slab held": ((8,), HELD),
          "direct_tension": ((4,), [])}  # steps are cut to half from 1.35 s on: those of the second run, too
 LONG = {"bonded_bar": ((4, 1), []), "bedrock_triangles": ((4, 1), []), "bedrock_layers": ((4, 1), []),
         "block_decrement": ((4, 1), []), "continuum_into_blocks": ((4, 1), []), "coupled_column": ((4, 1), []),

@@ -74,17 +74,21 @@ namespace hybrid::output
     /// wave grows, and its error is told wrong by any factor. Empty: there is none.
     std::string hardly_begun() const;
 
+    /// A monitor that a wave reaches as the record ends: of its peak velocity a twentieth or more
+    /// is no answer that the record tells of, in its last tenth. Empty: there is none.
+    std::string reached_at_end() const;
+
   private:
     using History = std::vector<double>;
 
     struct Motion
     {
-      std::string             name;
-      bool                    in_rock, is_led;
-      History                 velocity[2];
-      History                 relative[2]; ///< displacement less that of the base, filtered
-      ResponseDelay::Spectrum delay[2];
-      double                  peak[3] = {0., 0., 0.}; ///< of vectors, see Summary::ErrorPart
+      std::string          name;
+      bool                 in_rock, is_led;
+      History              velocity[2];
+      History              relative[2]; ///< displacement less that of the base, filtered
+      ResponseDelay::Delay delay[2];
+      double               peak[3] = {0., 0., 0.}; ///< of vectors, see Summary::ErrorPart
     };
 
     std::vector<double> time; ///< of the record, as far as it is looked at [s]

@@ -47,8 +47,14 @@ namespace hybrid::output
       return rows;
     }
 
+    struct Delay
+    {
+      Spectrum spectrum;         ///< H' F
+      double   left_at_end = 0.; ///< largest |U - H F| in the last tenth of the record [m/s]
+    };
+
     /// H' F of a velocity, one per row of a record.
-    Spectrum delay(const std::vector<double> &velocity) const;
+    Delay delay(const std::vector<double> &velocity) const;
 
     /// The change of the velocity: d H' F in time, one per row of a record.
     std::vector<double> change(const Spectrum &delay, const Spectrum &frequency_change) const;

@@ -140,6 +140,23 @@ namespace hybrid::output
     }
 
 
+    TEST(ProbableError, SaysWhereALaterWaveHasJustCome)
+    {
+      const auto where = [](const double end) {
+        Section section(0.4); // the pulse passes the top from 1.15 to 1.65 s
+        for (std::size_t i = 0; i < section.record.time.size(); ++i)
+          section.top[2 * i] += 2. * pulse(section.record.time[i] - 1.8); // and from 2.45 s on
+        while (section.record.time.back() > end)
+          section.record.time.pop_back();
+        return ProbableError(section.record).reached_at_end();
+      };
+      EXPECT_EQ(where(2.4), "");
+      EXPECT_EQ(where(2.49), "top");
+      EXPECT_EQ(where(2.6), "");
+      EXPECT_EQ(where(3.2), "");
+    }
+
+
     TEST(ProbableError, MonitorsThatHardlyMoveMayBeginLate)
     {
       Section section(0.);

@@ -54,7 +54,7 @@ namespace hybrid::output
       ResponseDelay::Spectrum larger;
       for (const std::complex<double> &s : response.frequencies())
         larger.push_back(stretch * s);
-      return response.change(response.delay(velocity), larger);
+      return response.change(response.delay(velocity).spectrum, larger);
     }
 
 
@@ -154,7 +154,7 @@ namespace hybrid::output
       for (const std::complex<double> &s : response.frequencies())
         cubes.push_back(s * s * s * std::clamp(2. - s.imag() / (2. * M_PI * 12.5), 0., 1.));
       std::vector<double> change =
-        response.change(response.delay(oscillation(soft_pulse, rows)), cubes);
+        response.change(response.delay(oscillation(soft_pulse, rows)).spectrum, cubes);
       change.resize(1900);
       return largest_difference(change, std::vector<double>(change.size(), 0.));
     }
