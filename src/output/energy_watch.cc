@@ -124,7 +124,7 @@ namespace hybrid::output
     return std::string("the time integration ") + (gave ? "gave " : "took ") +
            number(100. * ledger.scheme_fraction()) + " % of the " + number(ledger.exchanged()) +
            " J/m in play (" + list(terms) + "): " +
-           (hits ? "what blocks lose as they hit each other is part of it, the rest"
+           (hits ? "what blocks lose where they hit each other, if they do, is part of it, the rest"
                  : "this part") +
            " depends on Time/Time step, compare with half the step";
   }

@@ -23,6 +23,14 @@ namespace hybrid::dda
 
 
 
+  void FrontPlan::Largest::take(const FrontTree &tree, const int f)
+  {
+    own   = std::max(own, tree.own(f));
+    panel = std::max(panel, static_cast<std::size_t>(tree.own(f)) * tree.later(f));
+  }
+
+
+
   FrontPlan::FrontPlan(const FrontTree   &tree,
                        const bool         is_shared,
                        const FrontOwners &of_processes,
@@ -31,11 +39,8 @@ namespace hybrid::dda
     , me(rank)
   {
     for (int f = 0; f < tree.n_fronts(); ++f)
-      {
-        largest_own = std::max(largest_own, tree.own(f));
-        largest_panel =
-          std::max(largest_panel, static_cast<std::size_t>(tree.own(f)) * tree.later(f));
-      }
+      if (is_mine(f))
+        largest.take(tree, f);
     list_children(tree);
     list_handed_over(tree);
     if (is_shared)
@@ -44,6 +49,9 @@ namespace hybrid::dda
       for (int f = 0; f < tree.n_fronts(); ++f)
         if (is_mine(f) && !is_of_all(f))
           above.push_back(f);
+    for (const Subtrees &of_thread : shared)
+      for (int f = of_thread.first; f < of_thread.last; ++f)
+        largest_shared.take(tree, f);
     find_places(tree);
   }
 

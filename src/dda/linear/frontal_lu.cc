@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <iterator>
+#include <malloc.h>
 #include <omp.h>
 
 namespace hybrid::dda
@@ -61,6 +62,21 @@ namespace hybrid::dda
           list.push_back(matrix.pairs[s]);
       return list;
     }
+
+
+
+    /// Room for so many numbers, whatever they were: not beside the old ones while it grows, which
+    /// may be the largest part of the memory.
+    void make_room(std::vector<double> &numbers, const std::size_t n)
+    {
+      if (n > numbers.capacity())
+        {
+          std::vector<double>().swap(numbers);
+          malloc_trim(0);
+          numbers.reserve(n + n / 16); // other fronts follow, a little larger
+        }
+      numbers.resize(n);
+    }
   } // namespace
 
 
@@ -101,7 +117,6 @@ namespace hybrid::dda
     is_due.assign(n, 1);
     diagonal.resize(n_blocks);
     below_diagonal.resize(pairs.size());
-    waiting.resize(plan.size);
     pivots.resize(6 * static_cast<std::size_t>(n_blocks));
     rest.resize(6 * n_blocks);
     ordered.resize(6 * n_blocks);
@@ -199,7 +214,6 @@ namespace hybrid::dda
     if (keeps)
       {
         plan.keep_all(tree);
-        waiting.resize(plan.size);
       }
     std::fill(is_due.begin(), is_due.end(), 1);
     cost = {tree.products, static_cast<double>(tree.n_fronts())};
@@ -224,7 +238,7 @@ namespace hybrid::dda
         factor_begin.push_back(factor_begin.back() +
                                (plan.is_mine(f) ? 36 * p * (p + (symmetric ? 1 : 2) * u) : 0));
       }
-    factors.resize(factor_begin.back());
+    make_room(factors, factor_begin.back());
   }
 
 
@@ -232,21 +246,39 @@ namespace hybrid::dda
   bool FrontalLu::factorize(const BlockMatrix &matrix)
   {
     load(matrix);
+    return factorize_loaded();
+  }
+
+
+
+  bool FrontalLu::factorize_loaded()
+  {
     choose_fronts();
     return eliminate();
   }
 
 
 
+  void FrontalLu::give_back_work()
+  {
+    std::vector<Work>().swap(work);
+    if (!keeps)
+      std::vector<double>().swap(waiting);
+  }
+
+
+
   void FrontalLu::reserve_work()
   {
+    make_room(waiting, plan.size);
     work.resize(
       std::max<std::size_t>(work.size(), plan.shared.empty() ? 1 : omp_get_max_threads()));
-    for (Work &of_thread : work)
+    for (std::size_t t = 0; t < work.size(); ++t)
       {
-        of_thread.below.resize(36 * plan.largest_panel);
-        of_thread.largest.resize(plan.largest_own);
-        of_thread.inverse.reserve(6 * plan.largest_own);
+        const FrontPlan::Largest &largest = t == 0 ? plan.largest : plan.largest_shared;
+        work[t].below.resize(36 * largest.panel);
+        work[t].largest.resize(largest.own);
+        work[t].inverse.reserve(6 * largest.own);
       }
   }
 
@@ -394,10 +426,7 @@ namespace hybrid::dda
         analyze(stored, blocks);
         keeps = kept;
         if (keeps)
-          {
-            plan.keep_all(tree);
-            waiting.resize(plan.size);
-          }
+          plan.keep_all(tree);
       }
     std::vector<Mat6> none;
     archive(is_used ? diagonal : none, is_used ? below_diagonal : none);

@@ -25,7 +25,7 @@ namespace hybrid::dda
     block_lu_products = static_cast<double>(n);
     if (!symmetric && n <= most && block_lu.factorize(matrix))
       kind = Kind::block_lu;
-    else if (foundation != nullptr && frontal.factorize(joined.join(matrix, *foundation)))
+    else if (foundation != nullptr && factorize_joined(matrix, *foundation))
       {
         kind    = Kind::frontal;
         n_added = JoinedMatrix::n_added(matrix.n_nodes());
@@ -36,11 +36,23 @@ namespace hybrid::dda
       return false;
     if (kind != Kind::frontal)
       frontal.forget();
-    if (matrix.n_blocks() >= many_blocks)
-      joined = {};
     size = 6 * matrix.n_blocks();
     make_room();
     return true;
+  }
+
+
+
+  bool SparseFactor::factorize_joined(const BlockMatrix        &matrix,
+                                      const InterfaceStiffness &foundation)
+  {
+    const bool is_large = matrix.n_blocks() >= many_blocks;
+    if (is_large)
+      frontal.give_back_work();
+    frontal.load(joined.join(matrix, foundation));
+    if (is_large)
+      joined = {};
+    return frontal.factorize_loaded();
   }
 
 

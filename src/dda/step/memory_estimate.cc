@@ -4,6 +4,7 @@
 #include <hybrid/dda/linear/frontal_lu.h>
 #include <hybrid/dda/linear/linear_solver.h>
 #include <hybrid/dda/linear/shared_loop.h>
+#include <hybrid/dda/linear/sparse_factor.h>
 #include <hybrid/dda/springs/spring_stiffness.h>
 #include <hybrid/dda/step/memory_estimate.h>
 
@@ -62,8 +63,9 @@ namespace hybrid::dda
 
 
 
-    /// Of a sparse factor with what it is made of.
-    SolverMemory memory_of_factor(const FrontTree &tree, const double pairs)
+    /// Of a sparse factor with what it is made of. @param joined bytes of the copy with a
+    /// foundation, of many blocks only until the factor is made
+    SolverMemory memory_of_factor(const FrontTree &tree, const double pairs, const double joined)
     {
       const FrontPlan plan(tree, omp_get_max_threads() > 1 && is_worth_sharing(tree.n_blocks()));
       const double    n = tree.n_blocks(), per_mat6 = sizeof(Mat6);
@@ -73,16 +75,21 @@ namespace hybrid::dda
           own += static_cast<double>(tree.own(f)) * tree.own(f);
           later += static_cast<double>(tree.own(f)) * tree.later(f);
         }
-      const double panel = static_cast<double>(plan.largest_panel) * per_mat6;
-      const double inverse =
-        1.5 * static_cast<double>(plan.largest_own) * plan.largest_own * per_mat6;
-      const double work    = (plan.shared.empty() ? 1. : omp_get_max_threads()) * (panel + inverse);
+      const auto work_of = [](const FrontPlan::Largest &largest) { // panel and inverse
+        return (static_cast<double>(largest.panel) + 1.5 * largest.own * largest.own) *
+               sizeof(Mat6);
+      };
+      const double work =
+        work_of(plan.largest) +
+        (plan.shared.empty() ? 0. : omp_get_max_threads() - 1.) * work_of(plan.largest_shared);
       const double n_later = static_cast<double>(tree.later_places.size());
       const double lists   = n_later * (2. * sizeof(int) + sizeof(Vec6)) +
                            n * (2. * sizeof(Vec6) + 10. * sizeof(int)) + 5. * pairs * sizeof(int);
       const double waits = static_cast<double>(plan.size) * sizeof(double);
       const double kept  = static_cast<double>(FrontalLu::kept_entries(tree)) * sizeof(double);
-      return {(own + later + n + pairs) * per_mat6 + waits + work + lists,
+      const double passing =
+        n < SparseFactor::many_blocks ? waits + work + joined : std::max(waits + work, joined);
+      return {(own + later + n + pairs) * per_mat6 + passing + lists,
               (later + pairs) * per_mat6 + std::max(0., kept - waits)};
     }
   } // namespace
@@ -116,11 +123,11 @@ namespace hybrid::dda
     const double in_sweeps =
       model.n_blocks() < LinearSolver::many_blocks ? (n + 2. * touch) * per_mat6 : 0.;
 
-    // The copy that is factored with a foundation; it is there while a factor is made.
+    // The copy that is factored with a foundation.
     const double in_joined = moving_foundation ? (n + 2. * touch) * per_mat6 : 0.;
 
-    SolverMemory memory = memory_of_factor(tree, touch);
-    memory.bonded += in_joined + in_springs + in_matrix + in_vectors + in_search + in_sweeps;
+    SolverMemory memory = memory_of_factor(tree, touch, in_joined);
+    memory.bonded += in_springs + in_matrix + in_vectors + in_search + in_sweeps;
     return memory;
   }
 } // namespace hybrid::dda

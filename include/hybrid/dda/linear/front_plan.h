@@ -30,6 +30,15 @@ namespace hybrid::dda
       int first, last;
     };
 
+    /// Of some fronts, for the work space of a thread that eliminates them.
+    struct Largest
+    {
+      int         own   = 0; ///< blocks
+      std::size_t panel = 0; ///< own times later blocks
+
+      void take(const FrontTree &tree, int f);
+    };
+
     FrontPlan() = default;
 
     /// @param is_shared several threads eliminate @param of_processes which process eliminates
@@ -71,9 +80,9 @@ namespace hybrid::dda
     std::vector<int>         child_begin{0}; ///< CSR over fronts
     std::vector<int>         child;
     std::vector<std::size_t> place; ///< of what each front leaves, among all that waits [entries]
-    std::size_t              size          = 0; ///< of all that waits [entries]
-    int                      largest_own   = 0; ///< own blocks of a front
-    std::size_t              largest_panel = 0; ///< own times later blocks of a front
+    std::size_t              size = 0;       ///< of all that waits [entries]
+    Largest                  largest;        ///< of this process' fronts and those of all
+    Largest                  largest_shared; ///< of those that threads share
 
   private:
     FrontOwners owners;

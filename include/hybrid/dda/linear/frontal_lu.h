@@ -47,6 +47,13 @@ namespace hybrid::dda
     /// @return false if a block of the diagonal becomes singular or large.
     bool factorize(const BlockMatrix &matrix);
 
+    /// The same in two parts: copy the matrix, which may go then, and factor the copy.
+    void load(const BlockMatrix &matrix);
+    bool factorize_loaded();
+
+    /// Memory that a factorisation takes for a while, but for what fronts keep.
+    void give_back_work();
+
     /// What an elimination takes.
     struct Cost
     {
@@ -144,9 +151,6 @@ namespace hybrid::dda
     Eigen::VectorXd          rest;           ///< work: right-hand side in the order of places
     Eigen::VectorXd          ordered;        ///< work: solution in the order of places
     Eigen::VectorXd          handed;         ///< work: of each front's later blocks
-
-    /// Bring order and fronts up to date, copy the matrix and mark fronts whose entries change.
-    void load(const BlockMatrix &matrix);
 
     /// Make sure that the fronts serve: that they are those of all pairs that touch, and not of
     /// many others.

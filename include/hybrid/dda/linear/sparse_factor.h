@@ -17,7 +17,7 @@ namespace hybrid::dda
   class SparseFactor
   {
   public:
-    /// Blocks from which the copy that JoinedMatrix makes is given back once it is factored.
+    /// Blocks from which the copy that JoinedMatrix makes is given back before it is factored.
     static constexpr int many_blocks = 16000;
 
     /// See FrontalLu; the other kinds of factors are made by each process for itself.
@@ -71,6 +71,8 @@ namespace hybrid::dda
     void solve(const Eigen::VectorXd &b, Eigen::VectorXd &x);
 
   private:
+    bool factorize_joined(const BlockMatrix &matrix, const InterfaceStiffness &foundation);
+
     /// For right-hand sides with the foundation.
     void make_room();
 

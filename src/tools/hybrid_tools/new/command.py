@@ -211,8 +211,9 @@ def tell_cost(section, card):
     end, step = times(section)
     seconds = sizes.estimated_cost(blocks, unknowns, end / step)
     memory = next((line.split(":")[0].split(maxsplit=1)[1] for line in card if line.startswith("Memory")), "unknown")
-    print("cost       %d blocks, %d bedrock unknowns, %d steps: about %s of processor time (within a factor of two, more if joints fail)" % (
-        blocks, unknowns, round(end / step), in_words(seconds)))
+    print("cost       %d blocks, %d bedrock unknowns, %d steps: about %s of processor time (within a factor of two, more if joints fail); "
+          "the runs that tell its errors take one to two times as long again" % (
+              blocks, unknowns, round(end / step), in_words(seconds)))
     print("memory     " + memory)
 
 
