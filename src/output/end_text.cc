@@ -148,7 +148,7 @@ namespace hybrid::output
 
 
     /// Slip leaves a change of stress for good, to which dashpots alone give way.
-    bool gives_way_to_slip(const scene::SceneParameters &scene)
+    bool gives_way_to_lasting_load(const scene::SceneParameters &scene)
     {
       return scene.has_continuum() && scene.continuum.base.is_compliant &&
              !scene.continuum.boundary_springs;
@@ -188,12 +188,23 @@ namespace hybrid::output
           text += line_text(name, slip, seen);
           slip_is_left = slip_is_left || std::abs(slip.largest_left) > seen;
         }
-      if (slip_is_left && gives_way_to_slip(scene))
+      if (slip_is_left && gives_way_to_lasting_load(scene))
         text +=
           indent +
           "dashpots give way to the stress that slip leaves, so what is left drifts: "
           "Continuum/Boundary springs = true, and several times as much rock around the planes";
       return text;
+    }
+
+
+
+    /// A level of the water that follows a table.
+    std::string changed_water_text(const scene::SceneParameters &scene)
+    {
+      if (scene.environment.water_tables.level_file.empty() || !gives_way_to_lasting_load(scene))
+        return "";
+      return indent + "dashpots give way to the load that the level of the water changes for good, "
+                      "so the ground drifts: Continuum/Boundary springs = true";
     }
 
 
@@ -249,7 +260,8 @@ namespace hybrid::output
                                   summary.energy_residual);
     if (summary.steps > 0)
       {
-        found += monitors_text(summary, scene.monitors.base_monitor) + lines_text(summary, scene);
+        found += monitors_text(summary, scene.monitors.base_monitor) + lines_text(summary, scene) +
+                 changed_water_text(scene);
         if (summary.blocks > 0)
           found += indent + slip_text(summary) + shear_text(summary.base_shear) +
                    off_base_text(summary.blocks_off_base) +

@@ -141,7 +141,8 @@ namespace hybrid::output
       return begin + ", " + source + until_text(error.until, error.failed_in_other) +
              later_text(error) + ": " + peaks_text(error.step) +
              half_text(error.step, error.left_by_half(), "step", as_much) +
-             (error.blocks_strike ? strikes : "");
+             (error.blocks_strike ? strikes : "") +
+             (std::isnan(error.until) ? "" : "; hybrid accuracy tells of what comes later");
     }
 
 

@@ -166,6 +166,8 @@ namespace hybrid::output
         std::ostringstream text;
         text << "the point '" << name << "' at (" << x.x() << ", " << x.y()
              << ") m lies in no part of the section:";
+        if (!std::isfinite(nearest))
+          text << " neither bedrock nor a block is there,";
         if (std::isfinite(block.second))
           text << ' ' << block.second << " m from the nearest block,";
         if (std::isfinite(rock))

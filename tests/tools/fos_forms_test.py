@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hybrid_run.newmark import rate_on_slope, rigid_block
 from hybrid_tools.fos.kinks import holding_kink, kink_of_blocks
-from hybrid_tools.fos.sliding import lost_strength
+from hybrid_tools.fos.sliding import friction_rate, lost_strength
 
 
 @pytest.mark.parametrize("mirror", [1, -1])
@@ -38,7 +38,7 @@ def test_a_kink_in_the_outline_of_a_block_is_found(mirror):
 
 @pytest.mark.parametrize("changes, words", [
     ({}, ""), ({"Residual friction angle": "12"}, "friction angle 12 of 25 degrees"), ({"Residual cohesion": "5e3"}, "cohesion 5000 of 20000 Pa"),
-    ({"Residual cohesion": "20e3", "Residual friction angle": "25"}, ""), ({"Friction rate coefficient": "-0.01"}, "friction that falls with the rate"),
+    ({"Residual cohesion": "20e3", "Residual friction angle": "25"}, ""), ({"Friction rate coefficient": "0.03"}, ""), ({"Friction rate coefficient": "-0.01"}, ""),
     ({"Friction angle": "automatic", "Residual friction angle": "20"}, "friction angle 20 of 30 degrees")])
 def test_newmark_says_what_the_surface_loses_as_it_slips(changes, words):
     class Settings:
@@ -48,6 +48,7 @@ def test_newmark_says_what_the_surface_loses_as_it_slips(changes, words):
             "Friction rate coefficient": "0"}
     Settings.parameters.update({"Materials/clay/" + name: value for name, value in {**clay, **changes}.items()})
     assert lost_strength(Settings) == words
+    assert friction_rate(Settings) == np.sign(float(changes.get("Friction rate coefficient", 0)))
 
 
 def test_rectangular_pulse_and_sine_are_those_of_newmark():

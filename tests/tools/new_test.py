@@ -271,6 +271,29 @@ def test_a_survey_with_a_point_every_half_metre_makes_no_tiny_edges():
     assert any("points were left out" in note for note in notes)
 
 
+@pytest.mark.parametrize("slip", [None, [(62, 3), (100, 24)]])
+def test_benches_shorter_than_elements_are_kept(slip):
+    benches = np.array([(0, 0), (60, 0), (64, 6), (66, 6), (70, 12), (72, 12), (76, 18), (78, 18), (82, 24), (130, 24)], float)
+    found, notes = section(benches, slip, [])
+    assert found.h > 2 / 0.8
+    for corner in benches[1:-1]:
+        assert np.hypot(*(found.ground - corner).T).min() < 1e-9, corner
+    assert not [note for note in notes if "moves" in note]
+    if slip:
+        assert found.mass.polygon.area == pytest.approx(180, rel=1e-9)
+        assert found.belt.safety == pytest.approx(1.52, abs=0.01)
+
+
+def test_a_toe_beside_the_slip_line_is_kept():
+    """A wedge on a plane: its factor of safety is the closed form."""
+    found, _ = section([(0, 0), (60, 0), (90, 20), (160, 24), (220, 26)], [(61.5, 1), (110, 21.5)], [])
+    assert np.hypot(*(found.ground - (60, 0)).T).min() < 1e-9
+    weight, angle = found.body.density * 9.81 * found.mass.polygon.area, np.arctan2(20.5, 48.5)
+    length = np.hypot(*(found.slip[-1] - found.slip[0]))
+    closed = (weight * np.cos(angle) * np.tan(np.radians(25)) + found.belt.cohesion * length) / (weight * np.sin(angle))
+    assert found.belt.safety == pytest.approx(closed, rel=2e-3)
+
+
 def test_thin_masses_get_smaller_blocks_and_the_user_is_told():
     found, notes = section(slip=[(100, 20), (110, 22), (160, 45), (180, 58)], planes=[])
     assert found.h <= found.mass.thickest[0] / 2.4 and any("only" in note and "thick" in note for note in notes)

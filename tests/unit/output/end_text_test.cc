@@ -53,7 +53,7 @@ namespace hybrid::output
 
 
 
-    TEST(EndText, SaysThatDashpotsGiveWayToSlip)
+    TEST(EndText, SaysThatDashpotsGiveWayToSlipAndToWater)
     {
       const auto told = [](const double slip, const scene::SceneParameters &scene) {
         Summary run = a_run();
@@ -66,7 +66,9 @@ namespace hybrid::output
       EXPECT_FALSE(told(1e-7, scene));
       scene.continuum.boundary_springs = true;
       EXPECT_FALSE(told(1e-3, scene));
-      scene.continuum.boundary_springs  = false;
+      scene.continuum.boundary_springs          = false;
+      scene.environment.water_tables.level_file = "level.csv";
+      EXPECT_TRUE(told(0., scene));
       scene.continuum.base.is_compliant = false;
       EXPECT_FALSE(told(1e-3, scene));
     }

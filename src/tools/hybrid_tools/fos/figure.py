@@ -16,6 +16,7 @@ from hybrid_tools import style
 NAMES = {"fos": ("strength reduction factor", "Factor of safety %.3f"),
          "yield": ("horizontal coefficient k", "Yield coefficient $k_y$ = %.4f")}
 MOST_ARROWS = 400
+SMALL_PART, STAYS = 0.05, 0.5  # of the mass, and of the largest motion: what moves less and is no more stays behind, as a thin tip does
 
 
 def moved(trial):
@@ -59,14 +60,33 @@ def corners_in_one_piece(run, points, offsets):
 
 def parting(bracket):
     """Largest difference of the motions of blocks at a corner where the mass is one piece, over the largest motion [-]: 0 if they move as one.
-    Where two materials meet, or on joints of their own, the mass may have a plane to fail along."""
+    Where two materials meet, or on joints of their own, the mass may have a plane to fail along. A small part that stays behind does not count."""
     points, motion, offsets = mechanism(bracket)
     corner = corners_in_one_piece(bracket.fails.run(), points, offsets)
     motion = motion[:len(corner)]
+    counts = ~stays_behind(points[:len(corner)], motion, offsets)
+    if not counts.any():
+        return 0.0
+    corner, motion = np.unique(corner[counts], return_inverse=True)[1], motion[counts]
     low, high = np.full((corner.max() + 1, 2), np.inf), np.full((corner.max() + 1, 2), -np.inf)
     np.minimum.at(low, corner, motion)
     np.maximum.at(high, corner, motion)
     return float(np.linalg.norm(high - low, axis=1).max())
+
+
+def stays_behind(points, motion, offsets):
+    """For each corner of the mass: it is of a block that stays while nearly all of the mass moves."""
+    n_blocks = int(np.searchsorted(offsets, len(points)))
+    count = np.diff(offsets)[:n_blocks]
+    parts = [np.split(values, offsets[1:n_blocks]) for values in (points, motion)]
+    area = np.array([polygon_area(p) for p in parts[0]])
+    stays = np.array([np.linalg.norm(m.mean(axis=0)) < STAYS for m in parts[1]])
+    return np.repeat(stays & (area[stays].sum() <= SMALL_PART * area.sum()), count)
+
+
+def polygon_area(polygon):
+    x, y = (polygon - polygon[0]).T
+    return 0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
 
 
 def plastic_strain(bracket):

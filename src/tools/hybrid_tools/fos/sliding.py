@@ -53,9 +53,12 @@ def lost_strength(run):
         residual = first_number(material["Residual " + name.lower()], peak)
         if residual < peak:
             words.append("%s %g of %g %s" % (name.lower(), residual, peak, unit))
-    if first_number(material["Friction rate coefficient"], 0.0) < 0:
-        words.append("friction that falls with the rate")
     return ", ".join(words)
+
+
+def friction_rate(run):
+    """Friction of the sliding surface: -1 if it falls with the rate of slip, 1 if it rises, 0 if neither."""
+    return float(np.sign(first_number(surface_material(run)["Friction rate coefficient"], 0.0)))
 
 
 def gravity(run):
@@ -90,7 +93,7 @@ def compare(words, trials, bracket, directory):
         "rigid_block_m": float(found["rigid block"][1][-1]), "decoupled_m": float(found["decoupled"][1][-1]),
         "coupled_mean_m": float(mean_slip[-1]), "coupled_largest_m": largest_slip,
         "slip_with_sliding_prevented_m": float(np.abs(prevented.history("slip/largest")).max()),
-        "surface_keeps_after_slip": lost_strength(run),
+        "surface_keeps_after_slip": lost_strength(run), "sign_of_friction_rate": friction_rate(run),
     }
     with open(os.path.join(directory, "newmark.json"), "w", encoding="utf-8") as file:
         json.dump(numbers, file, indent=2)
@@ -114,6 +117,9 @@ def tell(numbers):
         print("warning: the sliding surface loses strength as it slips (it keeps %s): the yield coefficient is that of its peak, so that\n"
               "  the simpler methods tell too little; with -s and the residual values as peaks they tell a bound from above" % (
                   numbers["surface_keeps_after_slip"]))
+    if numbers["sign_of_friction_rate"]:
+        print("warning: friction of the sliding surface %s with the rate of slip, which the simpler methods do not have: they tell too %s" % (
+            ("rises", "much") if numbers["sign_of_friction_rate"] > 0 else ("falls", "little")))
 
 
 def draw(run, prevented, found, numbers, directory, towards):

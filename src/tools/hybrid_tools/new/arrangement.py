@@ -5,11 +5,15 @@ import numpy as np
 from shapely.geometry import LineString, Polygon
 from shapely.ops import polygonize, unary_union
 
+TINY = 0.25  # of the length that edges should have: shorter ones shrink wherever their lines go
+MOVED = 0.125  # of this length: how far lines may move aside where edges shrink that are not tiny
+
 
 class Arrangement:
     """points: n x 2 [m]; edges: {(a, b): label}, a < b; faces: lists of points, counter-clockwise.
 
-    lines: [(label, points)], the first label counts where two coincide. short(x, y): edges below this length [m] are drawn together.
+    lines: [(label, points)], the first label counts where two coincide. short(x, y): edges below this length [m] are drawn together,
+    where their lines move by little.
     An end that should lie on another line may stick out: dangling ends are left out.
     """
 
@@ -39,12 +43,12 @@ class Arrangement:
         return self.number[key]
 
     def draw_together(self, short, fixed):
-        """Short edges shrink to one of their ends: a fixed one, else the one where more lines meet."""
-        degree = np.zeros(len(self.points), int)
-        for a, b in self.edges:
-            degree[[a, b]] += 1
+        """Short edges shrink to one of their ends: a fixed one, else the one where more lines meet.
+
+        An edge that is not tiny stays where no line may move so far: so corners are kept that are more than the wiggles of a survey."""
+        beside = self.neighbours()
         held = {self.node(c) for c in fixed}
-        target = list(range(len(self.points)))
+        target, members = list(range(len(self.points))), {k: [k] for k in range(len(self.points))}
 
         def root(k):
             while target[k] != k:
@@ -53,18 +57,41 @@ class Arrangement:
 
         for (a, b), _ in sorted(self.edges.items(), key=lambda e: self.length(e[0])):
             a, b = root(a), root(b)
-            if a == b or self.length((a, b)) >= short(*(0.5 * (self.points[a] + self.points[b]))):
+            limit = short(*(0.5 * (self.points[a] + self.points[b])))
+            if a == b or self.length((a, b)) >= limit or (a in held and b in held):
                 continue
-            if a in held and b in held:
-                continue
-            keep = a if (a in held, degree[a], -a) > (b in held, degree[b], -b) else b
-            target[b if keep == a else a] = keep
+            ends = sorted(((a, b), (b, a)), key=lambda e: (e[0] in held, len(beside[e[0]]), -e[0]), reverse=True)
+            fits = [(keep, gone) for keep, gone in ends if gone not in held and (
+                self.length((a, b)) < TINY * limit or self.moved_by(members[gone], keep, beside) < MOVED * limit)]
+            if fits:
+                keep, gone = fits[0]
+                target[gone] = keep
+                members[keep] += members.pop(gone)
         edges = {}
         for (a, b), label in self.edges.items():
             a, b = root(a), root(b)
             if a != b:
                 edges.setdefault((min(a, b), max(a, b)), label)
         self.edges = edges
+
+    def neighbours(self):
+        """Of each point: those at the other ends of its edges."""
+        found = [[] for _ in self.points]
+        for a, b in self.edges:
+            found[a].append(b)
+            found[b].append(a)
+        return found
+
+    def moved_by(self, points, place, beside):
+        """How far lines through these points move aside, if they go to another point [m]."""
+        largest = 0.0
+        for k in points:
+            way = self.points[place] - self.points[k]
+            for other in beside[k]:
+                along = self.points[other] - self.points[k]
+                if other != place:
+                    largest = max(largest, abs(way[0] * along[1] - way[1] * along[0]) / np.hypot(*along))
+        return largest
 
     def divide(self, size):
         """Long edges fall into pieces along which the element size [m] varies by less than half; faces go along."""

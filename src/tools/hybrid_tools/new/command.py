@@ -154,7 +154,7 @@ def make_and_check(options, place):
         finer = finer_than(finer, warnings)
         if finer is None or options.size:
             break
-    return section, card, warnings
+    return section, card, [warning.replace(place + os.sep, "") for warning in warnings]
 
 
 def stands(scene):

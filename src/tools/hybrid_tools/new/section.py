@@ -8,13 +8,13 @@ from hybrid_run import UserError
 from . import sizes
 from .arrangement import Arrangement, edges_of
 from .mass import below_of, find_mass
-from .materials import belt, body, rock
+from .materials import Slices, belt, body, rock
 from .monitors import point_at, slope_ends
 from .planes import Continuations, as_lines, cut_planes, look_at_layers, spacing
 
 STRIP = 0.3  # of a free-field column that is level ground beside the side; a quarter is asked for
 GROWTH = 0.15  # of element sizes with distance
-SHORTEST = 0.8  # edge of the section over the element size there; shorter ones are drawn together
+SHORTEST = 0.8  # edge of the section over the element size there; shorter ones are drawn together where their lines move by little
 
 
 class Section:
@@ -120,9 +120,20 @@ class Section:
         self.mesh = Arrangement(lines, lambda x, y: SHORTEST * min(self.size_at(x, y), detail), corners + ends)
         self.mesh.divide(self.size_at)
         self.sort_faces()
-        self.ground = self.chain({"ground", "mass_surface"})
+        self.redraw()
+
+    def redraw(self):
+        """Ground, slip line and mass as they are in the mesh."""
+        ground, slip = self.chain({"ground", "mass_surface"}), None if self.slip is None else self.chain({"sliding_surface"})
+        for name, line, now in (("ground", self.ground, ground), ("slip line", self.slip, slip)):
+            moved = 0.0 if line is None else LineString(line).hausdorff_distance(LineString(now))
+            if moved > 0.05 * self.h:
+                self.notes.append("%s: it moves by up to %.2g m, as points are drawn together that are closer than the elements; a smaller --size keeps them" % (
+                    name, moved))
+        self.ground, self.slip = ground, slip
         if self.mass is not None:
-            self.slip = self.chain({"sliding_surface"})
+            self.mass = find_mass(slip, ground, [])
+            self.belt.safety = Slices(self.mass, self.body.density).safety(self.belt.friction_angle, self.belt.cohesion)
 
     def chain(self, labels):
         """The lines of these groups as they are in the mesh, from left to right."""
