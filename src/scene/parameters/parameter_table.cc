@@ -182,14 +182,24 @@ namespace hybrid::scene
     if (!deal_ii_pattern(pattern)->match(line.value))
       throw error(line.path(), "must be " + pattern.allowed);
     implementation->enter(line.section);
-    implementation->handler.set(line.key,
-                                pattern.kind == ParameterPattern::Kind::file ? resolve_file(line)
-                                                                             : line.value);
+    implementation->handler.set(line.key, line.value);
     implementation->leave(line.section);
+  }
+
+  void ParameterTable::find_files()
+  {
+    for (const Entry &entry : implementation->entries)
+      if (entry.is_set && entry.declaration.pattern.kind == ParameterPattern::Kind::file)
+        {
+          implementation->enter(entry.section);
+          implementation->handler.set(entry.line.key, resolve_file(entry.line));
+          implementation->leave(entry.section);
+        }
   }
 
   void ParameterTable::assign()
   {
+    find_files();
     for (const Entry &entry : implementation->entries)
       try
         {

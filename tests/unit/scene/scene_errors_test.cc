@@ -133,6 +133,9 @@ TEST_F(SceneErrors, UnreadableFilesAreNamed)
   expect_error(
     write_scene("subsection Motion\n  set Type = text\n  set File = quake.txt\nend\n"),
     {"scene.prm:21: ", "Motion/File = 'quake.txt'", "there is no file", path("quake.txt")});
+  write("other.txt", "0 0\n0.01 1\n0.02 0\n");
+  EXPECT_NO_THROW(
+    read_scene(path("scene.prm"), {"Motion/File=" + path("other.txt")})); // in its place
 }
 
 TEST_F(SceneErrors, FilesMustBeText)

@@ -89,5 +89,8 @@ namespace hybrid::scene
     std::unique_ptr<Implementation> implementation;
 
     void refuse_unknown(const ParameterLine &line) const;
+
+    /// Paths of the files that are named; of a parameter that is set several times, of the last.
+    void find_files();
   };
 } // namespace hybrid::scene
