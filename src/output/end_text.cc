@@ -260,11 +260,10 @@ namespace hybrid::output
                                   summary.energy_residual);
     if (summary.steps > 0)
       {
-        found += monitors_text(summary, scene.monitors.base_monitor) + lines_text(summary, scene) +
-                 changed_water_text(scene);
-        if (summary.blocks > 0)
-          found += indent + slip_text(summary) + shear_text(summary.base_shear) +
-                   off_base_text(summary.blocks_off_base) +
+        found += monitors_text(summary, scene.monitors.base_monitor) + lines_text(summary, scene);
+        if (summary.blocks > 0) // water acts on the ground below these alone
+          found += changed_water_text(scene) + indent + slip_text(summary) +
+                   shear_text(summary.base_shear) + off_base_text(summary.blocks_off_base) +
                    deep_overlap_text(summary.deepest_overlap);
       }
     const std::string &place = scene.output.directory;
